@@ -1,0 +1,1 @@
+//! Reading and writing pictures: linear EXR, PNG; files appear whole or not at all.

@@ -1,0 +1,12 @@
+//! Global illumination measured against path-traced truth.
+//!
+//! [`scene`] loads or builds scenes, [`exec`] runs kernels on the CPU or through wgpu, [`methods`] holds every
+//! lighting method, [`mod@reference`] the truth, `metrics` and `report` what is said of them.
+
+pub mod exec;
+pub mod image_io;
+pub mod methods;
+pub mod metrics;
+pub mod reference;
+pub mod report;
+pub mod scene;

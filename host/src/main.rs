@@ -1,0 +1,3 @@
+//! Interreflect on the command line.
+
+fn main() {}

@@ -1,0 +1,171 @@
+//! Lighting methods: one file each, and the [`METHODS`] table that the program, charts and tests run over.
+
+use crate::exec::{BufferId, ExecError, Executor};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What can go wrong in a method.
+#[derive(Debug, thiserror::Error)]
+pub enum MethodError {
+    /// A kernel or buffer failed.
+    #[error(transparent)]
+    Exec(#[from] ExecError),
+    /// A setting does not exist; the nearest existing name.
+    #[error("method `{method}` has no setting `{key}`; did you mean `{nearest}`? (it has: {known})")]
+    UnknownSetting {
+        /// Method.
+        method: &'static str,
+        /// What was given.
+        key: String,
+        /// Nearest name.
+        nearest: String,
+        /// All names.
+        known: String,
+    },
+    /// A setting's value is not allowed.
+    #[error("setting `{key}` of method `{method}`: `{value}` is not {expected}")]
+    BadValue {
+        /// Method.
+        method: &'static str,
+        /// Setting.
+        key: String,
+        /// What was given.
+        value: String,
+        /// What is allowed.
+        expected: String,
+    },
+    /// The method's buffers would not fit.
+    #[error("method `{method}` needs {needed_bytes} bytes with these settings, more than {limit_bytes}: {hint}")]
+    TooLarge {
+        /// Method.
+        method: &'static str,
+        /// Bytes needed.
+        needed_bytes: u64,
+        /// The limit.
+        limit_bytes: u64,
+        /// What to change.
+        hint: String,
+    },
+}
+
+/// Named values of a method's parameters, as text; sorted by name.
+pub type Settings = BTreeMap<String, String>;
+
+/// A parameter that a method takes from `--set key=value`.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Setting {
+    /// Name.
+    pub key: &'static str,
+    /// Default value.
+    pub default: &'static str,
+    /// Allowed values, for messages: `a power of two from 16 to 512`.
+    pub allowed: &'static str,
+    /// What a higher and a lower value buys; unit.
+    pub help: &'static str,
+}
+
+/// The scene in device buffers, with what a method may need of the host's.
+pub struct Input<'a> {
+    /// The host's scene.
+    pub scene: &'a Scene,
+    /// Its buffers.
+    pub buffers: &'a crate::scene::device::SceneBuffers,
+    /// Seed of every random choice.
+    pub seed: u32,
+}
+
+/// When a stage of a method runs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Phase {
+    /// Once per scene geometry.
+    Precompute,
+    /// When lights or materials change.
+    LightChange,
+    /// Every frame.
+    Frame,
+}
+
+/// Times stages: `clock.stage(exec, "mipmap", |exec| …)`.
+#[derive(Default, Debug)]
+pub struct StageClock {
+    /// Stage name and milliseconds, in order; a stage that ran twice appears twice.
+    pub stages: Vec<(String, f64)>,
+}
+
+impl StageClock {
+    /// Runs and times one stage.
+    ///
+    /// # Errors
+    /// What `work` or the executor's clock returns.
+    pub fn stage<E: From<ExecError>>(
+        &mut self,
+        exec: &mut dyn Executor,
+        name: &str,
+        work: impl FnOnce(&mut dyn Executor) -> Result<(), E>,
+    ) -> Result<(), E> {
+        exec.begin();
+        let result = work(exec);
+        let ms = exec.end()?;
+        self.stages.push((name.to_string(), ms));
+        result
+    }
+}
+
+/// A lighting method with its buffers. The three phases are called in order; a later frame or light change calls only
+/// its own phase again and must not allocate.
+pub trait Method: Send {
+    /// Allocates, and computes what depends on geometry alone.
+    fn precompute(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError>;
+
+    /// Computes what depends on lights and materials.
+    fn light_change(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError>;
+
+    /// Indirect irradiance (W/m², `Vec4` per pixel, w = 0) at each [`interreflect_shared::scene::Surfel`] of
+    /// `gbuffer`, into `irradiance` of the same length. Indirect: arriving after at least one reflection.
+    fn frame(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        gbuffer: BufferId,
+        irradiance: BufferId,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError>;
+
+    /// What the method decided by itself (resolution, bounces, ranks…), for `report.json`.
+    fn needs(&self) -> serde_json::Value {
+        serde_json::Value::Null
+    }
+}
+
+/// One row of [`METHODS`].
+pub struct MethodRow {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// One sentence.
+    pub summary: &'static str,
+    /// When to use it.
+    pub good_when: &'static str,
+    /// When not to.
+    pub fails_when: &'static str,
+    /// Parameters.
+    pub settings: &'static [Setting],
+    /// Settings from cheapest to best, for charts: name and changed values.
+    pub ladder: &'static [(&'static str, &'static [(&'static str, &'static str)])],
+    /// Makes the method from checked settings (every key of `settings` is present).
+    pub new: fn(&Settings) -> Result<Box<dyn Method>, MethodError>,
+}
+
+/// Every method.
+pub const METHODS: &[MethodRow] = &[];

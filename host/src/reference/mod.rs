@@ -1,0 +1,1 @@
+//! The truth: a path tracer that shares no kernel with what it judges.

@@ -1,0 +1,3 @@
+//! Mathematics that kernels share; imports no method.
+
+pub mod float;

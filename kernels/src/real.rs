@@ -1,0 +1,221 @@
+//! Numbers that stand for one invocation on a device or for several neighbouring elements on a CPU.
+//!
+//! An arithmetic kernel body is generic over [`Real`]. The device runs it with `f32`; the CPU runs it with
+//! [`Lanes`], which rustc turns into vector instructions. Every operation is defined lane by lane with the same IEEE
+//! operations as `f32`, no contraction and no reassociation, so scalar and lanes agree bit for bit.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What a lane-generic body may do with a number. Comparison gives a mask; `select` takes the place of a branch.
+pub trait Real:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// Result of a comparison, one truth value per lane.
+    type Mask: Copy;
+    /// Elements that one value stands for.
+    const LANES: usize;
+    /// The same number in every lane.
+    fn splat(value: f32) -> Self;
+    /// `start + step·lane`: exact while the values are integers below 2²⁴.
+    fn ramp(start: f32, step: f32) -> Self;
+    /// Elements `i, i+1, …` of a plane.
+    fn load(plane: &[f32], i: usize) -> Self;
+    /// Elements `i, i+stride, …` of a plane.
+    fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self;
+    /// Words `i, i+1, …` converted from unsigned integers (rounded to nearest).
+    fn load_u32(plane: &[u32], i: usize) -> Self;
+    /// Stores to elements `i, i+1, …` of a plane.
+    fn store(self, plane: &mut [f32], i: usize);
+    /// `self < other` (false with a NaN).
+    fn lt(self, other: Self) -> Self::Mask;
+    /// Picks `a` where the mask is true, else `b`.
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// Square root (correctly rounded on every target).
+    fn sqrt(self) -> Self;
+    /// Magnitude.
+    fn abs(self) -> Self;
+    /// The larger number, `other` where `self` is NaN: the same on every target, unlike the target's own `max`.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::select(other.lt(self), self, other)
+    }
+    /// The smaller number, `other` where `self` is NaN.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::select(self.lt(other), self, other)
+    }
+    /// `max(self, 0)`, 0 for NaN.
+    #[inline(always)]
+    fn positive(self) -> Self {
+        self.max(Self::splat(0.0))
+    }
+}
+
+impl Real for f32 {
+    type Mask = bool;
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn splat(value: f32) -> f32 {
+        value
+    }
+    #[inline(always)]
+    fn ramp(start: f32, _step: f32) -> f32 {
+        start
+    }
+    #[inline(always)]
+    fn load(plane: &[f32], i: usize) -> f32 {
+        plane[i]
+    }
+    #[inline(always)]
+    fn load_strided(plane: &[f32], i: usize, _stride: usize) -> f32 {
+        plane[i]
+    }
+    #[inline(always)]
+    fn load_u32(plane: &[u32], i: usize) -> f32 {
+        plane[i] as f32
+    }
+    #[inline(always)]
+    fn store(self, plane: &mut [f32], i: usize) {
+        plane[i] = self;
+    }
+    #[inline(always)]
+    fn lt(self, other: f32) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: f32, b: f32) -> f32 {
+        if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> f32 {
+        crate::math::float::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> f32 {
+        crate::math::float::abs(self)
+    }
+}
+
+#[cfg(not(target_arch = "spirv"))]
+pub use lanes::{Lanes, WIDTH};
+
+#[cfg(not(target_arch = "spirv"))]
+mod lanes {
+    use super::Real;
+    use core::ops::{Add, Div, Mul, Neg, Sub};
+
+    /// Lanes that the CPU executor uses: one 512-bit register, two of 256 bits or four of 128.
+    pub const WIDTH: usize = 16;
+
+    /// `N` neighbouring elements.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[repr(align(64))]
+    pub struct Lanes<const N: usize>(pub [f32; N]);
+
+    macro_rules! lanewise {
+        ($($trait:ident $method:ident $op:tt),*) => { $(
+            impl<const N: usize> $trait for Lanes<N> {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(mut self, other: Self) -> Self {
+                    for lane in 0..N { self.0[lane] = self.0[lane] $op other.0[lane]; }
+                    self
+                }
+            }
+        )* };
+    }
+    lanewise!(Add add +, Sub sub -, Mul mul *, Div div /);
+
+    impl<const N: usize> Neg for Lanes<N> {
+        type Output = Self;
+        #[inline(always)]
+        fn neg(mut self) -> Self {
+            for lane in 0..N {
+                self.0[lane] = -self.0[lane];
+            }
+            self
+        }
+    }
+
+    impl<const N: usize> Real for Lanes<N> {
+        type Mask = [bool; N];
+        const LANES: usize = N;
+        #[inline(always)]
+        fn splat(value: f32) -> Self {
+            Self([value; N])
+        }
+        #[inline(always)]
+        fn ramp(start: f32, step: f32) -> Self {
+            let mut r = [0.0; N];
+            for lane in 0..N {
+                r[lane] = start + step * lane as f32;
+            }
+            Self(r)
+        }
+        #[inline(always)]
+        fn load(plane: &[f32], i: usize) -> Self {
+            let mut r = [0.0; N];
+            r.copy_from_slice(&plane[i..i + N]);
+            Self(r)
+        }
+        #[inline(always)]
+        fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self {
+            let mut r = [0.0; N];
+            let part = &plane[i..i + stride * (N - 1) + 1];
+            for lane in 0..N {
+                r[lane] = part[lane * stride];
+            }
+            Self(r)
+        }
+        #[inline(always)]
+        fn load_u32(plane: &[u32], i: usize) -> Self {
+            let mut r = [0.0; N];
+            let part = &plane[i..i + N];
+            for lane in 0..N {
+                r[lane] = part[lane] as f32;
+            }
+            Self(r)
+        }
+        #[inline(always)]
+        fn store(self, plane: &mut [f32], i: usize) {
+            plane[i..i + N].copy_from_slice(&self.0);
+        }
+        #[inline(always)]
+        fn lt(self, other: Self) -> [bool; N] {
+            let mut r = [false; N];
+            for lane in 0..N {
+                r[lane] = self.0[lane] < other.0[lane];
+            }
+            r
+        }
+        #[inline(always)]
+        fn select(mask: [bool; N], a: Self, b: Self) -> Self {
+            let mut r = b;
+            for lane in 0..N {
+                r.0[lane] = if mask[lane] { a.0[lane] } else { b.0[lane] };
+            }
+            r
+        }
+        #[inline(always)]
+        fn sqrt(mut self) -> Self {
+            for lane in 0..N {
+                self.0[lane] = crate::math::float::sqrt(self.0[lane]);
+            }
+            self
+        }
+        #[inline(always)]
+        fn abs(mut self) -> Self {
+            for lane in 0..N {
+                self.0[lane] = crate::math::float::abs(self.0[lane]);
+            }
+            self
+        }
+    }
+}
+
+/// Repeats a block with its index as a constant, `unroll!(K in 0, 1, 2 => { … })`: neither rust-gpu nor the drivers
+/// unroll, and a run-time index into a constant table becomes a copy in private memory (measured 20 times slower).
+#[macro_export]
+macro_rules! unroll {
+    ($k:ident in $($value:expr),+ => $block:block) => { $( { const $k: usize = $value; $block } )+ };
+}

@@ -1,0 +1,3 @@
+//! Development tasks of Interreflect.
+
+fn main() {}
