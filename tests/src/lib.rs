@@ -1,2 +1,1 @@
 //! Test harness of Interreflect.
-

@@ -1,6 +1,6 @@
 //! Kernels on the CPU: pieces of rows on rayon's threads.
 
-use super::{BufferId, DeviceInfo, ExecError, Executor, check_bindings};
+use super::{BufferId, DeviceInfo, ExecError, Executor, Mark, check_bindings};
 use bytemuck::{Pod, Zeroable};
 use interreflect_kernels::kernel::{Access, Form, Kernel, Piece, Rows};
 use rayon::prelude::*;
@@ -135,6 +135,18 @@ impl Executor for CpuExecutor {
 
     fn free(&mut self, buffer: BufferId) {
         self.buffers[buffer.0 as usize] = None;
+    }
+
+    fn size_bytes(&self, buffer: BufferId) -> u64 {
+        self.buffer(buffer).bytes as u64
+    }
+
+    fn mark(&self) -> Mark {
+        Mark(self.buffers.len() as u32)
+    }
+
+    fn free_since(&mut self, mark: Mark) {
+        self.buffers.truncate(mark.0 as usize);
     }
 
     fn begin(&mut self) {

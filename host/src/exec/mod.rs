@@ -70,6 +70,10 @@ pub enum ExecError {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct BufferId(pub(crate) u32);
 
+/// A moment in an executor's life: the number of buffers made before it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Mark(pub(crate) u32);
+
 /// Where kernels run, for reports.
 #[derive(Clone, Debug, Serialize)]
 pub struct DeviceInfo {
@@ -110,6 +114,15 @@ pub trait Executor: Send {
 
     /// Gives a buffer back.
     fn free(&mut self, buffer: BufferId);
+
+    /// Size of a buffer in bytes.
+    fn size_bytes(&self, buffer: BufferId) -> u64;
+
+    /// The present moment, for [`Executor::free_since`].
+    fn mark(&self) -> Mark;
+
+    /// Gives back every buffer that was made after the mark.
+    fn free_since(&mut self, mark: Mark);
 
     /// Starts a timed stage.
     fn begin(&mut self);
