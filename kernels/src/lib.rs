@@ -11,6 +11,8 @@ extern crate alloc;
 pub mod real;
 #[macro_use]
 pub mod kernel;
+#[cfg(not(target_arch = "spirv"))]
+pub mod compiled;
 pub mod cone;
 pub mod math;
 pub mod sh;

@@ -1,3 +1,65 @@
-//! Development tasks of Interreflect.
+//! Development tasks of Interreflect: `cargo xtask kernels | test | ci | bench`.
 
-fn main() {}
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+mod ci;
+mod compile;
+mod kernels;
+mod manifest;
+mod source;
+mod toolchain;
+mod translate;
+mod vulkan;
+mod workspace;
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", about = "Compiles, checks and benchmarks Interreflect's kernels")]
+struct Cli {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Compile every kernel to SPIR-V and WGSL and write kernels/compiled
+    Kernels {
+        /// Write nothing; fail when kernels/compiled is not what today's source gives
+        #[arg(long)]
+        check: bool,
+    },
+    /// See to a Vulkan driver, then run every test, those on a device included
+    Test {
+        /// Arguments for `cargo test --release --workspace`
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<String>,
+    },
+    /// Everything that continuous integration runs: format, lints, documentation, kernels, tests
+    Ci,
+    /// One compile in a process of its own (see `compile.rs`)
+    #[command(hide = true)]
+    CompileModules {
+        #[arg(long)]
+        backend: PathBuf,
+        #[arg(long)]
+        out: PathBuf,
+    },
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().task {
+        Task::Kernels { check: false } => kernels::write(),
+        Task::Kernels { check: true } => kernels::check(),
+        Task::Test { args } => ci::test(&args),
+        Task::Ci => ci::all(),
+        Task::CompileModules { backend, out } => compile::modules(&backend, &out),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -4,6 +4,7 @@ use interreflect_kernels::kernel::{Access, Kernel};
 use serde::Serialize;
 
 pub mod cpu;
+pub mod manifest;
 
 pub use cpu::CpuExecutor;
 
