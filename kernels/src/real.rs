@@ -118,13 +118,13 @@ mod lanes {
                 type Output = Self;
                 #[inline(always)]
                 fn $method(mut self, other: Self) -> Self {
-                    for lane in 0..N { self.0[lane] = self.0[lane] $op other.0[lane]; }
+                    for lane in 0..N { self.0[lane] $op other.0[lane]; }
                     self
                 }
             }
         )* };
     }
-    lanewise!(Add add +, Sub sub -, Mul mul *, Div div /);
+    lanewise!(Add add +=, Sub sub -=, Mul mul *=, Div div /=);
 
     impl<const N: usize> Neg for Lanes<N> {
         type Output = Self;

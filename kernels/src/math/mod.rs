@@ -1,3 +1,11 @@
-//! Mathematics that kernels share; imports no method.
+//! Mathematics that kernels share; imports no method. Everything here compiles for devices and agrees on every target.
 
+pub mod colour;
+pub mod filter;
 pub mod float;
+pub mod frame;
+pub mod octahedral;
+pub mod pack;
+pub mod rng;
+pub mod sampling;
+pub mod vector;
