@@ -1,6 +1,6 @@
 //! Kernels on the CPU: pieces of rows on rayon's threads.
 
-use super::{BufferId, DeviceInfo, ExecError, Executor, Mark, check_bindings};
+use super::{BufferId, DeviceInfo, ExecError, Executor, Mark, check_bindings, check_rows, check_write};
 use bytemuck::{Pod, Zeroable};
 use interreflect_kernels::kernel::{Access, Form, Kernel, Piece, Rows};
 use rayon::prelude::*;
@@ -40,12 +40,25 @@ impl CpuExecutor {
         Self::default()
     }
 
-    fn buffer(&self, id: BufferId) -> &CpuBuffer {
-        self.buffers[id.0 as usize].as_ref().expect("the buffer was freed or is bound twice")
+    fn buffer(&self, id: BufferId) -> Result<&CpuBuffer, ExecError> {
+        self.buffers.get(id.0 as usize).and_then(Option::as_ref).ok_or_else(ExecError::freed)
     }
 
-    fn buffer_mut(&mut self, id: BufferId) -> &mut CpuBuffer {
-        self.buffers[id.0 as usize].as_mut().expect("the buffer was freed or is bound twice")
+    fn buffer_mut(&mut self, id: BufferId) -> Result<&mut CpuBuffer, ExecError> {
+        self.buffers.get_mut(id.0 as usize).and_then(Option::as_mut).ok_or_else(ExecError::freed)
+    }
+}
+
+impl CpuExecutor {
+    /// The rows that a dispatch covers.
+    fn rows(&self, kernel: &Kernel, buffers: &[BufferId], out_count: u32) -> Result<Rows, ExecError> {
+        let mut uniform: &[u32] = &[];
+        for (binding, &id) in kernel.desc.bindings.iter().zip(buffers) {
+            if binding.access == Access::Uniform {
+                uniform = &self.buffer(id)?.words()[..binding.stride_bytes / 4];
+            }
+        }
+        check_rows(kernel, (kernel.rows)(uniform, out_count), out_count)
     }
 }
 
@@ -67,6 +80,9 @@ impl Executor for CpuExecutor {
     }
 
     fn zeroed(&mut self, label: &str, bytes: usize) -> Result<BufferId, ExecError> {
+        if !bytes.is_multiple_of(4) {
+            return Err(ExecError::buffer(label, format!("{bytes} bytes are not whole words")));
+        }
         let count = bytes.div_ceil(64).max(1);
         let lines = bytemuck::try_zeroed_vec(count).map_err(|()| ExecError::OutOfMemory {
             label: label.into(),
@@ -78,19 +94,22 @@ impl Executor for CpuExecutor {
     }
 
     fn write(&mut self, buffer: BufferId, bytes: &[u8]) -> Result<(), ExecError> {
-        let words = self.buffer_mut(buffer).words_mut();
+        let buffer = self.buffer_mut(buffer)?;
+        check_write(&buffer.label, buffer.bytes as u64, bytes.len())?;
+        let words = buffer.words_mut();
         bytemuck::cast_slice_mut::<u32, u8>(words)[..bytes.len()].copy_from_slice(bytes);
         Ok(())
     }
 
     fn clear(&mut self, buffer: BufferId) -> Result<(), ExecError> {
-        let buffer = self.buffer_mut(buffer);
+        let buffer = self.buffer_mut(buffer)?;
         buffer.lines.par_chunks_mut(CLEAR_LINES).for_each(|lines| lines.fill(CacheLine([0; 16])));
         Ok(())
     }
 
     fn run(&mut self, kernel: &'static Kernel, buffers: &[BufferId]) -> Result<(), ExecError> {
-        let out_count = check_bindings(kernel, buffers, |id| self.buffer(id).bytes as u64)?;
+        let out_count = check_bindings(kernel, buffers, |id| self.buffer(id).map(|b| b.bytes as u64))?;
+        let rows = self.rows(kernel, buffers, out_count)?;
         // Take the written buffers out, so that the others can be borrowed beside them.
         let mut uniform: &[u32] = &[];
         let (mut reads, mut written, mut atomic_ids) = (Vec::new(), None, Vec::new());
@@ -103,12 +122,11 @@ impl Executor for CpuExecutor {
         }
         for (binding, &id) in kernel.desc.bindings.iter().zip(buffers) {
             match binding.access {
-                Access::Uniform => uniform = &self.buffer(id).words()[..binding.stride_bytes / 4],
-                Access::Read => reads.push(self.buffer(id).words()),
+                Access::Uniform => uniform = &self.buffer(id)?.words()[..binding.stride_bytes / 4],
+                Access::Read => reads.push(self.buffer(id)?.words()),
                 Access::Write | Access::Atomic => {}
             }
         }
-        let rows = (kernel.rows)(uniform, out_count);
         match kernel.form {
             Form::Scatter => {
                 let atomics: Vec<&[AtomicU32]> = atomic_ids
@@ -130,15 +148,17 @@ impl Executor for CpuExecutor {
     }
 
     fn read(&mut self, buffer: BufferId) -> Result<Vec<u8>, ExecError> {
-        Ok(bytemuck::cast_slice(self.buffer(buffer).words()).to_vec())
+        Ok(bytemuck::cast_slice(self.buffer(buffer)?.words()).to_vec())
     }
 
     fn free(&mut self, buffer: BufferId) {
-        self.buffers[buffer.0 as usize] = None;
+        if let Some(buffer) = self.buffers.get_mut(buffer.0 as usize) {
+            *buffer = None;
+        }
     }
 
     fn size_bytes(&self, buffer: BufferId) -> u64 {
-        self.buffer(buffer).bytes as u64
+        self.buffer(buffer).map_or(0, |b| b.bytes as u64)
     }
 
     fn mark(&self) -> Mark {

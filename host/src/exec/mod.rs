@@ -1,12 +1,14 @@
 //! Executors: where kernels run. They know buffers and kernels, and no method.
 
-use interreflect_kernels::kernel::{Access, Kernel};
+use interreflect_kernels::kernel::{Access, FOLD_WIDTH, Kernel, Rows};
 use serde::Serialize;
 
 pub mod cpu;
+pub mod gpu;
 pub mod manifest;
 
 pub use cpu::CpuExecutor;
+pub use gpu::{GpuExecutor, GpuOptions, SpirvPath, list_devices};
 
 /// What can go wrong when kernels run.
 #[derive(Debug, thiserror::Error)]
@@ -57,6 +59,46 @@ pub enum ExecError {
         /// What was passed.
         got: String,
     },
+    /// A kernel needs more than the adapter has.
+    #[error("kernel `{kernel}` needs {needed} {what}, {adapter} allows {allowed}")]
+    Limit {
+        /// Entry point.
+        kernel: &'static str,
+        /// What there is too little of.
+        what: &'static str,
+        /// How much the kernel needs.
+        needed: u64,
+        /// How much the adapter has.
+        allowed: u64,
+        /// Adapter's name.
+        adapter: String,
+    },
+    /// A buffer was used in a way that it does not allow.
+    #[error("buffer `{label}`: {reason}")]
+    Buffer {
+        /// Name of the buffer.
+        label: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The device reported an error of another kind.
+    #[error("device error during {during}: {reason}")]
+    Device {
+        /// What ran.
+        during: String,
+        /// wgpu's or the driver's words.
+        reason: String,
+    },
+    /// An option or environment variable has a value that it does not allow.
+    #[error("{name}: `{value}` is not {allowed}")]
+    Option {
+        /// Option or variable.
+        name: &'static str,
+        /// What was given.
+        value: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// The driver rejected a compiled kernel.
     #[error("kernel `{kernel}` cannot be made into a pipeline: {reason}")]
     Pipeline {
@@ -65,6 +107,15 @@ pub enum ExecError {
         /// The driver's or naga's words.
         reason: String,
     },
+}
+
+impl ExecError {
+    pub(crate) fn buffer(label: &str, reason: String) -> Self {
+        ExecError::Buffer { label: label.into(), reason }
+    }
+    pub(crate) fn freed() -> Self {
+        Self::buffer("(freed)", "it was given back, or belongs to another executor".into())
+    }
 }
 
 /// A buffer of an [`Executor`]; valid for that executor only.
@@ -136,6 +187,79 @@ pub trait Executor: Send {
     fn buffers(&self) -> Vec<(String, u64)>;
 }
 
+/// Where to run: `--backend`.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Backend {
+    /// A hardware GPU where there is one that works, otherwise the processor.
+    #[default]
+    Auto,
+    /// The processor.
+    Cpu,
+    /// An adapter, a software driver where there is no other.
+    Gpu,
+}
+
+impl std::str::FromStr for Backend {
+    type Err = ExecError;
+    fn from_str(text: &str) -> Result<Self, ExecError> {
+        match text {
+            "auto" => Ok(Backend::Auto),
+            "cpu" => Ok(Backend::Cpu),
+            "gpu" => Ok(Backend::Gpu),
+            _ => Err(ExecError::Option { name: "--backend", value: text.into(), allowed: "auto, cpu or gpu" }),
+        }
+    }
+}
+
+/// Opens an executor; [`open_adapter`] without a wish for an adapter.
+///
+/// # Errors
+/// As [`open_adapter`].
+pub fn open(backend: Backend, warn: &mut dyn FnMut(String)) -> Result<Box<dyn Executor>, ExecError> {
+    open_adapter(backend, None, warn)
+}
+
+/// Opens an executor. `adapter`: any part of an adapter's name, which is then used whatever it is; `warn` hears why
+/// `auto` does not take a GPU that is there. `INTERREFLECT_SPIRV=passthrough|naga` chooses how kernels reach the driver.
+///
+/// # Errors
+/// [`ExecError::NoAdapter`] where an adapter was asked for that is not there, [`ExecError::BrokenDevice`] and others
+/// where it does not run kernels. `auto` without a wish always succeeds.
+pub fn open_adapter(
+    backend: Backend,
+    adapter: Option<&str>,
+    warn: &mut dyn FnMut(String),
+) -> Result<Box<dyn Executor>, ExecError> {
+    if backend == Backend::Cpu {
+        return match adapter {
+            None => Ok(Box::new(CpuExecutor::new())),
+            Some(name) => Err(ExecError::NoAdapter {
+                wanted: format!("GPU named `{name}`"),
+                reason: "the backend is `cpu`, which uses none".into(),
+            }),
+        };
+    }
+    let spirv = std::env::var("INTERREFLECT_SPIRV").ok().map(|text| text.parse()).transpose()?;
+    let options = GpuOptions {
+        adapter: adapter.map(str::to_string),
+        hardware_only: backend == Backend::Auto && adapter.is_none(),
+        spirv,
+        ..GpuOptions::default()
+    };
+    match GpuExecutor::open_or_naga(&options, warn) {
+        Ok(executor) => Ok(Box::new(executor)),
+        Err(error) if options.hardware_only => {
+            // Without a hardware GPU the processor is what `auto` means; one that fails deserves a word.
+            if !matches!(error, ExecError::NoAdapter { .. }) {
+                warn(format!("{error}; going on with the CPU"));
+            }
+            Ok(Box::new(CpuExecutor::new()))
+        }
+        Err(error) => Err(error),
+    }
+}
+
 /// Typed convenience over [`Executor`].
 pub trait ExecutorExt: Executor {
     /// A buffer of records.
@@ -162,7 +286,7 @@ impl<E: Executor + ?Sized> ExecutorExt for E {}
 pub(crate) fn check_bindings(
     kernel: &Kernel,
     buffers: &[BufferId],
-    bytes: impl Fn(BufferId) -> u64,
+    bytes: impl Fn(BufferId) -> Result<u64, ExecError>,
 ) -> Result<u32, ExecError> {
     let desc = &kernel.desc;
     let error =
@@ -172,7 +296,7 @@ pub(crate) fn check_bindings(
     }
     let mut out_count = 0;
     for (k, (binding, &id)) in desc.bindings.iter().zip(buffers).enumerate() {
-        let size = bytes(id);
+        let size = bytes(id)?;
         let stride = binding.stride_bytes as u64;
         if binding.access == Access::Uniform && size < stride {
             return error(binding.name, format!("one {} of {stride} bytes", binding.record), format!("{size} bytes"));
@@ -184,8 +308,44 @@ pub(crate) fn check_bindings(
             return error(binding.name, "a buffer of its own".into(), "one that is bound already".into());
         }
         if binding.access == Access::Write {
-            out_count = (size / stride) as u32;
+            out_count = u32::try_from(size / stride).unwrap_or(u32::MAX);
         }
     }
     Ok(out_count)
+}
+
+/// Checks that every invocation's element lies in the written binding of `out_count` elements.
+pub(crate) fn check_rows(kernel: &Kernel, rows: Rows, out_count: u32) -> Result<Rows, ExecError> {
+    let (count, len) = (u64::from(rows.count), u64::from(rows.len));
+    let error = |expected: String, got: String| {
+        let written = kernel.desc.bindings.iter().find(|b| matches!(b.access, Access::Write | Access::Atomic));
+        let binding = written.map_or("(none)", |b| b.name);
+        Err(ExecError::Binding { kernel: kernel.desc.name, binding, expected, got })
+    };
+    // The last workgroups of a folded dispatch must not wrap around to the first elements.
+    let most = u64::from(u32::MAX) - u64::from(kernel.desc.workgroup_size) * u64::from(FOLD_WIDTH);
+    if count * len > most {
+        return error(format!("at most {most} invocations"), format!("{}", count * len));
+    }
+    if kernel.plane_count == 0 || count * len == 0 {
+        return Ok(rows);
+    }
+    let reach = u64::from(rows.first) + (count - 1) * u64::from(rows.pitch) + len;
+    let planes = kernel.plane_count as u64;
+    if kernel.plane_count > 1 && reach > u64::from(rows.plane) {
+        return error(format!("planes of at least {reach} elements"), format!("{}", rows.plane));
+    }
+    let needed = reach.max(if planes > 1 { u64::from(rows.plane) * planes } else { 0 });
+    if needed > u64::from(out_count) {
+        return error(format!("at least {needed} elements"), format!("{out_count}"));
+    }
+    Ok(rows)
+}
+
+/// Checks that `written` bytes fit into a buffer.
+pub(crate) fn check_write(label: &str, bytes: u64, written: usize) -> Result<(), ExecError> {
+    if written as u64 > bytes || !written.is_multiple_of(4) {
+        return Err(ExecError::buffer(label, format!("{written} bytes do not fit into its {bytes}, word by word")));
+    }
+    Ok(())
 }
