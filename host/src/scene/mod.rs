@@ -1,8 +1,18 @@
 //! Scenes: triangles in world space, materials, lights, cameras. World: right-handed, +Y up, metres, radiometric units.
+//!
+//! [`load`] reads a glTF or OBJ file, or makes one of the [`BUILT_IN`] scenes.
 
+pub mod built_in;
 pub mod device;
+mod error;
+mod import;
+
+pub use built_in::{BUILT_IN, BuiltIn};
+pub use error::{FileError, SceneError};
 
 use glam::{Vec2, Vec3};
+use sha2::{Digest, Sha256};
+use std::path::Path;
 
 /// One triangle: three vertices and a material.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -132,7 +142,142 @@ pub struct Scene {
     pub notes: Vec<String>,
 }
 
+/// How a scene is loaded.
+#[derive(Clone, Copy, Debug)]
+pub struct LoadOptions {
+    /// Constant radiance of the environment, in place of the scene's own (files have none).
+    pub environment: Option<Vec3>,
+    /// Most triangles that are accepted.
+    pub max_triangles: usize,
+}
+
+impl Default for LoadOptions {
+    fn default() -> Self {
+        LoadOptions { environment: None, max_triangles: 1 << 24 }
+    }
+}
+
+/// What a scene holds, for listings and reports.
+#[derive(Clone, Copy, PartialEq, Debug, serde::Serialize)]
+pub struct SceneStats {
+    /// Triangles.
+    pub triangle_count: usize,
+    /// Triangles whose front face emits.
+    pub emissive_triangle_count: usize,
+    /// Lights without a surface.
+    pub light_count: usize,
+    /// Materials.
+    pub material_count: usize,
+    /// Textures.
+    pub texture_count: usize,
+    /// Smallest corner of the bounding box (m).
+    pub min: [f32; 3],
+    /// Largest corner (m).
+    pub max: [f32; 3],
+}
+
+/// Loads a scene: a built-in one by its name, or a `.glb`, `.gltf` or `.obj` file by its path.
+///
+/// # Errors
+/// [`SceneError::Unknown`] for what is neither, [`SceneError::File`] for a file that cannot be read as a scene.
+///
+/// ```
+/// use interreflect::scene::{LoadOptions, load};
+/// let scene = load("cornell-box", &LoadOptions::default()).unwrap();
+/// assert_eq!(scene.triangles.len(), 32);
+/// assert!(load("cornel-box", &LoadOptions::default()).unwrap_err().to_string().contains("did you mean `cornell-box`?"));
+/// ```
+pub fn load(spec: &str, options: &LoadOptions) -> Result<Scene, SceneError> {
+    if let Some(built_in) = BUILT_IN.iter().find(|b| b.name == spec) {
+        let mut scene = (built_in.make)();
+        scene.environment = options.environment.unwrap_or(scene.environment);
+        return Ok(scene);
+    }
+    let path = Path::new(spec);
+    let is_meant_as_path = path.extension().is_some() || path.components().count() > 1;
+    if spec.is_empty() || (!is_meant_as_path && !path.exists()) {
+        return Err(SceneError::Unknown {
+            name: spec.to_owned(),
+            nearest: error::nearest(spec, BUILT_IN.iter().map(|b| b.name)),
+            known: BUILT_IN.iter().map(|b| b.name.to_owned()).collect(),
+        });
+    }
+    import::load(path, options).map_err(|reason| SceneError::File { path: path.to_owned(), reason })
+}
+
 impl Scene {
+    /// A camera by its name or as `px,py,pz,tx,ty,tz,fovy_deg` (position, target, vertical field of view; +Y is up);
+    /// the scene's first one without a specification.
+    ///
+    /// # Errors
+    /// [`SceneError::Camera`] for an unknown name, or numbers that make no camera.
+    pub fn camera(&self, spec: Option<&str>) -> Result<Camera, SceneError> {
+        let fail = |spec: &str, reason: &str, nearest| SceneError::Camera {
+            spec: spec.to_owned(),
+            reason: reason.to_owned(),
+            nearest,
+        };
+        let Some(spec) = spec else {
+            return self.cameras.first().cloned().ok_or_else(|| fail("default", "the scene has none", None));
+        };
+        if let Some(camera) = self.cameras.iter().find(|c| c.name == spec) {
+            return Ok(camera.clone());
+        }
+        if spec.contains(',') {
+            return parse_camera(spec).map_err(|reason| fail(spec, &reason, None));
+        }
+        let names: Vec<&str> = self.cameras.iter().map(|c| c.name.as_str()).collect();
+        let reason = format!("the scene's cameras are {}; or px,py,pz,tx,ty,tz,fovy_deg", names.join(", "));
+        Err(fail(spec, &reason, error::nearest(spec, names.into_iter())))
+    }
+
+    /// Whether anything gives light.
+    pub fn is_lit(&self) -> bool {
+        self.environment != Vec3::ZERO || !self.lights.is_empty() || self.stats().emissive_triangle_count > 0
+    }
+
+    /// Counts and bounds.
+    pub fn stats(&self) -> SceneStats {
+        let emits = |t: &&Triangle| self.materials[t.material as usize].emission != Vec3::ZERO;
+        let (min, max) = self.bounds();
+        SceneStats {
+            triangle_count: self.triangles.len(),
+            emissive_triangle_count: self.triangles.iter().filter(emits).count(),
+            light_count: self.lights.len(),
+            material_count: self.materials.len(),
+            texture_count: self.textures.len(),
+            min: min.to_array(),
+            max: max.to_array(),
+        }
+    }
+
+    /// SHA-256 of everything that light depends on: geometry, materials, textures, lights and environment, but no
+    /// names, cameras or notes. The key of caches.
+    pub fn content_hash(&self) -> [u8; 32] {
+        let mut hash = Sha256::new();
+        let mut section = |tag: &[u8; 4], bytes: &[u8]| {
+            hash.update(tag);
+            hash.update((bytes.len() as u64).to_le_bytes());
+            hash.update(bytes);
+        };
+        section(b"posi", bytemuck::cast_slice(&self.positions));
+        section(b"norm", bytemuck::cast_slice(&self.normals));
+        section(b"uv 0", bytemuck::cast_slice(&self.uvs));
+        section(b"uv 1", bytemuck::cast_slice(&self.lightmap_uvs));
+        let indices: Vec<[u32; 4]> = self.triangles.iter().map(Triangle::words).collect();
+        section(b"tris", bytemuck::cast_slice(&indices));
+        let materials: Vec<[u32; 13]> = self.materials.iter().map(Material::words).collect();
+        section(b"mate", bytemuck::cast_slice(&materials));
+        for texture in &self.textures {
+            section(b"size", bytemuck::cast_slice(&[texture.width, texture.height]));
+            section(b"texe", bytemuck::cast_slice(&texture.srgba));
+        }
+        let lights: Vec<[f32; 12]> = self.lights.iter().map(Light::words).collect();
+        section(b"ligh", bytemuck::cast_slice(&lights));
+        section(b"envi", bytemuck::bytes_of(&self.environment));
+        hash.finalize().into()
+    }
+
     /// Smallest and largest corner of all triangles' vertices; zeros for an empty scene.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let used = self.triangles.iter().flat_map(|t| t.vertices).map(|v| self.positions[v as usize]);
@@ -146,7 +291,94 @@ impl Scene {
     }
 }
 
+/// A camera of seven numbers, or why they make none.
+fn parse_camera(spec: &str) -> Result<Camera, String> {
+    let numbers: Vec<f32> =
+        spec.split(',').map(|word| word.trim().parse()).collect::<Result<_, _>>().map_err(|_| {
+            "seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, and one of the words is no number".to_owned()
+        })?;
+    let &[px, py, pz, tx, ty, tz, fovy_deg] = numbers.as_slice() else {
+        return Err(format!("seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, {} are given", numbers.len()));
+    };
+    let (position, target) = (Vec3::new(px, py, pz), Vec3::new(tx, ty, tz));
+    if !position.is_finite() || !target.is_finite() {
+        return Err("position and target must be finite".to_owned());
+    }
+    if !(target - position).length_squared().is_normal() {
+        return Err("position and target are the same point, or absurdly far apart".to_owned());
+    }
+    if !(fovy_deg > 0.0 && fovy_deg < 180.0) {
+        return Err("the field of view must be between 0 and 180 degrees".to_owned());
+    }
+    Ok(Camera::look_at(spec, position, target, fovy_deg.to_radians()))
+}
+
+impl Triangle {
+    fn words(&self) -> [u32; 4] {
+        let [a, b, c] = self.vertices;
+        [a, b, c, self.material]
+    }
+}
+
+impl Material {
+    /// A material of constant reflectance that does not emit.
+    pub fn diffuse(name: &str, albedo: Vec3) -> Self {
+        Material {
+            name: name.to_owned(),
+            albedo,
+            texture: None,
+            alpha_factor: 1.0,
+            alpha: Alpha::Opaque,
+            emission: Vec3::ZERO,
+            metallic: 0.0,
+            roughness: 1.0,
+        }
+    }
+
+    /// Everything but the name.
+    fn words(&self) -> [u32; 13] {
+        let (mode, cutoff) = match self.alpha {
+            Alpha::Opaque => (0, 0.0),
+            Alpha::Mask(cutoff) => (1, cutoff),
+            Alpha::Blend => (2, 0.0),
+        };
+        let (a, e) = (self.albedo, self.emission);
+        let floats = [a.x, a.y, a.z, e.x, e.y, e.z, self.alpha_factor, cutoff, self.metallic, self.roughness];
+        let mut words = [0; 13];
+        for (word, float) in words.iter_mut().zip(floats) {
+            *word = float.to_bits();
+        }
+        words[10] = mode;
+        words[11] = u32::from(self.texture.is_some());
+        words[12] = self.texture.unwrap_or(0);
+        words
+    }
+}
+
+impl Light {
+    fn words(&self) -> [f32; 12] {
+        let pack = |kind: f32, a: Vec3, b: Vec3, c: Vec3, cosines: [f32; 2]| {
+            [kind, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, cosines[0], cosines[1]]
+        };
+        match *self {
+            Light::Point { position, intensity } => pack(0.0, position, Vec3::ZERO, intensity, [0.0; 2]),
+            Light::Spot { position, direction, intensity, cos_inner, cos_outer } => {
+                pack(1.0, position, direction, intensity, [cos_inner, cos_outer])
+            }
+            Light::Directional { direction, irradiance } => pack(2.0, Vec3::ZERO, direction, irradiance, [0.0; 2]),
+        }
+    }
+}
+
 impl Camera {
+    /// A camera at `position` that looks at `target`, with +Y up in the picture (+Z where it looks straight up or down).
+    pub fn look_at(name: &str, position: Vec3, target: Vec3, fovy_rad: f32) -> Self {
+        let forward = (target - position).normalize();
+        let world_up = if forward.y.abs() > 0.9999 { Vec3::Z } else { Vec3::Y };
+        let right = forward.cross(world_up).normalize();
+        Camera { name: name.to_owned(), position, forward, up: right.cross(forward), fovy_rad }
+    }
+
     /// Primary ray through a point of the picture: origin and unit direction. `x_px`, `y_px` count from the top left
     /// corner; pixel centres lie at half-integers.
     pub fn ray(&self, x_px: f32, y_px: f32, width: u32, height: u32) -> (Vec3, Vec3) {

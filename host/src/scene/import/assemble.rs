@@ -1,0 +1,190 @@
+//! Collects triangles in world space, whatever the file format: the checks and simplifications that hold for all.
+
+use super::super::{Alpha, FileError, LoadOptions, Material, Scene};
+use super::{MAX_COORDINATE_M, camera_fit};
+use glam::{Vec2, Vec3};
+
+/// Triangles of one material, in world space.
+pub struct Part<'a> {
+    /// Name of the mesh, for errors.
+    pub mesh: &'a str,
+    /// Vertex positions.
+    pub positions: Vec<Vec3>,
+    /// One per position, of any length; without them each triangle gets its geometric normal.
+    pub normals: Option<Vec<Vec3>>,
+    /// One per position.
+    pub uvs: Option<Vec<Vec2>>,
+    /// One per position.
+    pub lightmap_uvs: Option<Vec<Vec2>>,
+    /// Index into [`Scene::materials`].
+    pub material: u32,
+}
+
+/// A scene in the making.
+pub struct Assembler {
+    pub scene: Scene,
+    max_triangles: usize,
+    zero_area_count: usize,
+    glass_count: usize,
+    has_all_lightmap_uvs: bool,
+}
+
+impl Assembler {
+    pub fn new(options: &LoadOptions) -> Self {
+        let scene = Scene { environment: options.environment.unwrap_or(Vec3::ZERO), ..Scene::default() };
+        let max_triangles = options.max_triangles;
+        Assembler { scene, max_triangles, zero_area_count: 0, glass_count: 0, has_all_lightmap_uvs: true }
+    }
+
+    /// Says something about the import to the user, once.
+    pub fn note(&mut self, note: impl Into<String>) {
+        let note = note.into();
+        if !self.scene.notes.contains(&note) {
+            self.scene.notes.push(note);
+        }
+    }
+
+    /// Appends a material whose values are brought into their legal range, and returns its index.
+    pub fn add_material(&mut self, material: Material) -> u32 {
+        self.scene.materials.push(material);
+        self.scene.materials.len() as u32 - 1
+    }
+
+    /// Appends the triangles of a part; only vertices that a triangle uses are kept.
+    pub fn add(&mut self, part: &Part, triangles: impl Iterator<Item = [u32; 3]>) -> Result<(), FileError> {
+        check_positions(part)?;
+        let glass = self.scene.materials[part.material as usize].alpha == Alpha::Blend;
+        let mut kept = vec![u32::MAX; part.positions.len()];
+        for vertices in triangles {
+            let corners = corners_of(part, vertices)?;
+            if glass {
+                self.glass_count += 1;
+            } else if is_degenerate(corners) {
+                self.zero_area_count += 1;
+            } else {
+                self.add_triangle(part, vertices, corners, &mut kept)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn add_triangle(
+        &mut self,
+        part: &Part,
+        vertices: [u32; 3],
+        corners: [Vec3; 3],
+        kept: &mut [u32],
+    ) -> Result<(), FileError> {
+        if self.scene.triangles.len() >= self.max_triangles {
+            let (claimed, limit) = (self.max_triangles as u64 + 1, self.max_triangles as u64);
+            return Err(FileError::TooLarge { what: "the number of triangles".into(), claimed, limit });
+        }
+        let flat = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize();
+        let vertices = vertices.map(|v| {
+            // Without vertex normals no vertex is shared: each triangle has its own normal.
+            let known = if part.normals.is_some() { kept[v as usize] } else { u32::MAX };
+            if known != u32::MAX {
+                return known;
+            }
+            kept[v as usize] = self.add_vertex(part, v as usize, flat);
+            kept[v as usize]
+        });
+        self.scene.triangles.push(super::super::Triangle { vertices, material: part.material });
+        Ok(())
+    }
+
+    fn add_vertex(&mut self, part: &Part, v: usize, flat: Vec3) -> u32 {
+        let finite_uv = |uv: Vec2| if uv.is_finite() { uv } else { Vec2::ZERO };
+        let scene = &mut self.scene;
+        scene.positions.push(part.positions[v]);
+        scene.normals.push(part.normals.as_ref().and_then(|n| n[v].try_normalize()).unwrap_or(flat));
+        scene.uvs.push(part.uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
+        scene.lightmap_uvs.push(part.lightmap_uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
+        self.has_all_lightmap_uvs &= part.lightmap_uvs.is_some();
+        scene.positions.len() as u32 - 1
+    }
+
+    /// The scene, with a camera, and with notes on what was dropped.
+    pub fn finish(mut self) -> Result<Scene, FileError> {
+        if self.scene.triangles.is_empty() {
+            return Err(FileError::NoTriangles(self.dropped()));
+        }
+        if !self.has_all_lightmap_uvs {
+            self.scene.lightmap_uvs = Vec::new();
+        }
+        if self.zero_area_count > 0 {
+            self.note(format!("{} triangles of zero area dropped", self.zero_area_count));
+        }
+        if self.glass_count > 0 {
+            self.note(format!(
+                "{} triangles of glass (alpha blending) dropped: it does not exist for light",
+                self.glass_count
+            ));
+        }
+        if self.scene.cameras.is_empty() {
+            self.scene.cameras.push(camera_fit::fit(&self.scene));
+            self.note("no camera in the file: one that shows the scene was made up");
+        }
+        if !self.scene.is_lit() {
+            self.note("no light, no emission and no environment: the result will be black");
+        }
+        Ok(self.scene)
+    }
+
+    fn dropped(&self) -> String {
+        match (self.zero_area_count, self.glass_count) {
+            (0, 0) => String::new(),
+            (zero, glass) => format!(" left ({zero} of zero area and {glass} of glass dropped)"),
+        }
+    }
+}
+
+fn check_positions(part: &Part) -> Result<(), FileError> {
+    let bad = |p: &Vec3| !p.is_finite() || p.abs().max_element() > MAX_COORDINATE_M;
+    let Some(vertex) = part.positions.iter().position(bad) else { return Ok(()) };
+    let position = part.positions[vertex];
+    let reason = if position.is_finite() {
+        format!("is more than {MAX_COORDINATE_M:e} m from the origin")
+    } else {
+        "is not finite".to_owned()
+    };
+    Err(FileError::BadVertex { mesh: part.mesh.to_owned(), vertex, position: position.to_array(), reason })
+}
+
+fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[Vec3; 3], FileError> {
+    let mut corners = [Vec3::ZERO; 3];
+    for (corner, vertex) in corners.iter_mut().zip(vertices) {
+        *corner = *part.positions.get(vertex as usize).ok_or_else(|| FileError::OutOfRange {
+            what: format!("mesh `{}`: vertex index", part.mesh),
+            index: i64::from(vertex),
+            count: part.positions.len() as u64,
+        })?;
+    }
+    Ok(corners)
+}
+
+/// Whether a triangle has no area, or so little that its normal is rounding noise: its height is below 10⁻⁷ of its
+/// longest edge (the relative resolution of 32-bit positions), or its f32 normal underflows.
+fn is_degenerate([a, b, c]: [Vec3; 3]) -> bool {
+    const RELATIVE_HEIGHT: f64 = 1e-7;
+    let [a64, b64, c64] = [a, b, c].map(Vec3::as_dvec3);
+    let (ab, ac, bc) = (b64 - a64, c64 - a64, c64 - b64);
+    let longest_squared = ab.length_squared().max(ac.length_squared()).max(bc.length_squared());
+    let normal_f32 = (b - a).cross(c - a);
+    ab.cross(ac).length() <= RELATIVE_HEIGHT * longest_squared || normal_f32.length_squared() < f32::MIN_POSITIVE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triangles_without_area_are_recognised_and_thin_ones_kept() {
+        let p = |x: f32, y: f32| Vec3::new(x, y, 0.3);
+        assert!(is_degenerate([p(1.0, 1.0), p(1.0, 1.0), p(2.0, 0.0)]), "two equal corners");
+        assert!(is_degenerate([p(0.1, 0.1), p(0.2, 0.2), p(0.7, 0.7)]), "corners on a line, up to rounding");
+        assert!(is_degenerate([p(0.0, 0.0), p(1e-20, 0.0), p(0.0, 1e-20)]), "a normal that underflows");
+        assert!(!is_degenerate([p(0.0, 0.0), p(1e-4, 0.0), p(0.0, 1e-4)]), "small, but well shaped");
+        assert!(!is_degenerate([p(0.0, 0.0), p(10.0, 0.0), p(5.0, 1e-4)]), "a sliver of a tenth of a millimetre");
+    }
+}
