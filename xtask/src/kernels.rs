@@ -42,10 +42,10 @@ fn compile(toolchain: &Toolchain) -> Result<BTreeMap<String, Compiled>> {
     println!("compiling with {} (rust-gpu {}, {})", toolchain.origin, toolchain::RUST_GPU, toolchain.rustc);
     let modules = compile::all(toolchain)?;
     let declared: BTreeSet<&str> = interreflect_kernels::all().map(|kernel| kernel.desc.name).collect();
-    for name in modules.keys().filter(|name| !declared.contains(name.as_str())) {
+    if let Some(name) = modules.keys().find(|name| !declared.contains(name.as_str())) {
         bail!("kernel `{name}` is not in the kernel table: add it to its family's KERNELS");
     }
-    for name in declared.iter().filter(|name| !modules.contains_key(**name)) {
+    if let Some(name) = declared.iter().find(|name| !modules.contains_key(**name)) {
         bail!("kernel `{name}` of the kernel table has no entry point on the device");
     }
     if workspace::on_path("spirv-val").is_none() {

@@ -35,7 +35,7 @@ enum Task {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<String>,
     },
-    /// Everything that continuous integration runs: format, lints, documentation, kernels, tests
+    /// What continuous integration runs before `test`: format, lints, documentation, kernels/compiled
     Ci,
     /// One compile in a process of its own (see `compile.rs`)
     #[command(hide = true)]
@@ -52,7 +52,7 @@ fn main() -> ExitCode {
         Task::Kernels { check: false } => kernels::write(),
         Task::Kernels { check: true } => kernels::check(),
         Task::Test { args } => ci::test(&args),
-        Task::Ci => ci::all(),
+        Task::Ci => ci::checks(),
         Task::CompileModules { backend, out } => compile::modules(&backend, &out),
     };
     match done {
