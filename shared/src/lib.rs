@@ -10,6 +10,7 @@ extern crate self as interreflect_shared;
 pub mod record;
 pub mod scene;
 pub mod smoke;
+pub mod trace;
 
 pub use record::{Field, FieldType, Record, Word};
 

@@ -1,20 +1,38 @@
 //! The scene as kernels see it: four read-only buffers (nodes, triangles, attributes, surfaces), lights, and the
 //! surface points that primary rays find.
 
+use glam::Vec4;
+
 crate::record! {
-    /// Node of a binary BVH. Inner: `count` is 0 and the children are nodes `first` and `first + 1`. Leaf: triangles
-    /// `first .. first + count`. Node 0 is the root. An empty scene has one leaf of zero triangles with inverted bounds.
-    pub struct BvhNode: 32 {
-        /// Smallest corner (m).
-        pub min: [f32; 3],
-        /// First child or first triangle.
-        pub first: u32,
-        /// Largest corner (m).
-        pub max: [f32; 3],
-        /// Triangles of a leaf, 0 for an inner node.
-        pub count: u32,
+    /// Node of a four-wide BVH: the boxes of its children, side by side, and what they are. Node 0 is the root and always
+    /// exists. The boxes of absent children lie at `f32::MAX`, where no ray goes.
+    pub struct BvhNode: 128 {
+        /// Smallest x of the children's boxes (m).
+        pub min_x: Vec4,
+        /// Smallest y.
+        pub min_y: Vec4,
+        /// Smallest z.
+        pub min_z: Vec4,
+        /// Largest x.
+        pub max_x: Vec4,
+        /// Largest y.
+        pub max_y: Vec4,
+        /// Largest z.
+        pub max_z: Vec4,
+        /// Children: `first << 4 | count`. `count` 0 is inner node `first`; `count` > 0 is a leaf of triangles
+        /// `first .. first + count`; 0 is no child (the root is nobody's child).
+        pub children: [u32; 4],
+        /// Centre of the box around all children, and its largest half side (m).
+        pub centre_half: Vec4,
     }
 }
+
+/// Low bits of a child reference that hold a leaf's number of triangles.
+pub const CHILD_COUNT_BITS: u32 = 4;
+/// Triangles of a leaf, at most.
+pub const MAX_LEAF_TRIANGLES: u32 = (1 << CHILD_COUNT_BITS) - 1;
+/// Entries of a ray's traversal stack in kernels; the host builds no BVH that needs more.
+pub const BVH_STACK_SIZE: usize = 64;
 
 crate::record! {
     /// What a ray needs of a triangle. In the order of the BVH's leaves; counter-clockwise seen from the front.
@@ -52,7 +70,8 @@ crate::record! {
 }
 
 crate::record! {
-    /// Material, as 12 words at the start of the `surfaces` buffer (material `m` at word `12·m`); texels follow.
+    /// Material, as 12 words of the `surfaces` buffer: after [`SRGB_TABLE_WORDS`] words of the sRGB table come the
+    /// materials (material `m` at word `256 + 12·m`), then texels.
     pub struct SceneMaterial: 48 {
         /// Reflectance, multiplied with the texture.
         pub albedo: [f32; 3],
@@ -75,6 +94,9 @@ crate::record! {
 
 /// [`SceneMaterial::texture_first`] of a material without a texture.
 pub const NO_TEXTURE: u32 = u32::MAX;
+/// Words of the sRGB table at the start of the `surfaces` buffer: the linear value (f32 bits) of each 8-bit code. A
+/// table in a buffer gives every target the same bits, and costs less than a power per texel and channel.
+pub const SRGB_TABLE_WORDS: u32 = 256;
 /// Words of a [`SceneMaterial`] in the `surfaces` buffer.
 pub const MATERIAL_WORDS: u32 = 12;
 
@@ -130,8 +152,8 @@ crate::record! {
         pub material: u32,
         /// Radiance emitted towards the viewer; the environment's radiance where the ray left the scene.
         pub emission: [f32; 3],
-        /// Zero.
-        pub _pad: u32,
+        /// Bound of the position's rounding error (m): how far a ray must start off the surface not to meet it again.
+        pub error: f32,
     }
 }
 

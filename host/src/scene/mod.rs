@@ -3,6 +3,7 @@
 //! [`load`] reads a glTF or OBJ file, or makes one of the [`BUILT_IN`] scenes.
 
 pub mod built_in;
+pub mod bvh;
 pub mod device;
 mod error;
 mod import;

@@ -1,0 +1,283 @@
+//! What a ray finds: position, normals, reflectance and emission at a hit.
+//!
+//! Materials and texels are words of one buffer (`interreflect_shared::scene::SceneMaterial`). Textures repeat and are
+//! filtered bilinearly, each texel decoded from sRGB before it is weighted; texel centres lie at half-integers and row 0
+//! is at v = 0, as in glTF.
+
+use super::SceneRef;
+use super::ray::{Hit, Ray};
+use crate::math::float::{abs, floor, max, min, sqrt};
+use glam::{Vec2, Vec3};
+use interreflect_shared::scene::{
+    MATERIAL_WORDS, NO_SURFACE, NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, Surfel, TriangleAttributes,
+};
+
+/// Reflectance and alpha at a point of a surface.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct BaseColour {
+    /// Reflectance per channel.
+    pub albedo: Vec3,
+    /// Alpha.
+    pub alpha: f32,
+}
+
+/// A material read from the `surfaces` buffer.
+#[inline(always)]
+pub fn material(surfaces: &[u32], index: u32) -> SceneMaterial {
+    let w = (SRGB_TABLE_WORDS + index * MATERIAL_WORDS) as usize;
+    SceneMaterial {
+        albedo: [float(surfaces, w + 0), float(surfaces, w + 1), float(surfaces, w + 2)],
+        texture_first: surfaces[w + 3],
+        emission: [float(surfaces, w + 4), float(surfaces, w + 5), float(surfaces, w + 6)],
+        texture_size: surfaces[w + 7],
+        alpha_factor: float(surfaces, w + 8),
+        alpha_cutoff: float(surfaces, w + 9),
+        metallic: float(surfaces, w + 10),
+        roughness: float(surfaces, w + 11),
+    }
+}
+
+#[inline(always)]
+fn float(surfaces: &[u32], word: usize) -> f32 {
+    f32::from_bits(surfaces[word])
+}
+
+/// Reflectance and alpha of a material at a texture coordinate.
+pub fn base_colour(surfaces: &[u32], m: &SceneMaterial, uv: Vec2) -> BaseColour {
+    let factor = Vec3::from_array(m.albedo);
+    if m.texture_first == NO_TEXTURE {
+        return BaseColour { albedo: factor, alpha: m.alpha_factor };
+    }
+    let taps = Taps::new(m, uv);
+    let (a, b) = (surfaces[taps.i00 as usize], surfaces[taps.i10 as usize]);
+    let (c, d) = (surfaces[taps.i01 as usize], surfaces[taps.i11 as usize]);
+    let top = linear(surfaces, a) * (1.0 - taps.fx) + linear(surfaces, b) * taps.fx;
+    let bottom = linear(surfaces, c) * (1.0 - taps.fx) + linear(surfaces, d) * taps.fx;
+    BaseColour {
+        albedo: factor * (top * (1.0 - taps.fy) + bottom * taps.fy),
+        alpha: m.alpha_factor * taps.mix(alpha(a), alpha(b), alpha(c), alpha(d)),
+    }
+}
+
+/// Whether a masked triangle lets a ray pass at a hit.
+pub fn alpha_cuts(scene: &SceneRef<'_>, triangle: u32, u: f32, v: f32) -> bool {
+    let m = material(scene.surfaces, scene.triangles[triangle as usize].material);
+    if m.texture_first == NO_TEXTURE {
+        return m.alpha_factor < m.alpha_cutoff;
+    }
+    let taps = Taps::new(&m, texture_coordinate(&scene.attributes[triangle as usize], u, v));
+    let (a, b) = (scene.surfaces[taps.i00 as usize], scene.surfaces[taps.i10 as usize]);
+    let (c, d) = (scene.surfaces[taps.i01 as usize], scene.surfaces[taps.i11 as usize]);
+    m.alpha_factor * taps.mix(alpha(a), alpha(b), alpha(c), alpha(d)) < m.alpha_cutoff
+}
+
+/// Texture coordinate at a point of a triangle.
+#[inline(always)]
+pub fn texture_coordinate(t: &TriangleAttributes, u: f32, v: f32) -> Vec2 {
+    let w = 1.0 - u - v;
+    Vec2::new(t.uv[0] * w + t.uv[2] * u + t.uv[4] * v, t.uv[1] * w + t.uv[3] * u + t.uv[5] * v)
+}
+
+/// The four texels around a texture coordinate and the weights of the right and lower ones.
+#[derive(Clone, Copy)]
+struct Taps {
+    i00: u32,
+    i10: u32,
+    i01: u32,
+    i11: u32,
+    fx: f32,
+    fy: f32,
+}
+
+impl Taps {
+    #[inline(always)]
+    fn new(m: &SceneMaterial, uv: Vec2) -> Self {
+        let (width, height) = (m.texture_size & 0xFFFF, m.texture_size >> 16);
+        let (x0, x1, fx) = repeat(uv.x, width);
+        let (y0, y1, fy) = repeat(uv.y, height);
+        let (row0, row1) = (m.texture_first + y0 * width, m.texture_first + y1 * width);
+        Self { i00: row0 + x0, i10: row0 + x1, i01: row1 + x0, i11: row1 + x1, fx, fy }
+    }
+    #[inline(always)]
+    fn mix(&self, a: f32, b: f32, c: f32, d: f32) -> f32 {
+        let top = a * (1.0 - self.fx) + b * self.fx;
+        let bottom = c * (1.0 - self.fx) + d * self.fx;
+        top * (1.0 - self.fy) + bottom * self.fy
+    }
+}
+
+/// Two neighbouring texels of a repeating row around a coordinate, and the weight of the second. A coordinate that is no
+/// number counts as 0.
+#[inline(always)]
+fn repeat(coordinate: f32, size: u32) -> (u32, u32, f32) {
+    let wrapped = coordinate - floor(coordinate);
+    let wrapped = if wrapped <= 1.0 { wrapped } else { 0.0 };
+    let x = wrapped * size as f32 - 0.5;
+    let below = floor(x);
+    let weight = x - below;
+    let last = size - 1;
+    let first = if below < 0.0 { last } else { (below as u32).min(last) };
+    let second = if first == last { 0 } else { first + 1 };
+    (first, second, weight)
+}
+
+#[inline(always)]
+fn linear(surfaces: &[u32], texel: u32) -> Vec3 {
+    Vec3::new(
+        float(surfaces, (texel & 0xFF) as usize),
+        float(surfaces, ((texel >> 8) & 0xFF) as usize),
+        float(surfaces, ((texel >> 16) & 0xFF) as usize),
+    )
+}
+
+#[inline(always)]
+fn alpha(texel: u32) -> f32 {
+    (texel >> 24) as f32 * (1.0 / 255.0)
+}
+
+/// The surface point at a hit of `ray`. The normals lie on the side that the ray comes from; emission is the front
+/// face's. A miss gives a surfel with [`NO_SURFACE`], all else zero: the caller adds its environment.
+pub fn surface(scene: &SceneRef<'_>, ray: &Ray, hit: &Hit) -> Surfel {
+    if !hit.is_some() {
+        return no_surface();
+    }
+    let triangle = &scene.triangles[hit.triangle as usize];
+    let (v0, v1, v2) = (Vec3::from_array(triangle.v0), Vec3::from_array(triangle.v1), Vec3::from_array(triangle.v2));
+    let (e1, e2) = (v1 - v0, v2 - v0);
+    // From the weights, not from the distance: the error depends on the triangle's size, not on the ray's length.
+    let position = v0 + e1 * hit.u + e2 * hit.v;
+    let outward = unit_or(e1.cross(e2), Vec3::Y);
+    let front = outward.dot(ray.direction) < 0.0;
+    let geometric_normal = if front { outward } else { -outward };
+    let attributes = &scene.attributes[hit.triangle as usize];
+    let m = material(scene.surfaces, triangle.material);
+    let colour = base_colour(scene.surfaces, &m, texture_coordinate(attributes, hit.u, hit.v));
+    Surfel {
+        position: position.to_array(),
+        triangle: hit.triangle,
+        normal: shading_normal(attributes, hit, geometric_normal).to_array(),
+        distance: hit.t * length(ray.direction),
+        geometric_normal: geometric_normal.to_array(),
+        front: front as u32,
+        albedo: colour.albedo.to_array(),
+        material: triangle.material,
+        emission: if front { m.emission } else { [0.0; 3] },
+        error: position_error(v0, e1, e2),
+    }
+}
+
+/// The surfel of a ray that left the scene.
+#[inline(always)]
+pub fn no_surface() -> Surfel {
+    Surfel {
+        position: [0.0; 3],
+        triangle: NO_SURFACE,
+        normal: [0.0; 3],
+        distance: 0.0,
+        geometric_normal: [0.0; 3],
+        front: 0,
+        albedo: [0.0; 3],
+        material: 0,
+        emission: [0.0; 3],
+        error: 0.0,
+    }
+}
+
+/// Interpolated vertex normal on the side of the geometric one, which also stands in where the sum vanishes.
+#[inline(always)]
+fn shading_normal(t: &TriangleAttributes, hit: &Hit, geometric_normal: Vec3) -> Vec3 {
+    let sum = decode_normal(t.normals[0]) * (1.0 - hit.u - hit.v)
+        + decode_normal(t.normals[1]) * hit.u
+        + decode_normal(t.normals[2]) * hit.v;
+    let n = unit_or(sum, geometric_normal);
+    if n.dot(geometric_normal) < 0.0 { -n } else { n }
+}
+
+/// Units in the last place of the position and of the edges that [`Surfel::error`] allows for: three roundings of the
+/// sum, six of the next ray's triangle test, and a reserve of two for directions along the surface.
+const POSITION_ROUNDINGS: f32 = 8.0 * 5.960_464_5e-8;
+const EDGE_ROUNDINGS: f32 = 18.0 * 5.960_464_5e-8;
+
+/// How far a ray must start off a triangle not to meet it again.
+#[inline(always)]
+fn position_error(v0: Vec3, e1: Vec3, e2: Vec3) -> f32 {
+    largest(v0) * POSITION_ROUNDINGS + (largest(e1) + largest(e2)) * EDGE_ROUNDINGS
+}
+
+/// Start of a ray that leaves a surface point in `direction`: off the surface by the error bound of its position, on the
+/// direction's side.
+///
+/// Wächter & Binder 2019 ("A Fast and Robust Method for Avoiding Self-Intersection") move by 256 units in the last place
+/// with a floor near the world's origin, which fits scenes of one scale. We move by a bound of the actual error (after
+/// Pharr, Jakob & Humphreys 2016, §3.9), which follows the triangle's size and place from millimetres to 100 km.
+#[inline(always)]
+pub fn leave_surface(position: Vec3, geometric_normal: Vec3, error: f32, direction: Vec3) -> Vec3 {
+    let side = if geometric_normal.dot(direction) < 0.0 { -error } else { error };
+    position + geometric_normal * side
+}
+
+/// The sRGB table at the start of the `surfaces` buffer (IEC 61966-2-1).
+#[cfg(not(target_arch = "spirv"))]
+pub fn srgb_table() -> [u32; SRGB_TABLE_WORDS as usize] {
+    #[cfg(not(feature = "std"))]
+    use spirv_std::num_traits::Float;
+    core::array::from_fn(|code| {
+        let c = code as f64 / 255.0;
+        let linear = if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+        (linear as f32).to_bits()
+    })
+}
+
+/// A unit vector as two 16-bit signed normalized numbers (x low), octahedral (Meyer et al. 2010; Cigolle et al. 2014).
+pub fn encode_normal(n: Vec3) -> u32 {
+    let sum = max(abs(n.x) + abs(n.y) + abs(n.z), f32::MIN_POSITIVE);
+    let (x, y) = (n.x / sum, n.y / sum);
+    let (x, y) = if n.z < 0.0 { ((1.0 - abs(y)) * sign(x), (1.0 - abs(x)) * sign(y)) } else { (x, y) };
+    to_snorm(x) | (to_snorm(y) << 16)
+}
+
+/// The unit vector of [`encode_normal`], within 5e-5.
+#[inline(always)]
+pub fn decode_normal(code: u32) -> Vec3 {
+    let (x, y) = (from_snorm(code & 0xFFFF), from_snorm(code >> 16));
+    let z = 1.0 - abs(x) - abs(y);
+    let fold = max(-z, 0.0);
+    unit_or(Vec3::new(x - fold * sign(x), y - fold * sign(y), z), Vec3::Z)
+}
+
+#[inline(always)]
+fn to_snorm(x: f32) -> u32 {
+    floor(min(max(x, -1.0), 1.0) * 32767.0 + 0.5) as i32 as u32 & 0xFFFF
+}
+
+#[inline(always)]
+fn from_snorm(code: u32) -> f32 {
+    max(((code << 16) as i32 >> 16) as f32 * (1.0 / 32767.0), -1.0)
+}
+
+#[inline(always)]
+fn sign(x: f32) -> f32 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}
+
+#[inline(always)]
+fn largest(v: Vec3) -> f32 {
+    max(max(abs(v.x), abs(v.y)), abs(v.z))
+}
+
+#[inline(always)]
+pub(crate) fn length(v: Vec3) -> f32 {
+    sqrt(v.dot(v))
+}
+
+/// `v` at unit length, `otherwise` where it has none. Scaled first, so that tiny and huge vectors keep their direction.
+#[inline(always)]
+pub(crate) fn unit_or(v: Vec3, otherwise: Vec3) -> Vec3 {
+    let scale = largest(v);
+    if scale > f32::MIN_POSITIVE && scale < f32::MAX {
+        let v = v / scale;
+        v / length(v)
+    } else {
+        otherwise
+    }
+}
