@@ -1,0 +1,112 @@
+//! Owen-scrambled (0, 2)-sequences, padded: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+//!
+//! A *batch* of samples of one element (pixel or receiver) is a prefix of a scrambled Sobol sequence in every pair of
+//! dimensions; pairs are decorrelated by shuffling, batches and elements by their own scrambles. Every number depends
+//! on (seed, element, batch, index, dimension pair) alone, so results do not depend on the number of threads.
+
+/// Source of the random numbers of one sample.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampler {
+    scramble: u32,
+    index: u32,
+    index_mask: u32,
+}
+
+impl Sampler {
+    /// Sample `index` of `count` in a batch. `count` need not be a power of two, but stratifies best if it is.
+    pub fn new(seed: u32, element: u32, batch: u32, index: u32, count: u32) -> Self {
+        let scramble = hash(hash(hash(seed ^ 0x9e37_79b9).wrapping_add(element)).wrapping_add(batch));
+        Self { scramble, index, index_mask: count.max(1).next_power_of_two().wrapping_sub(1) }
+    }
+
+    /// A stratified point of the unit square [0, 1)² in dimension pair `pair`.
+    #[inline]
+    pub fn pair(&self, pair: u32) -> [f32; 2] {
+        let seed = hash(self.scramble.wrapping_add(pair.wrapping_mul(0x85eb_ca6b)));
+        // Shuffle within the batch only: the points stay the net's first ones.
+        let i = owen(self.index, seed) & self.index_mask;
+        let x = laine_karras(i, hash(seed ^ 0x68bc_21eb)).reverse_bits();
+        let y = owen(sobol_second(i), hash(seed ^ 0x02e5_be93));
+        [unit(x), unit(y)]
+    }
+}
+
+/// 32-bit finalizer with good avalanche (Wellons, "lowbias32").
+#[inline]
+pub fn hash(mut x: u32) -> u32 {
+    x ^= x >> 16;
+    x = x.wrapping_mul(0x7feb_352d);
+    x ^= x >> 15;
+    x = x.wrapping_mul(0x846c_a68b);
+    x ^ (x >> 16)
+}
+
+/// Top 24 bits as a number in [0, 1).
+#[inline]
+fn unit(x: u32) -> f32 {
+    (x >> 8) as f32 * (1.0 / 16_777_216.0)
+}
+
+/// Second Sobol dimension: bit `j` from the top is the parity of all index bits `k ⊇ j` (Pascal's triangle mod 2).
+#[inline]
+fn sobol_second(index: u32) -> u32 {
+    let mut y = index.reverse_bits();
+    y ^= (y << 1) & 0xaaaa_aaaa;
+    y ^= (y << 2) & 0xcccc_cccc;
+    y ^= (y << 4) & 0xf0f0_f0f0;
+    y ^= (y << 8) & 0xff00_ff00;
+    y ^ ((y << 16) & 0xffff_0000)
+}
+
+/// Owen scramble: flips each bit by a hash of the bits above it.
+#[inline]
+fn owen(x: u32, seed: u32) -> u32 {
+    laine_karras(x.reverse_bits(), seed).reverse_bits()
+}
+
+/// Permutation in which each bit depends on the bits below it, constants by Vegdahl (2021).
+#[inline]
+fn laine_karras(mut x: u32, seed: u32) -> u32 {
+    x ^= x.wrapping_mul(0x3d20_adea);
+    x = x.wrapping_add(seed);
+    x = x.wrapping_mul((seed >> 16) | 1);
+    x ^= x.wrapping_mul(0x0552_6c56);
+    x ^ x.wrapping_mul(0x53a2_2864)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_elementary_interval_of_a_batch_holds_one_point() {
+        for (seed, pair) in [(0, 0), (1, 5), (77, 3)] {
+            let points: Vec<_> = (0..64).map(|i| Sampler::new(seed, 9, 2, i, 64).pair(pair)).collect();
+            for log_width in 0..=6u32 {
+                let (nx, ny) = (1usize << log_width, 64usize >> log_width);
+                let mut seen = vec![0; 64];
+                for [x, y] in &points {
+                    seen[(x * nx as f32) as usize * ny + (y * ny as f32) as usize] += 1;
+                }
+                assert!(seen.iter().all(|&n| n == 1), "seed {seed}, pair {pair}, {nx}×{ny} cells: {seen:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_elements_and_batches_are_uncorrelated() {
+        let correlation = |other: &dyn Fn(u32) -> f32| {
+            let n = 4096;
+            let sum: f64 = (0..n)
+                .map(|i| f64::from(Sampler::new(3, i, 0, 0, 1).pair(0)[0] - 0.5) * f64::from(other(i) - 0.5))
+                .sum();
+            sum / f64::from(n) * 12.0
+        };
+        // The estimate's standard error is 1/√4096 = 0.016.
+        assert!(correlation(&|i| Sampler::new(3, i, 0, 0, 1).pair(1)[0]).abs() < 0.065);
+        assert!(correlation(&|i| Sampler::new(3, i + 1, 0, 0, 1).pair(0)[0]).abs() < 0.065);
+        assert!(correlation(&|i| Sampler::new(3, i, 1, 0, 1).pair(0)[0]).abs() < 0.065);
+        assert!(correlation(&|i| Sampler::new(4, i, 0, 0, 1).pair(0)[0]).abs() < 0.065);
+        assert!(correlation(&|i| Sampler::new(3, i, 0, 0, 1).pair(0)[1]).abs() < 0.065);
+    }
+}

@@ -1,0 +1,158 @@
+//! What a ray finds: position, normals, reflectance, emission.
+
+use super::trace::Hit;
+use crate::scene::{Alpha, Scene, Texture};
+use glam::{Vec2, Vec3, Vec4};
+use std::sync::LazyLock;
+
+/// A point from which light is reflected.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertex {
+    /// Position (m).
+    pub position: Vec3,
+    /// Bound of the position's rounding error, with which rays leave along the geometric normal (m).
+    pub offset: f32,
+    /// Unit geometric normal; either side.
+    pub geometric_normal: Vec3,
+    /// Unit shading normal on the viewer's side.
+    pub normal: Vec3,
+    /// Reflectance.
+    pub albedo: Vec3,
+    /// Triangle that rays which leave cannot hit, [`super::trace::NO_TRIANGLE`] for a free receiver.
+    pub triangle: u32,
+}
+
+impl Vertex {
+    /// Origin of a ray that leaves towards `direction`.
+    pub fn leave(&self, direction: Vec3) -> Vec3 {
+        let side = if direction.dot(self.geometric_normal) < 0.0 { -self.offset } else { self.offset };
+        self.position + self.geometric_normal * side
+    }
+}
+
+/// Rounding error of a point that is interpolated from a triangle's corners, relative to its largest coordinate:
+/// γ₇ of Pharr, Jakob & Humphreys, *Physically Based Rendering*, 3rd ed., §3.9.4, doubled for the test's own error.
+const POSITION_ERROR: f32 = 14.0 * 0.5 * f32::EPSILON;
+
+/// The unit geometric normal of a triangle's front.
+pub fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    let n = (b - a).cross(c - a);
+    // The cross product of a tiny triangle underflows in f32.
+    n.try_normalize().unwrap_or_else(|| (b - a).as_dvec3().cross((c - a).as_dvec3()).normalize_or_zero().as_vec3())
+}
+
+/// Largest error of a position on a triangle (m).
+pub fn position_error([a, b, c]: [Vec3; 3]) -> f32 {
+    POSITION_ERROR * a.abs().max(b.abs()).max(c.abs()).max_element()
+}
+
+/// The surface at a hit of a ray along `direction`, and the radiance that it emits against it.
+pub fn surface(scene: &Scene, hit: &Hit, direction: Vec3) -> (Vertex, Vec3) {
+    let triangle = &scene.triangles[hit.triangle as usize];
+    let corners = scene.corners(triangle);
+    let material = &scene.materials[triangle.material as usize];
+    let geometric = geometric_normal(corners);
+    let [n0, n1, n2] = triangle.vertices.map(|v| scene.normals[v as usize]);
+    let w = hit.barycentric;
+    let shading = (n0 * w.x + n1 * w.y + n2 * w.z).try_normalize().unwrap_or(geometric);
+    let albedo = match material.texture {
+        Some(texture) => material.albedo * sample(&scene.textures[texture as usize], uv(scene, hit)).truncate(),
+        None => material.albedo,
+    };
+    let [a, b, c] = corners;
+    let vertex = Vertex {
+        position: a * w.x + b * w.y + c * w.z,
+        offset: position_error(corners),
+        geometric_normal: geometric,
+        normal: if shading.dot(direction) > 0.0 { -shading } else { shading },
+        albedo,
+        triangle: hit.triangle,
+    };
+    let emission = if geometric.dot(direction) < 0.0 { material.emission } else { Vec3::ZERO };
+    (vertex, emission)
+}
+
+/// Whether the material's alpha lets a ray pass at a hit.
+pub fn alpha_passes(scene: &Scene, triangle: u32, barycentric: Vec3) -> bool {
+    let material = &scene.materials[scene.triangles[triangle as usize].material as usize];
+    let Alpha::Mask(cutoff) = material.alpha else { return false };
+    let alpha = match material.texture {
+        Some(texture) => {
+            let hit = Hit { t: 0.0, triangle, barycentric };
+            sample(&scene.textures[texture as usize], uv(scene, &hit)).w
+        }
+        None => 1.0,
+    };
+    material.alpha_factor * alpha < cutoff
+}
+
+fn uv(scene: &Scene, hit: &Hit) -> Vec2 {
+    let [a, b, c] = scene.triangles[hit.triangle as usize].vertices.map(|v| scene.uvs[v as usize]);
+    a * hit.barycentric.x + b * hit.barycentric.y + c * hit.barycentric.z
+}
+
+/// Bilinear sample of a repeating texture: linear RGB and alpha. `uv` = (0, 0) is the upper left corner of the upper
+/// left texel; texels are filtered after the sRGB curve was undone.
+pub fn sample(texture: &Texture, uv: Vec2) -> Vec4 {
+    let size = Vec2::new(texture.width as f32, texture.height as f32);
+    // A coordinate that is not finite reads the corner.
+    let wrapped = if uv.is_finite() { uv - uv.floor() } else { Vec2::ZERO };
+    let p = wrapped * size - 0.5;
+    let base = p.floor();
+    let f = p - base;
+    let column = |i: i32| i.rem_euclid(texture.width as i32) as usize;
+    let row = |i: i32| i.rem_euclid(texture.height as i32) as usize * texture.width as usize;
+    let (x, y) = (base.x as i32, base.y as i32);
+    let texel = |x: i32, y: i32| linear(texture.srgba[row(y) + column(x)]);
+    let top = texel(x, y).lerp(texel(x + 1, y), f.x);
+    let bottom = texel(x, y + 1).lerp(texel(x + 1, y + 1), f.x);
+    top.lerp(bottom, f.y)
+}
+
+/// Linear values of the 256 sRGB codes (IEC 61966-2-1).
+static SRGB_TO_LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
+    std::array::from_fn(|code| {
+        let s = code as f64 / 255.0;
+        (if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }) as f32
+    })
+});
+
+fn linear([r, g, b, a]: [u8; 4]) -> Vec4 {
+    let curve = &*SRGB_TO_LINEAR;
+    Vec4::new(curve[r as usize], curve[g as usize], curve[b as usize], f32::from(a) / 255.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn checker() -> Texture {
+        Texture {
+            width: 2,
+            height: 2,
+            srgba: vec![[255, 0, 0, 255], [0, 255, 0, 0], [0, 0, 255, 255], [188, 188, 188, 255]],
+        }
+    }
+
+    #[test]
+    fn texel_centres_read_their_texel_with_v_downwards() {
+        let t = checker();
+        assert_eq!(sample(&t, Vec2::new(0.25, 0.25)), Vec4::new(1.0, 0.0, 0.0, 1.0));
+        assert_eq!(sample(&t, Vec2::new(0.75, 0.25)), Vec4::new(0.0, 1.0, 0.0, 0.0));
+        assert_eq!(sample(&t, Vec2::new(0.25, 0.75)), Vec4::new(0.0, 0.0, 1.0, 1.0));
+        // sRGB 188 is a linear 0.5029 (IEC 61966-2-1).
+        assert!((sample(&t, Vec2::new(0.75, 0.75)).x - 0.5029).abs() < 1e-4);
+    }
+
+    #[test]
+    fn texels_blend_linearly_and_repeat() {
+        let t = checker();
+        let half = sample(&t, Vec2::new(0.5, 0.25));
+        assert!((half - Vec4::new(0.5, 0.5, 0.0, 0.5)).abs().max_element() < 1e-6);
+        let across_the_border = sample(&t, Vec2::new(0.0, 0.25));
+        assert!((across_the_border - half).abs().max_element() < 1e-6);
+        let far = sample(&t, Vec2::new(-2.75, 5.25));
+        assert!((far - sample(&t, Vec2::new(0.25, 0.25))).abs().max_element() < 1e-5);
+        assert!(sample(&t, Vec2::new(f32::NAN, 0.0)).is_finite());
+    }
+}
