@@ -241,6 +241,9 @@ mod host {
         pub atomics: &'a [&'a [AtomicU32]],
     }
 
+    /// See [`Kernel::operations`].
+    pub type CountOperations = fn(uniform: &[u32], reads: &[&[u32]]) -> (u64, u64);
+
     /// A row of the kernel table.
     pub struct Kernel {
         /// What an executor needs for the device.
@@ -253,6 +256,9 @@ mod host {
         pub rows: fn(uniform: &[u32], out_count: u32) -> Rows,
         /// Runs one piece on the CPU.
         pub cpu: fn(Piece<'_>),
+        /// Floating-point operations and elements of a sample, from the uniform record and the read bindings: what the
+        /// arithmetic of a lane-generic body costs. Other forms do not count.
+        pub operations: Option<CountOperations>,
         /// A valid input of a requested size and kind.
         pub case: fn(&mut CaseInput) -> Case,
         /// How far executors may lie apart.
@@ -435,6 +441,7 @@ macro_rules! kernel {
                     if rows.count == 0 { rows = Rows::all(job.row_count); }
                     piece(&rows, job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* $o);
                 },
+                operations: None,
                 case: $case,
                 tolerance: $tol,
                 tolerance_reason: $why,
@@ -533,6 +540,14 @@ macro_rules! kernel {
                         job.planes.iter_mut().map(|plane| bytemuck::cast_slice_mut::<u32, f32>(plane)).collect();
                     piece(&$rows($p), job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* &mut planes);
                 },
+                operations: Some(|uniform, reads| {
+                    let &[$($i,)*] = reads else { unreachable!("{}: wrong number of read bindings", $entry) };
+                    let $p = &bytemuck::cast_slice::<u32, $P>(uniform)[0];
+                    $crate::real::count_operations(&$rows($p), |at| {
+                        let _: [$crate::real::Counted; $planes] =
+                            $body(at, $p, $(bytemuck::cast_slice::<u32, $I>($i),)*);
+                    })
+                }),
                 case: $case,
                 tolerance: $tol,
                 tolerance_reason: $why,
@@ -605,6 +620,7 @@ macro_rules! scatter {
                     let $p = &bytemuck::cast_slice::<u32, $P>(job.uniform)[0];
                     piece(job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* $($a,)+);
                 },
+                operations: None,
                 case: $case,
                 tolerance: $tol,
                 tolerance_reason: $why,

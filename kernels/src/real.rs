@@ -97,6 +97,8 @@ impl Real for f32 {
 }
 
 #[cfg(not(target_arch = "spirv"))]
+pub use counted::{Counted, count_operations};
+#[cfg(not(target_arch = "spirv"))]
 pub use lanes::{Lanes, WIDTH};
 
 #[cfg(not(target_arch = "spirv"))]
@@ -209,6 +211,92 @@ mod lanes {
                 self.0[lane] = crate::math::float::abs(self.0[lane]);
             }
             self
+        }
+    }
+}
+
+#[cfg(not(target_arch = "spirv"))]
+mod counted {
+    use super::Real;
+    use crate::kernel::{At, Rows};
+    use core::ops::{Add, Div, Mul, Neg, Sub};
+    use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    /// A number that counts what is done with it: arithmetic, comparisons and selections count one each. Loads, stores,
+    /// signs and magnitudes count nothing.
+    #[derive(Clone, Copy, PartialEq, Debug)]
+    pub struct Counted(f32);
+
+    static OPERATIONS: AtomicUsize = AtomicUsize::new(0);
+
+    fn one<T>(result: T) -> T {
+        OPERATIONS.fetch_add(1, Relaxed);
+        result
+    }
+
+    /// Elements that [`count_operations`] looks at.
+    const SAMPLES: u32 = 256;
+
+    /// Runs a body with [`Counted`] numbers on a sample of elements; gives the operations and the elements counted. For
+    /// one thread at a time.
+    pub fn count_operations(rows: &Rows, mut body: impl FnMut(At)) -> (u64, u64) {
+        let before = OPERATIONS.load(Relaxed);
+        let step = rows.invocations().div_ceil(SAMPLES).max(1);
+        let sample = (0..rows.invocations()).step_by(step as usize);
+        let elements = sample.len() as u64;
+        sample.for_each(|id| body(rows.at(id)));
+        ((OPERATIONS.load(Relaxed) - before) as u64, elements)
+    }
+
+    macro_rules! counted {
+        ($($trait:ident $method:ident $op:tt),*) => { $(
+            impl $trait for Counted {
+                type Output = Self;
+                fn $method(self, other: Self) -> Self { one(Self(self.0 $op other.0)) }
+            }
+        )* };
+    }
+    counted!(Add add +, Sub sub -, Mul mul *, Div div /);
+
+    impl Neg for Counted {
+        type Output = Self;
+        fn neg(self) -> Self {
+            Self(-self.0)
+        }
+    }
+
+    impl Real for Counted {
+        type Mask = bool;
+        const LANES: usize = 1;
+        fn splat(value: f32) -> Self {
+            Self(value)
+        }
+        fn ramp(start: f32, _step: f32) -> Self {
+            Self(start)
+        }
+        fn load(plane: &[f32], i: usize) -> Self {
+            Self(plane[i])
+        }
+        fn load_strided(plane: &[f32], i: usize, _stride: usize) -> Self {
+            Self(plane[i])
+        }
+        fn load_u32(plane: &[u32], i: usize) -> Self {
+            Self(plane[i] as f32)
+        }
+        fn store(self, plane: &mut [f32], i: usize) {
+            plane[i] = self.0;
+        }
+        fn lt(self, other: Self) -> bool {
+            one(self.0 < other.0)
+        }
+        fn select(mask: bool, a: Self, b: Self) -> Self {
+            one(if mask { a } else { b })
+        }
+        fn sqrt(self) -> Self {
+            one(Self(crate::math::float::sqrt(self.0)))
+        }
+        fn abs(self) -> Self {
+            Self(crate::math::float::abs(self.0))
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The smallest kernels, one of each form: the executors' canary, and the pattern to copy for a new kernel.
 //!
 //! `smoke_fill` stores a hash of the index (the canary: does the device really write?), `smoke_axpy` is `a·x + y` over
-//! planes (the bandwidth probe), `smoke_histogram` counts by atomics.
+//! planes (the bandwidth probe), `smoke_madd` multiplies and adds in registers (the arithmetic probe), `smoke_histogram`
+//! counts by atomics.
 
 use crate::kernel::{At, AtomicWords, Rows};
 #[cfg(not(target_arch = "spirv"))]
@@ -63,6 +64,40 @@ kernel! {
     case super::axpy_case; tolerance Tolerance::RelAbs(1e-6, 1e-37), "a device may fuse the multiply and the add, and flush denormals";
 }
 
+/// Multiply-adds of one chain of [`madd`].
+const MADD_STEPS: u32 = 64;
+
+/// Twelve chains of multiply-adds that start from multiples of one element: enough of them to fill any pipeline.
+pub fn madd<R: Real>(at: At, p: &SmokeParams, x: &[f32]) -> [R; 1] {
+    let (x, scale) = (R::load(x, at.i), R::splat(p.scale));
+    let mut chains = [x; 12];
+    // Different starts, or a compiler would make one chain of all.
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 => { chains[K] = x * R::splat(K as f32) });
+    for _ in 0..MADD_STEPS {
+        unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 => { chains[K] = chains[K] * scale + x });
+    }
+    let mut sum = R::splat(0.0);
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 => { sum = sum + chains[K] });
+    [sum]
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn madd_case(input: &mut CaseInput) -> Case {
+    let params = SmokeParams { count: input.count as u32, seed: 0, scale: 0.75, _pad: 0 };
+    let count = axpy_rows(&params).plane as usize;
+    Case::default().uniform(&params).read(&input.floats(count)).zeroed::<f32>(count)
+}
+
+kernel! {
+    /// Multiply-adds in registers: what the machine's arithmetic gives.
+    lanes mod smoke_madd = super::madd; entry "smoke_madd" threads(64);
+    uniform 0 params: SmokeParams;
+    read 1 x: f32;
+    write 2 out: f32 x 1;
+    over super::axpy_rows;
+    case super::madd_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "64 multiply-adds of one sign: a device may fuse each, and flush denormals";
+}
+
 /// Invocations of `histogram`.
 pub fn histogram_items(p: &SmokeParams) -> u32 {
     p.count
@@ -92,4 +127,5 @@ scatter! {
 
 /// This family's rows of the kernel table.
 #[cfg(not(target_arch = "spirv"))]
-pub const KERNELS: &[&Kernel] = &[&smoke_fill::KERNEL, &smoke_axpy::KERNEL, &smoke_histogram::KERNEL];
+pub const KERNELS: &[&Kernel] =
+    &[&smoke_fill::KERNEL, &smoke_axpy::KERNEL, &smoke_madd::KERNEL, &smoke_histogram::KERNEL];

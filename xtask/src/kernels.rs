@@ -1,6 +1,7 @@
 //! `cargo xtask kernels`: compiles every kernel and writes `kernels/compiled`, or checks what is there.
 //!
-//! One module per entry point. A host loads what a method needs, and a changed kernel changes one file.
+//! One module per entry point: a host parses only the ones that it runs, and loading all of them takes as long as one module
+//! that holds them all (`cargo xtask bench --filter loading`).
 
 use crate::manifest::{self, Compiled};
 use crate::source::{Source, sha256};

@@ -4,6 +4,7 @@ use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+mod bench;
 mod ci;
 mod compile;
 mod kernels;
@@ -37,6 +38,12 @@ enum Task {
     },
     /// What continuous integration runs before `test`: format, lints, documentation, kernels/compiled
     Ci,
+    /// Time every kernel against this machine's limits and a software driver; table and target/bench/bench.json
+    Bench {
+        /// Only kernels whose name contains this, or only the section of this name
+        #[arg(long)]
+        filter: Option<String>,
+    },
     /// One compile in a process of its own (see `compile.rs`)
     #[command(hide = true)]
     CompileModules {
@@ -44,6 +51,8 @@ enum Task {
         backend: PathBuf,
         #[arg(long)]
         out: PathBuf,
+        #[arg(long)]
+        together: bool,
     },
 }
 
@@ -53,7 +62,8 @@ fn main() -> ExitCode {
         Task::Kernels { check: true } => kernels::check(),
         Task::Test { args } => ci::test(&args),
         Task::Ci => ci::checks(),
-        Task::CompileModules { backend, out } => compile::modules(&backend, &out),
+        Task::Bench { filter } => bench::run(filter),
+        Task::CompileModules { backend, out, together } => compile::modules(&backend, &out, together),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
