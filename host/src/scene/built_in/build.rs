@@ -59,11 +59,10 @@ impl SceneBuilder {
         self.scene.triangles.push(Triangle { vertices, material });
     }
 
-    /// Adds a flat polygon as a fan around its first corner, from which it must be wholly visible.
+    /// Adds a flat polygon as a fan around its first corner, from which it must be wholly visible. The first three
+    /// corners give its normal.
     pub fn polygon(&mut self, corners: &[Vec3], material: u32) {
-        // Newell's method: the normal of a polygon some of whose corners may be collinear.
-        let following = corners.iter().cycle().skip(1);
-        let normal = corners.iter().zip(following).map(|(a, b)| a.cross(*b)).sum::<Vec3>().normalize();
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize();
         let first = self.scene.positions.len() as u32;
         for &corner in corners {
             self.vertex(corner, normal, Vec2::ZERO);
@@ -111,8 +110,53 @@ impl SceneBuilder {
         self.parallelogram(max, -y, -x, materials[5]);
     }
 
+    /// Adds a surface of revolution around the vertical axis through `centre`: `profile` lists (radius, height) in the
+    /// order that leaves the outside on the right when the radius is drawn to the right and height upwards. Edges of
+    /// the profile are smooth where it bends by less than 50°.
+    pub fn lathe(&mut self, centre: Vec3, profile: &[(f32, f32)], segments: u32, material: u32) {
+        const COS_SMOOTH: f32 = 0.64;
+        let slopes: Vec<Vec2> =
+            profile.windows(2).map(|p| Vec2::new(p[1].1 - p[0].1, p[0].0 - p[1].0).normalize()).collect();
+        let blend = |a: Vec2, b: Option<&Vec2>| match b {
+            Some(&b) if a.dot(b) > COS_SMOOTH => (a + b).normalize(),
+            _ => a,
+        };
+        for (band, (&slope, ends)) in slopes.iter().zip(profile.windows(2)).enumerate() {
+            let before = band.checked_sub(1).and_then(|i| slopes.get(i));
+            let low = self.ring(centre, ends[0], blend(slope, before), segments);
+            let high = self.ring(centre, ends[1], blend(slope, slopes.get(band + 1)), segments);
+            for i in 0..segments {
+                let next = (i + 1) % segments;
+                if ends[0].0 > 0.0 {
+                    self.triangle([low + next, low + i, high + i], material);
+                }
+                if ends[1].0 > 0.0 {
+                    self.triangle([low + next, high + i, high + next], material);
+                }
+            }
+        }
+    }
+
+    /// A ring of vertices; the index of its first. `normal` is (radial, vertical).
+    fn ring(&mut self, centre: Vec3, (radius, height): (f32, f32), normal: Vec2, segments: u32) -> u32 {
+        let first = self.scene.positions.len() as u32;
+        for i in 0..segments {
+            let (sin, cos) = (std::f32::consts::TAU * i as f32 / segments as f32).sin_cos();
+            let position = centre + Vec3::new(radius * cos, height, radius * sin);
+            self.vertex(position, Vec3::new(normal.x * cos, normal.y, normal.x * sin), Vec2::ZERO);
+        }
+        first
+    }
+
     /// The scene.
     pub fn finish(self) -> Scene {
         self.scene
     }
+}
+
+/// A number in 0…1 that looks random, the same for the same `seed` everywhere (PCG hash: Jarzynski and Olano 2020).
+pub fn hash_unit(seed: u32) -> f32 {
+    let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    ((word >> 22) ^ word) as f32 / u32::MAX as f32
 }

@@ -43,9 +43,9 @@ pub fn cornell_box() -> Scene {
     for top in [SHORT_BLOCK, TALL_BLOCK] {
         b.quad(top.map(metres), white);
         for side in 0..4 {
-            let (from, to) = (metres(top[side]), metres(top[(side + 1) % 4]));
+            let (from, to) = (metres(top[side]), metres(top[(side + 3) % 4]));
             let ground = |p: Vec3| Vec3::new(p.x, 0.0, p.z);
-            b.quad([ground(from), ground(to), to, from], white);
+            b.quad([ground(from), from, to, ground(to)], white);
         }
     }
     b.quad(LAMP_FACE.map(metres), lamp);

@@ -163,15 +163,12 @@ fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[Vec3; 3], FileError> {
     Ok(corners)
 }
 
-/// Whether a triangle has no area, or so little that its normal is rounding noise: its height is below 10⁻⁷ of its
-/// longest edge (the relative resolution of 32-bit positions), or its f32 normal underflows.
+/// Whether a triangle has no area, or so little that its normal cannot be had in f32.
 fn is_degenerate([a, b, c]: [Vec3; 3]) -> bool {
-    const RELATIVE_HEIGHT: f64 = 1e-7;
     let [a64, b64, c64] = [a, b, c].map(Vec3::as_dvec3);
-    let (ab, ac, bc) = (b64 - a64, c64 - a64, c64 - b64);
-    let longest_squared = ab.length_squared().max(ac.length_squared()).max(bc.length_squared());
-    let normal_f32 = (b - a).cross(c - a);
-    ab.cross(ac).length() <= RELATIVE_HEIGHT * longest_squared || normal_f32.length_squared() < f32::MIN_POSITIVE
+    let exact = (b64 - a64).cross(c64 - a64);
+    let rounded = (b - a).cross(c - a);
+    exact == glam::DVec3::ZERO || rounded.length_squared() < f32::MIN_POSITIVE
 }
 
 #[cfg(test)]
@@ -182,7 +179,7 @@ mod tests {
     fn triangles_without_area_are_recognised_and_thin_ones_kept() {
         let p = |x: f32, y: f32| Vec3::new(x, y, 0.3);
         assert!(is_degenerate([p(1.0, 1.0), p(1.0, 1.0), p(2.0, 0.0)]), "two equal corners");
-        assert!(is_degenerate([p(0.1, 0.1), p(0.2, 0.2), p(0.7, 0.7)]), "corners on a line, up to rounding");
+        assert!(is_degenerate([p(0.1, 0.1), p(0.2, 0.2), p(0.7, 0.7)]), "corners on a line");
         assert!(is_degenerate([p(0.0, 0.0), p(1e-20, 0.0), p(0.0, 1e-20)]), "a normal that underflows");
         assert!(!is_degenerate([p(0.0, 0.0), p(1e-4, 0.0), p(0.0, 1e-4)]), "small, but well shaped");
         assert!(!is_degenerate([p(0.0, 0.0), p(10.0, 0.0), p(5.0, 1e-4)]), "a sliver of a tenth of a millimetre");
