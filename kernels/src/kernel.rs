@@ -205,11 +205,13 @@ mod host {
         RelAbs(f32, f32),
     }
     impl Tolerance {
-        /// Whether two floats are close enough. NaN is close to nothing.
+        /// Whether two floats are close enough. NaN is close to nothing, infinity to itself alone.
         pub fn accepts(self, a: f32, b: f32) -> bool {
             match self {
                 Tolerance::Exact => a.to_bits() == b.to_bits() && !a.is_nan(),
-                Tolerance::RelAbs(rel, abs) => a == b || (a - b).abs() <= rel * a.abs().max(b.abs()) + abs,
+                Tolerance::RelAbs(rel, abs) => {
+                    a == b || ((a - b).is_finite() && (a - b).abs() <= rel * a.abs().max(b.abs()) + abs)
+                }
             }
         }
     }
@@ -256,6 +258,8 @@ mod host {
         pub rows: fn(uniform: &[u32], out_count: u32) -> Rows,
         /// Runs one piece on the CPU.
         pub cpu: fn(Piece<'_>),
+        /// The same one element at a time, as a device does it, where `cpu` takes several: must give the same bits.
+        pub scalar: Option<fn(Piece<'_>)>,
         /// Floating-point operations and elements of a sample, from the uniform record and the read bindings: what the
         /// arithmetic of a lane-generic body costs. Other forms do not count.
         pub operations: Option<CountOperations>,
@@ -441,6 +445,7 @@ macro_rules! kernel {
                     if rows.count == 0 { rows = Rows::all(job.row_count); }
                     piece(&rows, job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* $o);
                 },
+                scalar: None,
                 operations: None,
                 case: $case,
                 tolerance: $tol,
@@ -526,6 +531,29 @@ macro_rules! kernel {
             $crate::kernel::widest_vectors!(piece = piece_body,
                 (rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]));
 
+            /// What [`piece`] must agree with: the device's body, one element at a time.
+            #[cfg(not(target_arch = "spirv"))]
+            fn scalar_piece(rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]) {
+                for row in 0..row_count {
+                    for x in 0..rows.len {
+                        let values: [f32; $planes] = $body(rows.cell(first_row + row, x), $p, $($i,)*);
+                        for plane in 0..$planes { planes[plane][(row * rows.pitch + x) as usize] = values[plane]; }
+                    }
+                }
+            }
+
+            #[cfg(not(target_arch = "spirv"))]
+            fn run(
+                job: $crate::kernel::Piece<'_>,
+                piece: fn(&Rows, u32, u32, &$P, $(&[$I],)* &mut [&mut [f32]]),
+            ) {
+                let &[$($i,)*] = job.reads else { unreachable!("{}: wrong number of read bindings", $entry) };
+                let $p = &bytemuck::cast_slice::<u32, $P>(job.uniform)[0];
+                let mut planes: alloc::vec::Vec<&mut [f32]> =
+                    job.planes.iter_mut().map(|plane| bytemuck::cast_slice_mut::<u32, f32>(plane)).collect();
+                piece(&$rows($p), job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* &mut planes);
+            }
+
             /// The row of the kernel table.
             #[cfg(not(target_arch = "spirv"))]
             pub const KERNEL: $crate::kernel::Kernel = $crate::kernel::Kernel {
@@ -533,13 +561,8 @@ macro_rules! kernel {
                 form: $crate::kernel::Form::Lanes,
                 plane_count: $planes,
                 rows: |uniform, _| $rows(&bytemuck::cast_slice::<u32, $P>(uniform)[0]),
-                cpu: |job| {
-                    let &[$($i,)*] = job.reads else { unreachable!("{}: wrong number of read bindings", $entry) };
-                    let $p = &bytemuck::cast_slice::<u32, $P>(job.uniform)[0];
-                    let mut planes: alloc::vec::Vec<&mut [f32]> =
-                        job.planes.iter_mut().map(|plane| bytemuck::cast_slice_mut::<u32, f32>(plane)).collect();
-                    piece(&$rows($p), job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* &mut planes);
-                },
+                cpu: |job| run(job, piece),
+                scalar: Some(|job| run(job, scalar_piece)),
                 operations: Some(|uniform, reads| {
                     let &[$($i,)*] = reads else { unreachable!("{}: wrong number of read bindings", $entry) };
                     let $p = &bytemuck::cast_slice::<u32, $P>(uniform)[0];
@@ -620,6 +643,7 @@ macro_rules! scatter {
                     let $p = &bytemuck::cast_slice::<u32, $P>(job.uniform)[0];
                     piece(job.first_row, job.row_count, $p, $(bytemuck::cast_slice::<u32, $I>($i),)* $($a,)+);
                 },
+                scalar: None,
                 operations: None,
                 case: $case,
                 tolerance: $tol,

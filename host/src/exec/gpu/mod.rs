@@ -65,6 +65,19 @@ pub struct GpuOptions {
     pub modules: ModuleSource,
 }
 
+/// Number of device objects that a [`GpuExecutor`] holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+pub struct GpuObjects {
+    /// Live buffers.
+    pub buffers: usize,
+    /// Kernels that have run.
+    pub pipelines: usize,
+    /// Combinations of kernel and buffers that have run.
+    pub bind_groups: usize,
+    /// Size of the buffer that results are read through.
+    pub staging_bytes: u64,
+}
+
 /// Device, queue and what pipelines need to know.
 pub(crate) struct GpuContext {
     device: wgpu::Device,
@@ -215,6 +228,16 @@ impl GpuExecutor {
                     smoke::fill(i, &params)
                 ),
             }),
+        }
+    }
+
+    /// How many device objects exist: what a frame loop must not change.
+    pub fn objects(&self) -> GpuObjects {
+        GpuObjects {
+            buffers: self.buffers.iter().flatten().count(),
+            pipelines: self.pipelines.len(),
+            bind_groups: self.pipelines.values().map(|p| p.bind_groups.len()).sum(),
+            staging_bytes: self.readback.bytes(),
         }
     }
 
@@ -413,7 +436,7 @@ impl Executor for GpuExecutor {
         buffer.batch = batch;
         let raw = buffer.raw.clone();
         self.encoder().clear_buffer(&raw, 0, None);
-        Ok(())
+        self.faults.check("a clear")
     }
 
     fn run(&mut self, kernel: &'static Kernel, buffers: &[BufferId]) -> Result<(), ExecError> {

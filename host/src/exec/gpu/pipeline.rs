@@ -62,6 +62,9 @@ impl Pipeline {
         let bytes = (context.modules.0)(desc.name)
             .ok_or_else(|| error("there is no compiled module of this name; run `cargo xtask kernels`".into()))?;
         let words = spirv_words(&bytes).ok_or_else(|| error("the compiled module is not SPIR-V".into()))?;
+        if !has_entry_point(&words, desc.name) {
+            return Err(error("the compiled module has no entry point of this name".into()));
+        }
         let layout = bind_group_layout(&context.device, desc);
         scoped(&context.device, || {
             let pipeline_layout = context.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -139,13 +142,35 @@ fn check_limits(context: &GpuContext, desc: &KernelDesc) -> Result<(), ExecError
     Ok(())
 }
 
+const HEADER_WORDS: usize = 5;
+
 /// SPIR-V words of a file in this machine's byte order, or nothing where the file is not SPIR-V.
 fn spirv_words(bytes: &[u8]) -> Option<Vec<u32>> {
     const MAGIC: u32 = 0x0723_0203;
-    const HEADER_WORDS: usize = 5;
     let (words, rest) = bytes.as_chunks::<4>();
     let words: Vec<u32> = words.iter().map(|&word| u32::from_le_bytes(word)).collect();
     (rest.is_empty() && words.len() > HEADER_WORDS && words[0] == MAGIC).then_some(words)
+}
+
+/// Whether a module has an entry point of this name: a driver that gets such a module as it is may crash without.
+fn has_entry_point(words: &[u32], name: &str) -> bool {
+    const OP_ENTRY_POINT: u32 = 15;
+    let mut rest = &words[HEADER_WORDS..];
+    while let Some(&first) = rest.first() {
+        let (length, op) = ((first >> 16) as usize, first & 0xFFFF);
+        if length == 0 || length > rest.len() {
+            return false;
+        }
+        // Operands: execution model, function, then the name as text that ends with a zero byte.
+        if op == OP_ENTRY_POINT && length > 3 {
+            let text = rest[3..length].iter().flat_map(|word| word.to_le_bytes()).take_while(|&byte| byte != 0);
+            if text.eq(name.bytes()) {
+                return true;
+            }
+        }
+        rest = &rest[length..];
+    }
+    false
 }
 
 fn bind_group_layout(device: &wgpu::Device, desc: &KernelDesc) -> wgpu::BindGroupLayout {

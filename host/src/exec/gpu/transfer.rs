@@ -10,6 +10,11 @@ const MIN_STAGING_BYTES: u64 = 64 << 10;
 pub(super) struct Readback(Option<wgpu::Buffer>);
 
 impl Readback {
+    /// Size of the staging buffer.
+    pub(super) fn bytes(&self) -> u64 {
+        self.0.as_ref().map_or(0, wgpu::Buffer::size)
+    }
+
     /// A staging buffer for `bytes`, or for a piece of them where they are many.
     pub(super) fn staging(&mut self, device: &wgpu::Device, bytes: u64) -> wgpu::Buffer {
         let size = bytes.clamp(MIN_STAGING_BYTES, MAX_STAGING_BYTES).next_power_of_two();
