@@ -8,4 +8,5 @@ pub mod octahedral;
 pub mod pack;
 pub mod rng;
 pub mod sampling;
+pub mod sh;
 pub mod vector;
