@@ -9,6 +9,7 @@ extern crate self as interreflect_shared;
 
 pub mod record;
 pub mod scene;
+pub mod sh;
 pub mod smoke;
 pub mod trace;
 

@@ -159,20 +159,58 @@ pub fn basis<R: Real, const N: usize>(direction: [R; 3]) -> [R; N] {
     sink.0
 }
 
-/// Coefficients `4·B … 4·B + 3` alone, at a unit vector.
-#[inline(always)]
-pub fn basis_block<R: Real, const B: usize>(direction: [R; 3]) -> [R; 4] {
-    let mut sink = Block::<R, B>([R::splat(0.0); 4]);
-    walk(const { band(4 * B + 3) }, direction, &mut sink);
-    sink.0
+/// One basis function chosen at run time, for kernels in which an invocation owns a few coefficients: a loop over its
+/// recurrence instead of [`walk`]'s straight line, with the normalization left to the end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Function {
+    l: u32,
+    /// |m|.
+    m: u32,
+    negative: bool,
+    norm: f32,
 }
-struct Block<R, const B: usize>([R; 4]);
-impl<R: Real, const B: usize> Sink<R> for Block<R, B> {
+
+impl Function {
+    /// Basis function `k`; 0 everywhere where `k` is beyond `order`.
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
-        if const { K / 4 == B } {
-            self.0[const { K % 4 }] = y;
+    pub fn new(k: u32, order: u32) -> Self {
+        let mut l = 0;
+        while (l + 1) * (l + 1) <= k && l < MAX_ORDER {
+            l += 1;
         }
+        let middle = l * (l + 1);
+        let negative = k < middle;
+        let m = if negative { middle - k } else { k - middle };
+        Self { l, m, negative, norm: if l <= order { Self::norm(l, m) } else { 0.0 } }
+    }
+
+    /// `√2 K_lm (2m−1)!!` (without √2 for m = 0), as a product that stays near 1.
+    #[inline(always)]
+    fn norm(l: u32, m: u32) -> f32 {
+        let mut square = (2 * l + 1) as f32 / (if m == 0 { 4.0 * PI } else { 2.0 * PI });
+        for i in 1..m + 1 {
+            let (odd, high) = ((2 * i - 1) as f32, (l - m + 2 * i) as f32);
+            square *= odd * odd / (high * (high - 1.0));
+        }
+        super::float::sqrt(square)
+    }
+
+    /// Value at a unit vector.
+    #[inline(always)]
+    pub fn value<R: Real>(&self, [x, y, z]: [R; 3]) -> R {
+        // P_l^m/(2m−1)!! without its power of sin θ: (j−m) P_j = (2j−1) z P_{j−1} − (j+m−1) P_{j−2}.
+        let (mut f, mut below) = (R::splat(1.0), R::splat(0.0));
+        for j in self.m + 1..self.l + 1 {
+            let scale = 1.0 / (j - self.m) as f32;
+            let (rise, fall) = ((2 * j - 1) as f32 * scale, (j + self.m - 1) as f32 * scale);
+            (below, f) = (f, z * R::splat(rise) * f - R::splat(fall) * below);
+        }
+        // (x + iy)^m
+        let (mut c, mut s) = (R::splat(1.0), R::splat(0.0));
+        for _ in 0..self.m {
+            (c, s) = (x * c - y * s, x * s + y * c);
+        }
+        f * R::splat(self.norm) * if self.negative { s } else { c }
     }
 }
 
@@ -582,9 +620,11 @@ mod tests {
             (check::<1>(d), check::<4>(d), check::<9>(d), check::<16>(d), check::<25>(d));
             (check::<36>(d), check::<49>(d), check::<64>(d), check::<81>(d), check::<100>(d));
             let all = basis::<f32, 100>(d);
-            assert_eq!(basis_block::<f32, 0>(d)[..], all[..4]);
-            assert_eq!(basis_block::<f32, 7>(d)[..], all[28..32]);
-            assert_eq!(basis_block::<f32, 24>(d)[..], all[96..]);
+            for k in 0..100 {
+                let single = Function::new(k, MAX_ORDER).value(d);
+                assert!((single - all[k as usize]).abs() < 2e-6, "{k} at {d:?}: {single} {}", all[k as usize]);
+                assert_eq!(Function::new(k, 3).value(d) == 0.0, k >= 16 || single == 0.0);
+            }
         }
     }
 
