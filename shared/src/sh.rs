@@ -30,7 +30,9 @@ crate::record! {
         /// Order, 0 to 9.
         pub order: u32,
         /// Zero.
-        pub _pad: [u32; 2],
+        pub _pad0: u32,
+        /// Zero.
+        pub _pad1: u32,
         /// Factor of band `l` in component `l % 4` of vector `l / 4`.
         pub factors: [Vec4; 3],
     }
@@ -41,7 +43,7 @@ impl ShFilterParams {
     pub fn new(element_count: u32, order: u32, factors: &[f32; 10]) -> Self {
         let f = |l: usize| if l < 10 { factors[l] } else { 0.0 };
         let vector = |l: usize| Vec4::new(f(l), f(l + 1), f(l + 2), f(l + 3));
-        Self { element_count, order, _pad: [0; 2], factors: [vector(0), vector(4), vector(8)] }
+        Self { element_count, order, _pad0: 0, _pad1: 0, factors: [vector(0), vector(4), vector(8)] }
     }
 }
 

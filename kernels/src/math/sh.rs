@@ -56,7 +56,7 @@ pub const fn band(k: usize) -> u32 {
 pub const fn condon_shortley(k: usize) -> f32 {
     let l = band(k) as usize;
     // k = l(l+1) + m, and l(l+1) is even.
-    if (k - l * l + l) % 2 == 0 { 1.0 } else { -1.0 }
+    if (k - l * l + l) & 1 == 0 { 1.0 } else { -1.0 }
 }
 
 /// Square root in constants (Newton; the standard library's is not `const`).
@@ -101,16 +101,22 @@ const fn place(l: usize, m: usize, negative: bool) -> usize {
 }
 
 /// Takes the values of the basis functions one after the other; [`walk`] calls it once for each.
+///
+/// What changes is apart from the sink itself, so that a sink may hold a buffer: a device cannot change a variable
+/// that holds one.
 pub trait Sink<R: Real> {
+    /// What comes of the values.
+    type Result;
     /// The value of basis function `K`.
-    fn take<const K: usize>(&mut self, y: R);
+    fn take<const K: usize>(&self, y: R, result: &mut Self::Result);
 }
 
 /// Hands the basis functions up to an order (at most [`MAX_ORDER`]) at a unit vector to `sink`, grouped by |m|. With a
 /// constant order, or a sink that ignores some functions, what is not needed is not computed.
 #[inline(always)]
-#[allow(unused_assignments)] // the last step of each recurrence
-pub fn walk<R: Real>(order: u32, [x, y, z]: [R; 3], sink: &mut impl Sink<R>) {
+#[expect(unused_assignments, reason = "the last step of each recurrence")]
+#[expect(clippy::absurd_extreme_comparisons, reason = "comparisons of constants choose the terms")]
+pub fn walk<R: Real, S: Sink<R>>(order: u32, [x, y, z]: [R; 3], sink: &S, result: &mut S::Result) {
     // (x + iy)^m = c + is
     let (mut c, mut s) = (x, y);
     unroll!(M in 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 => {
@@ -128,10 +134,10 @@ pub fn walk<R: Real>(order: u32, [x, y, z]: [R; 3], sink: &mut impl Sink<R>) {
                         (below, f) = (f, next);
                     }
                     if M == 0 {
-                        sink.take::<{ place(L, 0, false) }>(f);
+                        sink.take::<{ place(L, 0, false) }>(f, result);
                     } else {
-                        sink.take::<{ place(L, M, false) }>(f * c);
-                        sink.take::<{ place(L, M, true) }>(f * s);
+                        sink.take::<{ place(L, M, false) }>(f * c, result);
+                        sink.take::<{ place(L, M, true) }>(f * s, result);
                     }
                 }
             });
@@ -139,11 +145,12 @@ pub fn walk<R: Real>(order: u32, [x, y, z]: [R; 3], sink: &mut impl Sink<R>) {
     });
 }
 
-struct Collect<R, const N: usize>([R; N]);
-impl<R: Real, const N: usize> Sink<R> for Collect<R, N> {
+struct Collect<const N: usize>;
+impl<R: Real, const N: usize> Sink<R> for Collect<N> {
+    type Result = [R; N];
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
-        self.0[K] = y;
+    fn take<const K: usize>(&self, y: R, values: &mut [R; N]) {
+        values[K] = y;
     }
 }
 /// The order whose number of coefficients is `n`, 0 where there is none.
@@ -154,9 +161,9 @@ const fn order_of(n: usize) -> u32 {
 #[inline(always)]
 pub fn basis<R: Real, const N: usize>(direction: [R; 3]) -> [R; N] {
     const { assert!(N == count(order_of(N)) && N <= MAX_COUNT, "N must be (order + 1)² of an order up to 9") };
-    let mut sink = Collect([R::splat(0.0); N]);
-    walk(const { order_of(N) }, direction, &mut sink);
-    sink.0
+    let mut values = [R::splat(0.0); N];
+    walk(const { order_of(N) }, direction, &Collect::<N>, &mut values);
+    values
 }
 
 /// One basis function chosen at run time, for kernels in which an invocation owns a few coefficients: a loop over its
@@ -214,34 +221,30 @@ impl Function {
     }
 }
 
-struct Sum<'a, R, const N: usize> {
-    coefs: &'a [R; N],
-    sum: R,
-}
-impl<R: Real, const N: usize> Sink<R> for Sum<'_, R, N> {
+struct Terms<'a, R, const N: usize>(&'a [R; N]);
+impl<R: Real, const N: usize> Sink<R> for Terms<'_, R, N> {
+    type Result = R;
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
-        self.sum = self.sum + self.coefs[K] * y;
+    fn take<const K: usize>(&self, y: R, sum: &mut R) {
+        *sum = *sum + self.0[K] * y;
     }
 }
 /// Value of an expansion in a direction: `Σ c_k Y_k`.
 #[inline(always)]
 pub fn evaluate<R: Real, const N: usize>(coefs: &[R; N], direction: [R; 3]) -> R {
-    let mut sink = Sum { coefs, sum: R::splat(0.0) };
-    walk(const { order_of(N) }, direction, &mut sink);
-    sink.sum
+    let mut sum = R::splat(0.0);
+    walk(const { order_of(N) }, direction, &Terms(coefs), &mut sum);
+    sum
 }
 
-struct CosineSum<'a, R, const N: usize> {
-    coefs: &'a [R; N],
-    sum: R,
-}
-impl<R: Real, const N: usize> Sink<R> for CosineSum<'_, R, N> {
+struct CosineTerms<'a, R, const N: usize>(&'a [R; N]);
+impl<R: Real, const N: usize> Sink<R> for CosineTerms<'_, R, N> {
+    type Result = R;
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
+    fn take<const K: usize>(&self, y: R, sum: &mut R) {
         let factor = const { clamped_cosine_factor(band(K)) };
         if factor != 0.0 {
-            self.sum = self.sum + self.coefs[K] * (y * R::splat(factor));
+            *sum = *sum + self.0[K] * (y * R::splat(factor));
         }
     }
 }
@@ -249,44 +252,40 @@ impl<R: Real, const N: usize> Sink<R> for CosineSum<'_, R, N> {
 /// expand: `Σ A_l c_lm Y_lm(n)` (Ramamoorthi & Hanrahan 2001, eq. 10). May be negative where the expansion rings.
 #[inline(always)]
 pub fn irradiance<R: Real, const N: usize>(radiance_coefs: &[R; N], normal: [R; 3]) -> R {
-    let mut sink = CosineSum { coefs: radiance_coefs, sum: R::splat(0.0) };
-    walk(const { order_of(N) }, normal, &mut sink);
-    sink.sum
+    let mut sum = R::splat(0.0);
+    walk(const { order_of(N) }, normal, &CosineTerms(radiance_coefs), &mut sum);
+    sum
 }
 
-struct Lobe<'a, R, const N: usize> {
-    factors: &'a [f32; BANDS],
-    coefs: [R; N],
-}
-impl<R: Real, const N: usize> Sink<R> for Lobe<'_, R, N> {
+struct Lobe<'a, const N: usize>(&'a [f32; BANDS]);
+impl<R: Real, const N: usize> Sink<R> for Lobe<'_, N> {
+    type Result = [R; N];
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
-        self.coefs[K] = y * R::splat(self.factors[const { band(K) as usize }]);
+    fn take<const K: usize>(&self, y: R, coefs: &mut [R; N]) {
+        coefs[K] = y * R::splat(self.0[const { band(K) as usize }]);
     }
 }
 /// Coefficients of a lobe around a direction: the zonal function with the factors `λ_l`, rotated from +Z.
 #[inline(always)]
 pub fn zonal_lobe<R: Real, const N: usize>(factors: &[f32; BANDS], direction: [R; 3]) -> [R; N] {
-    let mut sink = Lobe { factors, coefs: [R::splat(0.0); N] };
-    walk(const { order_of(N) }, direction, &mut sink);
-    sink.coefs
+    let mut coefs = [R::splat(0.0); N];
+    walk(const { order_of(N) }, direction, &Lobe::<N>(factors), &mut coefs);
+    coefs
 }
 
-struct Accumulate<'a, R, const N: usize> {
-    coefs: &'a mut [R; N],
-    value: R,
-}
-impl<R: Real, const N: usize> Sink<R> for Accumulate<'_, R, N> {
+struct Weighted<R, const N: usize>(R);
+impl<R: Real, const N: usize> Sink<R> for Weighted<R, N> {
+    type Result = [R; N];
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
-        self.coefs[K] = self.coefs[K] + self.value * y;
+    fn take<const K: usize>(&self, y: R, coefs: &mut [R; N]) {
+        coefs[K] = coefs[K] + self.0 * y;
     }
 }
 /// Adds a sample of a function to its projection: `c_k += value·Y_k(direction)`. `value` holds the quadrature weight: the
 /// function's value times 4π/count for evenly spread directions, or divided by the density of random ones times their count.
 #[inline(always)]
 pub fn accumulate<R: Real, const N: usize>(coefs: &mut [R; N], direction: [R; 3], value: R) {
-    walk(const { order_of(N) }, direction, &mut Accumulate { coefs, value });
+    walk(const { order_of(N) }, direction, &Weighted::<R, N>(value), coefs);
 }
 /// Multiplies every band with its factor: convolution with the kernel that the factors stand for. For the CPU; buffers of
 /// coefficients go through the kernel `sh_filter`.
@@ -311,7 +310,7 @@ pub fn zonal_coefficient(l: u32, factor: f32) -> f32 {
 /// `2π ∫₀¹ uⁿ P_l(u) du`: factor of the lobe cosⁿθ over the upper hemisphere, not normalized, any real `n ≥ 0` and any
 /// band. By `I_l = I_{l−2} (n − l + 2)/(n + l + 1)`, from `I_0 = 1/(n+1)` and `I_1 = 1/(n+2)`.
 pub const fn cosine_power_factor(l: u32, n: f32) -> f32 {
-    let mut i = if l % 2 == 0 { 1.0 / (n + 1.0) } else { 1.0 / (n + 2.0) };
+    let mut i = if l & 1 == 0 { 1.0 / (n + 1.0) } else { 1.0 / (n + 2.0) };
     let mut j = 2 + l % 2;
     while j <= l {
         i *= (n - j as f32 + 2.0) / (n + j as f32 + 1.0);
@@ -617,8 +616,8 @@ mod tests {
             assert!((evaluate(&coefs, d) - 2.0 * N as f32 / (4.0 * PI)).abs() < 1e-4, "Σ Y² = (n+1)²/4π");
         }
         for d in directions() {
-            (check::<1>(d), check::<4>(d), check::<9>(d), check::<16>(d), check::<25>(d));
-            (check::<36>(d), check::<49>(d), check::<64>(d), check::<81>(d), check::<100>(d));
+            let checks = [check::<1>, check::<4>, check::<9>, check::<16>, check::<25>, check::<36>, check::<49>];
+            checks.into_iter().chain([check::<64>, check::<81>, check::<100>]).for_each(|check| check(d));
             let all = basis::<f32, 100>(d);
             for k in 0..100 {
                 let single = Function::new(k, MAX_ORDER).value(d);

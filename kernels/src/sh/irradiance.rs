@@ -18,23 +18,23 @@ pub fn rows(p: &ShParams) -> Rows {
     Rows { count: layout.tiles, len: SH_TILE, pitch: SH_TILE, first: 0, plane: layout.padded_elements() }
 }
 
-struct CosineSum<'a, R> {
+struct CosineTerms<'a> {
     coefs: &'a [f32],
     /// Index of coefficient 0 of the first channel.
     first: usize,
     plane: usize,
-    sum: [R; 3],
 }
-impl<R: Real> Sink<R> for CosineSum<'_, R> {
+impl<R: Real> Sink<R> for CosineTerms<'_> {
+    type Result = [R; 3];
     #[inline(always)]
-    fn take<const K: usize>(&mut self, y: R) {
+    fn take<const K: usize>(&self, y: R, sum: &mut [R; 3]) {
         let factor = const { clamped_cosine_factor(band(K)) };
         if factor != 0.0 {
             let y = y * R::splat(factor);
             let i = self.first + const { K % 4 } * self.plane + const { K / 4 * SH_TILE as usize };
-            self.sum[0] = self.sum[0] + R::load(self.coefs, i) * y;
-            self.sum[1] = self.sum[1] + R::load(self.coefs, i + 4 * self.plane) * y;
-            self.sum[2] = self.sum[2] + R::load(self.coefs, i + 8 * self.plane) * y;
+            sum[0] = sum[0] + R::load(self.coefs, i) * y;
+            sum[1] = sum[1] + R::load(self.coefs, i + 4 * self.plane) * y;
+            sum[2] = sum[2] + R::load(self.coefs, i + 8 * self.plane) * y;
         }
     }
 }
@@ -46,10 +46,11 @@ pub fn irradiance<R: Real>(at: At, p: &ShParams, coefs: &[f32], normals: &[f32])
     let n = layout.padded_elements() as usize;
     let normal = [R::load(normals, at.i), R::load(normals, n + at.i), R::load(normals, 2 * n + at.i)];
     let first = layout.coef(0, 0, at.row * SH_TILE) + at.x as usize;
-    let mut sink = CosineSum { coefs, first, plane: layout.plane() as usize, sum: [R::splat(0.0); 3] };
-    walk(p.order, normal, &mut sink);
+    let terms = CosineTerms { coefs, first, plane: layout.plane() as usize };
+    let mut sum = [R::splat(0.0); 3];
+    walk(p.order, normal, &terms, &mut sum);
     let weight = R::splat(p.weight);
-    [sink.sum[0] * weight, sink.sum[1] * weight, sink.sum[2] * weight]
+    [sum[0] * weight, sum[1] * weight, sum[2] * weight]
 }
 
 #[cfg(not(target_arch = "spirv"))]
@@ -62,7 +63,7 @@ fn case(input: &mut CaseInput) -> Case {
         // Only band 0: a sum of huge terms that cancel is different on every device.
         for i in 0..coefs.len() {
             let row = i % layout.plane() as usize / SH_TILE as usize;
-            let in_band_0 = i / layout.plane() as usize % 4 == 0 && row % layout.blocks as usize == 0;
+            let in_band_0 = (i / layout.plane() as usize) & 3 == 0 && row.is_multiple_of(layout.blocks as usize);
             coefs[i] *= if in_band_0 { 1.0 } else { 0.0 };
         }
     }

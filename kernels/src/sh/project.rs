@@ -6,12 +6,12 @@
 //! sample a vector of elements loads three words and does twelve multiply-adds, so that the arithmetic binds. Before:
 //! [`super::basis`]; after: [`super::filter`], [`super::irradiance`].
 
-use super::{block_rows, case_radiance, load3, tile_and_block};
+use super::{block_rows, load3, tile_and_block};
 use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
-use interreflect_shared::sh::{SH_BLOCK, SH_TILE, ShLayout, ShParams};
+use interreflect_shared::sh::{SH_TILE, ShLayout, ShParams};
 
 /// One row per tile and block.
 pub fn rows(p: &ShParams) -> Rows {
@@ -49,9 +49,8 @@ fn case(input: &mut CaseInput) -> Case {
     let weight = 4.0 * crate::math::float::PI / sample_count as f32;
     let p = ShParams { element_count: input.count as u32, sample_count, order, weight };
     let layout = ShLayout::new(p.element_count, order);
-    let table: alloc::vec::Vec<f32> =
-        (0..layout.blocks * SH_BLOCK * sample_count).map(|_| input.unit() * 2.0 - 1.0).collect();
-    let radiance = case_radiance(input, &layout, sample_count);
+    let table: alloc::vec::Vec<f32> = (0..4 * layout.blocks * sample_count).map(|_| input.unit() * 2.0 - 1.0).collect();
+    let radiance = super::case_radiance(input, &layout, sample_count);
     Case::default().uniform(&p).read(&table).read(&radiance).zeroed::<f32>(layout.len())
 }
 

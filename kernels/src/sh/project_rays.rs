@@ -5,7 +5,7 @@
 //! their own hemispheres); with shared directions [`super::project`] is several times faster. Samples without light
 //! (radiance 0) may have any finite direction. After: [`super::filter`], [`super::irradiance`].
 
-use super::{block_functions, block_rows, case_radiance, load3, tile_and_block};
+use super::{block_functions, block_rows, load3, tile_and_block};
 use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -56,7 +56,7 @@ fn case(input: &mut CaseInput) -> Case {
         let d = axis.unwrap_or_else(|| input.direction()).to_array();
         (0..3).for_each(|a| directions[ShLayout::sample(element, sample, a, sample_count)] = d[a as usize]);
     }
-    let radiance = case_radiance(input, &layout, sample_count);
+    let radiance = super::case_radiance(input, &layout, sample_count);
     Case::default().uniform(&p).read(&directions).read(&radiance).zeroed::<f32>(layout.len())
 }
 
