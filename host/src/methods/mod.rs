@@ -2,7 +2,7 @@
 
 use crate::exec::{BufferId, ExecError, Executor};
 use crate::scene::Scene;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What can go wrong in a method.
@@ -76,15 +76,27 @@ pub struct Input<'a> {
 }
 
 /// When a stage of a method runs.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
     /// Once per scene geometry.
+    #[default]
     Precompute,
     /// When lights or materials change.
     LightChange,
     /// Every frame.
     Frame,
+}
+
+impl Phase {
+    /// Name in reports: `precompute`, `light_change`, `frame`.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Precompute => "precompute",
+            Self::LightChange => "light_change",
+            Self::Frame => "frame",
+        }
+    }
 }
 
 /// Times stages: `clock.stage(exec, "mipmap", |exec| …)`.

@@ -1,1 +1,0 @@
-//! Reading and writing pictures: linear EXR, PNG; files appear whole or not at all.

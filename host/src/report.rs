@@ -1,1 +1,0 @@
-//! `report.json`, `compare.json`, the time-against-error chart and the self-contained page.

@@ -1,0 +1,376 @@
+//! Time against error as an SVG picture: logarithmic axes, one colour per method, the Pareto front, the truth's noise.
+//!
+//! Written by hand rather than through a plotting library: the picture follows the reader's light or dark theme, places
+//! labels where they do not collide, and carries a description of every point for those who do not see it.
+
+use super::table::{milliseconds, number};
+use super::{Comparison, escape};
+use std::fmt::Write;
+
+/// One method with one set of settings.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ChartPoint {
+    /// Method: points of one series share a colour and are joined.
+    pub series: String,
+    /// Name beside the point.
+    pub label: String,
+    /// Time of a frame in which lights move, milliseconds: where the point stands.
+    pub dynamic_ms: f64,
+    /// Time of a frame in which nothing moves, milliseconds: the end of the point's tail to the left.
+    pub frame_ms: f64,
+    /// Error.
+    pub error: f64,
+    /// Drawn hollow, and not part of the Pareto front.
+    pub control: bool,
+}
+
+/// Time against error.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Chart {
+    /// What is shown, for the description: `cornell-box, 512 x 512`.
+    pub title: String,
+    /// Points in the order of the table.
+    pub points: Vec<ChartPoint>,
+    /// Error of a perfect method, from the truth's own noise.
+    pub noise_floor: Option<f64>,
+}
+
+/// Colours that keep apart from each other on white and on near black, in the order in which methods take them.
+pub const PALETTE: [&str; 14] = [
+    "#3f6fd8", "#e8743b", "#1aa37a", "#b65fcf", "#c9980a", "#d6457a", "#2a9fc4", "#7d9b2b", "#8a63e0", "#a8704c",
+    "#d0584c", "#4f8f8b", "#94719f", "#7c8592",
+];
+
+/// Colour of each series in order of first appearance.
+pub(crate) fn colours<'a>(series: impl Iterator<Item = &'a str>) -> Vec<(&'a str, &'static str)> {
+    let mut seen: Vec<(&str, &str)> = Vec::new();
+    for name in series {
+        if !seen.iter().any(|(s, _)| *s == name) {
+            seen.push((name, PALETTE[seen.len() % PALETTE.len()]));
+        }
+    }
+    seen
+}
+
+/// Frame budgets that are marked where they lie within the axis.
+const BUDGETS_MS: [(f64, &str); 2] = [(1000.0 / 60.0, "60 fps"), (1000.0 / 30.0, "30 fps")];
+
+/// Picture of a fixed size in SVG user units (CSS pixels).
+struct Canvas {
+    width: f64,
+    height: f64,
+    x: Axis,
+    y: Axis,
+}
+
+/// A logarithmic axis. Zero has a place of its own beyond the low end.
+struct Axis {
+    lo: f64,
+    hi: f64,
+    /// Pixel of `lo` and `hi`.
+    from: f64,
+    to: f64,
+    /// Pixel of zero, where a value is zero.
+    zero: Option<f64>,
+}
+
+impl Axis {
+    fn at(&self, value: f64) -> f64 {
+        match self.zero {
+            Some(zero) if value <= 0.0 => zero,
+            _ => {
+                let t = (value.max(self.lo) / self.lo).ln() / (self.hi / self.lo).ln();
+                self.from + t * (self.to - self.from)
+            }
+        }
+    }
+
+    /// An axis over the positive values, at least one decade long, with a place for zero if one is zero.
+    fn over(values: &[f64], from: f64, to: f64) -> Self {
+        let positive = || values.iter().copied().filter(|v| *v > 0.0);
+        let (mut lo, mut hi) = positive().fold((f64::MAX, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+        if hi == 0.0 {
+            (lo, hi) = (0.1, 10.0);
+        }
+        (lo, hi) = (lo / 1.5, hi * 1.5);
+        if hi / lo < 10.0 {
+            let middle = (lo * hi).sqrt();
+            (lo, hi) = (middle / 10.0_f64.sqrt(), middle * 10.0_f64.sqrt());
+        }
+        const GAP_PX: f64 = 30.0;
+        let zero = values.iter().any(|v| *v <= 0.0).then_some(from + 8.0 * (to - from).signum());
+        let from = if zero.is_some() { from + GAP_PX * (to - from).signum() } else { from };
+        Self { lo, hi, from, to, zero }
+    }
+
+    /// Ticks: value, and whether it is a power of ten. Steps 1, 2, 5 where a decade has room for them.
+    fn ticks(&self) -> Vec<(f64, bool)> {
+        let decades = (self.hi / self.lo).log10();
+        let px_per_decade = (self.to - self.from).abs() / decades;
+        let steps: &[f64] = if px_per_decade > 130.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let stride = (48.0 / px_per_decade).ceil().max(1.0) as i32;
+        let (first, last) = (self.lo.log10().floor() as i32, self.hi.log10().ceil() as i32);
+        let decade = |d: i32| steps.iter().map(move |s| (s * 10.0_f64.powi(d), *s == 1.0));
+        let all = (first..=last).filter(|d| d.rem_euclid(stride) == 0).flat_map(decade);
+        all.filter(|(v, _)| *v >= self.lo && *v <= self.hi).collect()
+    }
+}
+
+impl Chart {
+    /// `nrmse_block` against the time of a frame with moving lights, of every result that has an error.
+    pub fn from_comparison(comparison: &Comparison) -> Self {
+        let point = |r: &super::MethodResult| {
+            Some(ChartPoint {
+                series: r.method.clone(),
+                label: r.title(),
+                dynamic_ms: r.time_ms.dynamic_frame(),
+                frame_ms: r.time_ms.frame,
+                error: r.error?.nrmse_block,
+                control: r.control,
+            })
+        };
+        let [width, height] = comparison.size;
+        Self {
+            title: format!("{}, {width} × {height} pixels", comparison.scene),
+            points: comparison.results.iter().filter_map(point).collect(),
+            noise_floor: comparison.truth.noise_floor.map(|f| f.nrmse_block),
+        }
+    }
+
+    /// Points that no other is both faster and closer to the truth than, fastest first. Controls take no part.
+    pub fn pareto_front(&self) -> Vec<&ChartPoint> {
+        let mut points: Vec<_> = self.points.iter().filter(|p| !p.control).collect();
+        points.sort_by(|a, b| a.dynamic_ms.total_cmp(&b.dynamic_ms).then(a.error.total_cmp(&b.error)));
+        let mut best = f64::INFINITY;
+        points.retain(|p| {
+            p.error < best && {
+                best = p.error;
+                true
+            }
+        });
+        points
+    }
+
+    /// The picture, `width` × `height` CSS pixels. `id` is added to ids, for pages with more than one chart.
+    pub fn svg(&self, width: f64, height: f64, id: &str) -> String {
+        let canvas = self.canvas(width, height);
+        let mut svg = String::new();
+        let title = escape(&self.title);
+        let _ = write!(
+            svg,
+            "<svg xmlns=\"{SVG_NAMESPACE}\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+             role=\"img\" aria-labelledby=\"chart-title{id} chart-desc{id}\" class=\"tae\">\n\
+             <title id=\"chart-title{id}\">Time against error: {title}</title>\n\
+             <desc id=\"chart-desc{id}\">{}</desc>\n<style>{STYLE}</style>\n\
+             <rect class=\"bg\" width=\"{width}\" height=\"{height}\" rx=\"8\"/>\n",
+            escape(&self.description())
+        );
+        self.draw_axes(&mut svg, &canvas);
+        self.draw_lines(&mut svg, &canvas);
+        self.draw_points(&mut svg, &canvas);
+        svg + "</svg>\n"
+    }
+
+    /// The picture as an element of an HTML page, where the namespace goes without saying.
+    pub(super) fn inline_svg(&self, width: f64, height: f64, id: &str) -> String {
+        self.svg(width, height, id).replacen(&format!(" xmlns=\"{SVG_NAMESPACE}\""), "", 1)
+    }
+
+    fn canvas(&self, width: f64, height: f64) -> Canvas {
+        let mut times: Vec<f64> = self.points.iter().flat_map(|p| [p.dynamic_ms, p.frame_ms]).collect();
+        // A tail to zero is drawn to the edge; only a point at zero asks for a place there.
+        if self.points.iter().all(|p| p.dynamic_ms > 0.0) {
+            times.retain(|t| *t > 0.0);
+        }
+        let errors: Vec<f64> = self.points.iter().map(|p| p.error).chain(self.noise_floor).collect();
+        Canvas { width, height, x: Axis::over(&times, 58.0, width - 22.0), y: Axis::over(&errors, height - 56.0, 34.0) }
+    }
+
+    fn description(&self) -> String {
+        let point = |p: &ChartPoint| format!("{}: {}, error {}", p.label, milliseconds(p.dynamic_ms), number(p.error));
+        let points: Vec<_> = self.points.iter().map(point).collect();
+        format!("Lower left is better. {}.", points.join("; "))
+    }
+
+    fn draw_axes(&self, svg: &mut String, c: &Canvas) {
+        let (left, right, top, bottom) = (58.0, c.width - 22.0, 34.0, c.height - 56.0);
+        for (value, major) in c.x.ticks() {
+            let (x, class) = (c.x.at(value), if major { "grid" } else { "grid minor" });
+            let _ = writeln!(svg, "<path class=\"{class}\" d=\"M{x:.1} {top}V{bottom}\"/>");
+            text(svg, "tick mid", x, bottom + 18.0, &tick_ms(value));
+        }
+        for (value, major) in c.y.ticks() {
+            let (y, class) = (c.y.at(value), if major { "grid" } else { "grid minor" });
+            let _ = writeln!(svg, "<path class=\"{class}\" d=\"M{left} {y:.1}H{right}\"/>");
+            text(svg, "tick end", left - 8.0, y + 4.0, &format!("{}", round_tick(value)));
+        }
+        for (axis_zero, vertical) in [(c.x.zero, true), (c.y.zero, false)] {
+            match axis_zero {
+                Some(x) if vertical => text(svg, "tick mid", x, bottom + 18.0, "0"),
+                Some(y) => text(svg, "tick end", left - 8.0, y + 4.0, "0"),
+                None => {}
+            }
+        }
+        let _ = writeln!(svg, "<path class=\"axis\" d=\"M{left} {top}V{bottom}H{right}\"/>");
+        text(svg, "name", left - 44.0, 20.0, "error (block NRMSE)");
+        let name = if c.width < 600.0 { "time per frame, lights moving" } else { "time per frame with moving lights" };
+        text(svg, "name end", right, c.height - 14.0, name);
+        text(svg, "hint", left - 44.0, c.height - 14.0, "↙ better");
+    }
+
+    fn draw_lines(&self, svg: &mut String, c: &Canvas) {
+        let (left, right, top, bottom) = (58.0, c.width - 22.0, 34.0, c.height - 56.0);
+        for (k, (ms, name)) in BUDGETS_MS.into_iter().enumerate() {
+            if ms > c.x.lo && ms < c.x.hi {
+                let x = c.x.at(ms);
+                let _ = writeln!(svg, "<path class=\"budget\" d=\"M{x:.1} {top}V{bottom}\"/>");
+                // The two budgets lie close together: their names go to either side.
+                let (class, x) = if k == 0 { ("hint end", x - 4.0) } else { ("hint", x + 4.0) };
+                text(svg, class, x, top + 11.0, name);
+            }
+        }
+        if let Some(floor) = self.noise_floor {
+            let y = c.y.at(floor);
+            let _ = writeln!(svg, "<path class=\"floor\" d=\"M{left} {y:.1}H{right}\"/>");
+            text(svg, "hint", left + 6.0, y - 5.0, "noise of the truth");
+        }
+        let front = self.pareto_front();
+        if front.len() > 1 {
+            let path: String = front
+                .iter()
+                .enumerate()
+                .map(|(k, p)| {
+                    let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
+                    if k == 0 { format!("M{x:.1} {y:.1}") } else { format!("H{x:.1}V{y:.1}") }
+                })
+                .collect();
+            let _ = writeln!(svg, "<path class=\"front\" d=\"{path}\"><title>Pareto front</title></path>");
+        }
+    }
+
+    fn draw_points(&self, svg: &mut String, c: &Canvas) {
+        let colours = colours(self.points.iter().map(|p| p.series.as_str()));
+        for (series, colour) in &colours {
+            let of_series: Vec<_> = self.points.iter().filter(|p| p.series == *series).collect();
+            let path: Vec<_> =
+                of_series.iter().map(|p| format!("{:.1} {:.1}", c.x.at(p.dynamic_ms), c.y.at(p.error))).collect();
+            if path.len() > 1 {
+                let _ = writeln!(svg, "<path class=\"series\" stroke=\"{colour}\" d=\"M{}\"/>", path.join("L"));
+            }
+        }
+        let mut taken: Vec<Rect> =
+            self.points.iter().flat_map(|p| [Rect::of_point(p, c), Rect::of_tail(p, c)]).collect();
+        for p in &self.points {
+            let colour = colours.iter().find(|(s, _)| *s == p.series).map_or(PALETTE[0], |(_, colour)| colour);
+            let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
+            let tail = c.x.at(p.frame_ms).max(58.0);
+            let tip = format!(
+                "{}: block NRMSE {}, {} per frame with moving lights, {} with still ones",
+                p.label,
+                number(p.error),
+                milliseconds(p.dynamic_ms),
+                milliseconds(p.frame_ms)
+            );
+            let _ = writeln!(svg, "<g><title>{}</title>", escape(&tip));
+            if x - tail > 8.0 && !p.control {
+                let _ = writeln!(
+                    svg,
+                    "<path class=\"tail\" stroke=\"{colour}\" d=\"M{tail:.1} {:.1}v8m0 -4H{x:.1}\"/>",
+                    y - 4.0
+                );
+            }
+            let _ = if p.control {
+                writeln!(
+                    svg,
+                    "<path class=\"control\" stroke=\"{colour}\" d=\"M{x:.1} {:.1}l6 6l-6 6l-6 -6z\"/>",
+                    y - 6.0
+                )
+            } else {
+                writeln!(svg, "<circle class=\"dot\" fill=\"{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\"/>")
+            };
+            place_label(svg, &mut taken, c, (x, y), &p.label);
+            svg.push_str("</g>\n");
+        }
+    }
+}
+
+const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
+
+const STYLE: &str = "\
+.tae{font:12px system-ui,-apple-system,'Segoe UI',Roboto,sans-serif;--bg:#fff;--fg:#1c2026;--mute:#667080;\
+--line:#e4e7ec;--front:#9aa3b2}\
+@media(prefers-color-scheme:dark){.tae{--bg:#171a1f;--fg:#e8eaee;--mute:#98a1b0;--line:#2b3038;--front:#6b7585}}\
+.tae .bg{fill:var(--bg)}.tae text{fill:var(--fg)}.tae .tick,.tae .hint{fill:var(--mute);font-size:11px}\
+.tae .name{font-weight:600}.tae .mid{text-anchor:middle}.tae .end{text-anchor:end}\
+.tae .label{font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:4px;stroke-linejoin:round}\
+.tae path{fill:none}.tae .grid{stroke:var(--line)}.tae .minor{stroke-dasharray:1 3}.tae .axis{stroke:var(--mute)}\
+.tae .budget{stroke:var(--mute);stroke-dasharray:2 4}.tae .floor{stroke:var(--mute);stroke-dasharray:6 4}\
+.tae .front{stroke:var(--front);stroke-width:8;stroke-linejoin:round;stroke-linecap:round;opacity:.3}\
+.tae .series{stroke-width:1.5;opacity:.7}.tae .tail{stroke-width:1.5;opacity:.55}\
+.tae .dot{stroke:var(--bg);stroke-width:1.5}.tae .control{stroke-width:2;fill:var(--bg)}";
+
+fn text(svg: &mut String, class: &str, x: f64, y: f64, words: &str) {
+    let _ = writeln!(svg, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", escape(words));
+}
+
+#[derive(Clone, Copy)]
+struct Rect {
+    x0: f64,
+    y0: f64,
+    x1: f64,
+    y1: f64,
+}
+
+impl Rect {
+    fn of_point(p: &ChartPoint, c: &Canvas) -> Self {
+        let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
+        Self { x0: x - 7.0, y0: y - 7.0, x1: x + 7.0, y1: y + 7.0 }
+    }
+
+    fn of_tail(p: &ChartPoint, c: &Canvas) -> Self {
+        let y = c.y.at(p.error);
+        let x0 = if p.control { c.x.at(p.dynamic_ms) } else { c.x.at(p.frame_ms) };
+        Self { x0, y0: y - 3.0, x1: c.x.at(p.dynamic_ms), y1: y + 3.0 }
+    }
+
+    fn overlap(&self, other: &Self) -> f64 {
+        let w = self.x1.min(other.x1) - self.x0.max(other.x0);
+        let h = self.y1.min(other.y1) - self.y0.max(other.y0);
+        w.max(0.0) * h.max(0.0)
+    }
+}
+
+/// Writes a label at the place around its point that hides the least of what is drawn already.
+fn place_label(svg: &mut String, taken: &mut Vec<Rect>, c: &Canvas, (x, y): (f64, f64), label: &str) {
+    const CHARACTER_PX: f64 = 7.0;
+    let (w, h) = (label.chars().count() as f64 * CHARACTER_PX, 14.0);
+    let corners = [
+        (x + 10.0, y - 7.0),
+        (x - 10.0 - w, y - 7.0),
+        (x - w / 2.0, y - 24.0),
+        (x - w / 2.0, y + 10.0),
+        (x + 8.0, y - 22.0),
+        (x + 8.0, y + 9.0),
+        (x - 8.0 - w, y - 22.0),
+        (x - 8.0 - w, y + 9.0),
+    ];
+    let inside = Rect { x0: 60.0, y0: 24.0, x1: c.width - 4.0, y1: c.height - 57.0 };
+    let cost = |r: &Rect| {
+        let outside = w * h - r.overlap(&inside);
+        8.0 * outside + taken.iter().map(|t| t.overlap(r)).sum::<f64>()
+    };
+    let rects = corners.map(|(x0, y0)| Rect { x0, y0, x1: x0 + w, y1: y0 + h });
+    if let Some(best) = rects.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))) {
+        text(svg, "label", best.x0, best.y0 + 11.0, label);
+        taken.push(best);
+    }
+}
+
+/// A tick's value without binary noise: 0.05, not 0.05000000000000001.
+fn round_tick(value: f64) -> f64 {
+    format!("{value:.0e}").parse().unwrap_or(value)
+}
+
+fn tick_ms(ms: f64) -> String {
+    if ms < 1000.0 { format!("{} ms", round_tick(ms)) } else { format!("{} s", round_tick(ms / 1000.0)) }
+}
