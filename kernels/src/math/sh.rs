@@ -191,7 +191,7 @@ impl Function {
         Self { l, m, negative, norm: if l <= order { Self::norm(l, m) } else { 0.0 } }
     }
 
-    /// `√2 K_lm (2m−1)!!` (without √2 for m = 0), as a product that stays near 1.
+    /// `√2 K_lm (2m−1)!!/(l−m)!` (without √2 for m = 0), by products that stay within 10⁶ of 1.
     #[inline(always)]
     fn norm(l: u32, m: u32) -> f32 {
         let mut square = (2 * l + 1) as f32 / (if m == 0 { 4.0 * PI } else { 2.0 * PI });
@@ -199,25 +199,37 @@ impl Function {
             let (odd, high) = ((2 * i - 1) as f32, (l - m + 2 * i) as f32);
             square *= odd * odd / (high * (high - 1.0));
         }
-        super::float::sqrt(square)
+        let mut factorial = 1.0;
+        for i in 1..l - m + 1 {
+            factorial *= i as f32;
+        }
+        super::float::sqrt(square) / factorial
     }
 
     /// Value at a unit vector.
     #[inline(always)]
     pub fn value<R: Real>(&self, [x, y, z]: [R; 3]) -> R {
-        // P_l^m/(2m−1)!! without its power of sin θ: (j−m) P_j = (2j−1) z P_{j−1} − (j+m−1) P_{j−2}.
-        let (mut f, mut below) = (R::splat(1.0), R::splat(0.0));
-        for j in self.m + 1..self.l + 1 {
-            let scale = 1.0 / (j - self.m) as f32;
-            let (rise, fall) = ((2 * j - 1) as f32 * scale, (j + self.m - 1) as f32 * scale);
-            (below, f) = (f, z * R::splat(rise) * f - R::splat(fall) * below);
+        // Re or Im of (x + iy)^m, by c_m = 2x c_{m−1} − (x² + y²) c_{m−2}.
+        let mut below = R::splat(if self.negative { 0.0 } else { 1.0 });
+        let mut f = if self.m == 0 {
+            below
+        } else if self.negative {
+            y
+        } else {
+            x
+        };
+        let (twice_x, radius2) = (x + x, x * x + y * y);
+        for _ in 1..self.m {
+            (below, f) = (f, twice_x * f - radius2 * below);
         }
-        // (x + iy)^m
-        let (mut c, mut s) = (R::splat(1.0), R::splat(0.0));
-        for _ in 0..self.m {
-            (c, s) = (x * c - y * s, x * s + y * c);
+        // Times Q_j = (j−m)! P_j^m: Q_j = (2j−1) z Q_{j−1} − ((j−1)² − m²) Q_{j−2}, without a division.
+        let (mut odd, mut gap) = ((2 * self.m + 1) as f32, 0.0);
+        for _ in self.m..self.l {
+            (below, f) = (f, z * R::splat(odd) * f - R::splat(gap) * below);
+            gap += odd;
+            odd += 2.0;
         }
-        f * R::splat(self.norm) * if self.negative { s } else { c }
+        f * R::splat(self.norm)
     }
 }
 
