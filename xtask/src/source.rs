@@ -98,3 +98,35 @@ fn crate_versions(lock: &str) -> BTreeMap<String, String> {
     }
     versions
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn line_ends_do_not_matter_and_everything_else_does() {
+        let dir = tempfile::tempdir().unwrap();
+        let hash = |text: &str| {
+            std::fs::write(dir.path().join("a.rs"), text).unwrap();
+            std::fs::write(dir.path().join("notes.txt"), text).unwrap();
+            let mut files = BTreeMap::new();
+            add(dir.path(), "kernels/src", &mut files).unwrap();
+            assert_eq!(files.keys().collect::<Vec<_>>(), ["kernels/src/a.rs"], "only sources count");
+            Source { files, crates: BTreeMap::new() }.sha256()
+        };
+        assert_eq!(hash("fn a() {}\n"), hash("fn a() {}\r\n"));
+        assert_ne!(hash("fn a() {}\n"), hash("fn b() {}\n"));
+    }
+
+    #[test]
+    fn versions_come_from_the_lock_file() {
+        let lock = "version = 4\n\n[[package]]\nname = \"glam\"\nversion = \"0.33.1\"\n\n\
+                    [[package]]\nname = \"other\"\nversion = \"1.0.0\"\n\n\
+                    [[package]]\nname = \"glam\"\nversion = \"0.34.0\"\n";
+        let versions = crate_versions(lock);
+        assert_eq!(versions.into_iter().collect::<Vec<_>>(), [("glam".into(), "0.33.1, 0.34.0".into())]);
+        let source = Source::read().unwrap();
+        assert!(source.files.contains_key("kernels/src/kernel.rs") && source.files.contains_key("shared/src/record.rs"));
+        assert_eq!(source.crates["spirv-std"], crate::toolchain::RUST_GPU, "rust-gpu is one version throughout");
+    }
+}

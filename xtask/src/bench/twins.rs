@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 use std::borrow::Cow;
 
 /// Kernel and its twin.
-const TWINS: &[(&str, &str)] = &[("smoke_axpy", include_str!("twins/smoke_axpy.wgsl"))];
+const TWINS: &[(&str, &str)] = &[("sh_project", include_str!("twins/sh_project.wgsl"))];
 const REPEATS: usize = 11;
 
 /// The table of twins.
