@@ -126,7 +126,9 @@ mod tests {
         let versions = crate_versions(lock);
         assert_eq!(versions.into_iter().collect::<Vec<_>>(), [("glam".into(), "0.33.1, 0.34.0".into())]);
         let source = Source::read().unwrap();
-        assert!(source.files.contains_key("kernels/src/kernel.rs") && source.files.contains_key("shared/src/record.rs"));
+        assert!(
+            source.files.contains_key("kernels/src/kernel.rs") && source.files.contains_key("shared/src/record.rs")
+        );
         assert_eq!(source.crates["spirv-std"], crate::toolchain::RUST_GPU, "rust-gpu is one version throughout");
     }
 }

@@ -133,7 +133,8 @@ pub fn large_case(bench: &mut Bench, kernel: &'static Kernel) -> Result<Case> {
         let load = Load::new(&mut bench.cpu, kernel, &case)?;
         let seconds = load.seconds(&mut bench.cpu, 1)?;
         load.free(&mut bench.cpu);
-        let next_is_too_large = 4 * count > MAX_COUNT || 5 * largest > MAX_BUFFER_BYTES || 4.0 * made_in > MAX_CASE_SECONDS;
+        let next_is_too_large =
+            4 * count > MAX_COUNT || 5 * largest > MAX_BUFFER_BYTES || 4.0 * made_in > MAX_CASE_SECONDS;
         // A little more than four times the size for what a case rounds up.
         if seconds > WANTED_SECONDS || next_is_too_large {
             return Ok(case);
