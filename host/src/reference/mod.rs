@@ -24,6 +24,8 @@
 //! Single precision along a path (double only for sums): errors of about 10⁻⁶ per reflection. The environment is found
 //! by cosine sampling alone: exact for its radiance, noisy where it is seen through small openings.
 
+pub mod bench;
+mod cache;
 mod light;
 mod path;
 mod rounds;
@@ -31,6 +33,7 @@ mod sampler;
 mod surface;
 pub mod trace;
 
+pub use cache::{Cached, cached, default_dir};
 pub use light::spot_falloff;
 
 use crate::scene::{Camera, Light, Scene};
@@ -39,6 +42,7 @@ use interreflect_shared::scene::Surfel;
 use path::{IRRADIANCE_PER_RADIANCE, Paths, Start};
 use rounds::{BatchMean, MAX_SPP, Measure, Rounds};
 use sampler::Sampler;
+use std::path::PathBuf;
 use surface::Vertex;
 
 /// Largest width and height of a picture.
@@ -72,6 +76,14 @@ pub enum ReferenceError {
         depth: usize,
         /// Largest number of levels.
         limit: usize,
+    },
+    /// The cache cannot be written.
+    #[error("cannot write the cache at {}: {source}", path.display())]
+    Cache {
+        /// Directory or file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
     },
 }
 

@@ -175,7 +175,7 @@ fn power_heuristic(a: f32, b: f32) -> f32 {
 /// Direction by the cosine law around `normal` and its density over solid angle. Concentric disk map: Shirley & Chiu,
 /// "A Low Distortion Map Between Disk and Square", 1997; frame: Duff et al., "Building an Orthonormal Basis,
 /// Revisited", 2017.
-fn cosine_direction(normal: Vec3, [u, v]: [f32; 2]) -> (Vec3, f32) {
+pub fn cosine_direction(normal: Vec3, [u, v]: [f32; 2]) -> (Vec3, f32) {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
     let (r, phi) = if x == 0.0 && y == 0.0 {
         (0.0, 0.0)

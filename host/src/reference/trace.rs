@@ -360,7 +360,8 @@ impl WalkRay {
         Self {
             origin4: [Vec4::splat(origin.x), Vec4::splat(origin.y), Vec4::splat(origin.z)],
             inverse4: [Vec4::splat(inverse(d[0])), Vec4::splat(inverse(d[1])), Vec4::splat(inverse(d[2]))],
-            near: [usize::from(d[0] < 0.0), 2 + usize::from(d[1] < 0.0), 4 + usize::from(d[2] < 0.0)],
+            // By sign bit, as the inverse: −0 counts as negative.
+            near: [0, 1, 2].map(|axis| 2 * axis + usize::from(d[axis].is_sign_negative())),
             axes: [x, y, z],
             shear: Vec3::new(d[x] * scale, d[y] * scale, scale),
             tmax,

@@ -1,0 +1,152 @@
+//! Truths on disk, so that the same picture is not traced twice.
+//!
+//! A file is named by the SHA-256 of all that its content depends on: this module's version, the scene's content, the
+//! camera, the size and the settings. It holds a magic number, the payload's length, its SHA-256, and the payload:
+//! numbers little-endian, then the pictures. A file that does not hold what it says is ignored and written anew.
+
+use super::{Progress, ReferenceError, ReferenceSettings, Truth, render};
+use crate::scene::{Camera, Scene};
+use glam::Vec3;
+use sha2::{Digest, Sha256};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Version of the estimator and of the file format: a change of either makes old files unknown.
+const MAGIC: &[u8; 8] = b"irtruth1";
+/// Bytes before the payload: magic, length, SHA-256.
+const HEADER_BYTES: usize = 8 + 8 + 32;
+/// Bytes of the payload before the pictures.
+const NUMBER_BYTES: usize = 4 + 4 + 4 + 8 + 8 + 8;
+/// Pictures stored: direct, indirect, variance of full, variance of indirect; full is the sum of two.
+const PICTURES: usize = 4;
+
+/// A truth, and whether the cache had it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Cached {
+    /// The picture.
+    pub truth: Truth,
+    /// Whether it was read rather than rendered.
+    pub from_cache: bool,
+    /// Its file.
+    pub path: PathBuf,
+}
+
+/// Where truths are kept unless the user names a directory: `$XDG_CACHE_HOME/interreflect`, `~/.cache/interreflect`,
+/// `%LOCALAPPDATA%\interreflect`, or else a directory for temporary files.
+pub fn default_dir() -> PathBuf {
+    let var = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+    // The XDG specification asks to ignore relative paths.
+    let base = var("XDG_CACHE_HOME").filter(|p| p.is_absolute());
+    base.or_else(|| var("HOME").map(|h| h.join(".cache")))
+        .or_else(|| var("LOCALAPPDATA"))
+        .unwrap_or_else(std::env::temp_dir)
+        .join("interreflect")
+}
+
+/// [`render`], or the same picture from `dir`, where an earlier run left it. A missing or damaged file is made anew;
+/// it appears whole or not at all, so that runs side by side may share a directory.
+///
+/// # Errors
+/// As [`render`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
+pub fn cached(
+    dir: &Path,
+    scene: &Scene,
+    camera: &Camera,
+    width: u32,
+    height: u32,
+    settings: &ReferenceSettings,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Cached, ReferenceError> {
+    let path = dir.join(format!("{}.truth", key(scene, camera, width, height, settings)));
+    if let Some(truth) = std::fs::read(&path).ok().and_then(|bytes| decode(&bytes))
+        && (truth.width, truth.height) == (width, height)
+    {
+        progress(Progress { fraction: 1.0, remaining_s: 0.0, spp: truth.spp, noise: truth.noise });
+        return Ok(Cached { truth, from_cache: true, path });
+    }
+    // Find out before the work, not after it, that its result cannot be kept.
+    let mut file = std::fs::create_dir_all(dir)
+        .and_then(|()| tempfile::NamedTempFile::new_in(dir))
+        .map_err(|source| ReferenceError::Cache { path: dir.to_owned(), source })?;
+    let truth = render(scene, camera, width, height, settings, progress)?;
+    file.write_all(&encode(&truth))
+        .and_then(|()| file.persist(&path).map_err(|e| e.error))
+        .map_err(|source| ReferenceError::Cache { path: path.clone(), source })?;
+    Ok(Cached { truth, from_cache: false, path })
+}
+
+/// SHA-256, in hexadecimal, of everything that the picture depends on.
+fn key(scene: &Scene, camera: &Camera, width: u32, height: u32, settings: &ReferenceSettings) -> String {
+    let mut hash = Sha256::new();
+    hash.update(MAGIC);
+    hash.update(scene.content_hash());
+    for v in [camera.position, camera.forward, camera.up, Vec3::new(camera.fovy_rad, 0.0, 0.0)] {
+        hash.update(bytemuck::bytes_of(&v));
+    }
+    // Absent settings must differ from every value: a flag goes before each.
+    let optional = |value: Option<u64>| [u64::from(value.is_some()), value.unwrap_or(0)];
+    let noise = optional(settings.noise.map(f64::to_bits));
+    let spp = optional(settings.spp.map(u64::from));
+    let max_bounces = optional(settings.max_bounces.map(u64::from));
+    for n in [noise, spp, max_bounces, [u64::from(width), u64::from(height)], [u64::from(settings.seed), 0]] {
+        hash.update(n[0].to_le_bytes());
+        hash.update(n[1].to_le_bytes());
+    }
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn encode(truth: &Truth) -> Vec<u8> {
+    let mut payload = Vec::with_capacity(NUMBER_BYTES + PICTURES * 12 * truth.full.len());
+    for n in [truth.width, truth.height, truth.spp] {
+        payload.extend(n.to_le_bytes());
+    }
+    payload.extend(truth.noise.to_le_bytes());
+    payload.extend(truth.ms.to_le_bytes());
+    payload.extend(truth.rays.to_le_bytes());
+    for picture in [&truth.direct, &truth.indirect, &truth.variance_full, &truth.variance_indirect] {
+        payload.extend(picture.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes));
+    }
+    let mut bytes = Vec::with_capacity(HEADER_BYTES + payload.len());
+    bytes.extend(MAGIC);
+    bytes.extend((payload.len() as u64).to_le_bytes());
+    bytes.extend(Sha256::digest(&payload).iter());
+    bytes.extend(payload);
+    bytes
+}
+
+/// The truth in a file's bytes, `None` where they are not whole.
+fn decode(bytes: &[u8]) -> Option<Truth> {
+    let (header, payload) = bytes.split_at_checked(HEADER_BYTES)?;
+    let length = u64::from_le_bytes(header[8..16].try_into().ok()?);
+    let whole = header[..8] == *MAGIC && length == payload.len() as u64;
+    if !whole || header[16..] != Sha256::digest(payload)[..] {
+        return None;
+    }
+    let (numbers, pictures) = payload.split_at_checked(NUMBER_BYTES)?;
+    let word = |at: usize| Some(u32::from_le_bytes(numbers[at..at + 4].try_into().ok()?));
+    let double = |at: usize| Some(u64::from_le_bytes(numbers[at..at + 8].try_into().ok()?));
+    let (width, height) = (word(0)?, word(4)?);
+    let pixels = width as usize * height as usize;
+    if pixels == 0 || pictures.len() != PICTURES * 12 * pixels {
+        return None;
+    }
+    let float = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+    let picture = |i: usize| -> Vec<Vec3> {
+        let bytes = &pictures[i * 12 * pixels..(i + 1) * 12 * pixels];
+        bytes.chunks_exact(12).map(|v| Vec3::new(float(v), float(&v[4..]), float(&v[8..]))).collect()
+    };
+    let (direct, indirect) = (picture(0), picture(1));
+    Some(Truth {
+        width,
+        height,
+        full: direct.iter().zip(&indirect).map(|(d, i)| *d + *i).collect(),
+        direct,
+        indirect,
+        variance_full: picture(2),
+        variance_indirect: picture(3),
+        spp: word(8)?,
+        noise: f64::from_bits(double(12)?),
+        ms: f64::from_bits(double(20)?),
+        rays: double(28)?,
+    })
+}
