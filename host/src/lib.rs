@@ -3,6 +3,9 @@
 //! [`scene`] loads or builds scenes, [`exec`] runs kernels on the CPU or through wgpu, [`methods`] holds every
 //! lighting method, [`mod@reference`] the truth, `metrics` and `report` what is said of them.
 
+pub mod cli;
+pub mod error;
+pub mod evaluate;
 pub mod exec;
 pub mod image_io;
 pub mod methods;

@@ -1,7 +1,15 @@
 //! Lighting methods: one file each, and the [`METHODS`] table that the program, charts and tests run over.
 
-use crate::exec::{BufferId, ExecError, Executor};
+pub mod ambient;
+pub mod direct;
+pub mod reference;
+pub mod settings;
+
+use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
+use crate::reference::{Receiver, ReferenceError};
 use crate::scene::Scene;
+use glam::Vec3;
+use interreflect_shared::scene::Surfel;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -11,6 +19,19 @@ pub enum MethodError {
     /// A kernel or buffer failed.
     #[error(transparent)]
     Exec(#[from] ExecError),
+    /// The path tracer failed.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// No method has this name; the nearest existing one.
+    #[error("there is no method `{name}`; did you mean `{nearest}`? (there are: {known})")]
+    UnknownMethod {
+        /// What was given.
+        name: String,
+        /// Nearest name.
+        nearest: String,
+        /// All names.
+        known: String,
+    },
     /// A setting does not exist; the nearest existing name.
     #[error("method `{method}` has no setting `{key}`; did you mean `{nearest}`? (it has: {known})")]
     UnknownSetting {
@@ -73,6 +94,9 @@ pub struct Input<'a> {
     pub buffers: &'a crate::scene::device::SceneBuffers,
     /// Seed of every random choice.
     pub seed: u32,
+    /// Mean of the true indirect irradiance (W/m²) over the visible points, where a truth is at hand: for controls that
+    /// are fitted to it. A method that is to be judged must not look.
+    pub true_mean: Option<Vec3>,
 }
 
 /// When a stage of a method runs.
@@ -165,6 +189,8 @@ pub trait Method: Send {
 pub struct MethodRow {
     /// Name on the command line.
     pub name: &'static str,
+    /// True for a yardstick (no indirect light, a fitted constant, the truth itself), false for a candidate.
+    pub control: bool,
     /// One sentence.
     pub summary: &'static str,
     /// When to use it.
@@ -180,4 +206,24 @@ pub struct MethodRow {
 }
 
 /// Every method.
-pub const METHODS: &[MethodRow] = &[];
+pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW];
+
+/// The method of a name.
+///
+/// # Errors
+/// [`MethodError::UnknownMethod`] with the nearest name.
+pub fn method(name: &str) -> Result<&'static MethodRow, MethodError> {
+    METHODS.iter().find(|row| row.name == name).ok_or_else(|| MethodError::UnknownMethod {
+        name: name.to_string(),
+        nearest: settings::nearest(name, METHODS.iter().map(|row| row.name)).unwrap_or("none").to_string(),
+        known: METHODS.iter().map(|row| row.name).collect::<Vec<_>>().join(", "),
+    })
+}
+
+/// Reads a G-buffer back as receivers, one per pixel; where the pixel shows no surface, one with a zero normal.
+///
+/// # Errors
+/// What reading back returns.
+pub fn receivers(exec: &mut dyn Executor, gbuffer: BufferId) -> Result<Vec<Receiver>, ExecError> {
+    Ok(exec.read_slice::<Surfel>(gbuffer)?.iter().map(Receiver::from).collect())
+}

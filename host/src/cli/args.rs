@@ -1,0 +1,179 @@
+//! The command line's grammar.
+
+use crate::exec::Backend;
+use clap::{Args, Parser, Subcommand};
+use glam::Vec3;
+use std::path::PathBuf;
+
+/// Global illumination, measured against path-traced truth.
+#[derive(Parser, Debug)]
+#[command(name = "interreflect", version, about, max_term_width = 100)]
+pub struct Cli {
+    /// Print the result as JSON on standard output, and nothing else there.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Worker threads of the CPU (default: one per core).
+    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// The verbs.
+#[derive(Subcommand, Debug)]
+pub enum Verb {
+    /// Light a scene by several methods and measure each against the truth: pictures, errors, times, a page.
+    Compare(CompareArgs),
+    /// Light a scene by one method.
+    Render(RenderArgs),
+    /// Path-trace a scene: the truth.
+    Reference(ReferenceArgs),
+    /// List the methods with their settings.
+    Methods,
+    /// List the built-in scenes.
+    Scenes,
+    /// List the adapters that kernels can run on.
+    Devices,
+}
+
+/// What picture of what scene.
+#[derive(Args, Debug, Clone)]
+pub struct SceneArgs {
+    /// Built-in name (see `scenes`) or path of a .glb, .gltf or .obj file.
+    #[arg(default_value = "cornell-box")]
+    pub scene: String,
+    /// Name of a camera of the scene, or `px,py,pz,tx,ty,tz,fovy_deg`. Default: the first.
+    #[arg(long, allow_hyphen_values = true)]
+    pub camera: Option<String>,
+    /// Width and height of the picture in pixels.
+    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
+    pub size: (u32, u32),
+    /// Radiance of a constant environment, W/(sr m²) (default: the scene's own, usually none).
+    #[arg(long, value_name = "R,G,B", value_parser = colour, allow_hyphen_values = true)]
+    pub env: Option<Vec3>,
+    /// Parallel light added to the scene: direction of travel and perpendicular irradiance (W/m²).
+    #[arg(long, value_name = "DX,DY,DZ,R,G,B", value_parser = sun, allow_hyphen_values = true)]
+    pub sun: Option<(Vec3, Vec3)>,
+    /// Seed of every random number.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Folder for what the command writes.
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub out: PathBuf,
+    /// Folder that truths are kept in between runs (default: the user's cache folder).
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+}
+
+/// Where kernels run.
+#[derive(Args, Debug, Clone)]
+pub struct DeviceArgs {
+    /// `auto`: a hardware GPU where there is one, otherwise the CPU. `gpu` also takes a software Vulkan driver.
+    #[arg(long, default_value = "auto", value_parser = backend)]
+    pub backend: Backend,
+    /// Any part of the name of the adapter to use (see `devices`), hardware or not.
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+}
+
+/// How exact a truth must be.
+#[derive(Args, Debug, Clone)]
+pub struct TruthArgs {
+    /// Noise at which the truth stops: standard error of the picture relative to its mean.
+    #[arg(long, value_parser = noise)]
+    pub noise: Option<f64>,
+    /// Paths per pixel, instead of a noise level.
+    #[arg(long, conflicts_with = "noise", value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
+    pub spp: Option<u32>,
+    /// Reflections that a path may have: 0 sees emitters only, 1 adds direct light, 2 one indirect bounce.
+    #[arg(long)]
+    pub max_bounces: Option<u32>,
+}
+
+/// Arguments of `compare`.
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    #[command(flatten)]
+    pub truth: TruthArgs,
+    /// Methods, separated by commas, or `all`.
+    #[arg(long, default_value = "all")]
+    pub methods: String,
+    /// A setting of a method: `method.key=value`.
+    #[arg(long = "set", value_name = "METHOD.KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Arguments of `render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    /// Method (see `methods`).
+    #[arg(long)]
+    pub method: String,
+    /// A setting of the method: `key=value`.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// The truth's `irradiance.exr` (from `reference` with the same scene, camera and size): the report then has errors.
+    #[arg(long, value_name = "FILE.exr")]
+    pub truth: Option<PathBuf>,
+}
+
+/// Arguments of `reference`.
+#[derive(Args, Debug)]
+pub struct ReferenceArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub truth: TruthArgs,
+}
+
+/// Largest side of a picture in pixels.
+pub const MAX_SIDE_PX: u32 = 16_384;
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.trim().parse().ok()?, h.trim().parse().ok()?)));
+    match parsed {
+        Some((w, h)) if (1..=MAX_SIDE_PX).contains(&w) && (1..=MAX_SIDE_PX).contains(&h) => Ok((w, h)),
+        Some((w, h)) => Err(format!("{w}x{h}: each side must be from 1 to {MAX_SIDE_PX} pixels")),
+        None => Err(format!("`{text}` is not WIDTHxHEIGHT")),
+    }
+}
+
+fn numbers<const N: usize>(text: &str) -> Result<[f32; N], String> {
+    let parsed: Vec<f32> = text
+        .split(',')
+        .map(|part| part.trim().parse::<f32>().ok().filter(|x| x.is_finite()))
+        .collect::<Option<_>>()
+        .ok_or_else(|| format!("`{text}` is not {N} finite numbers separated by commas"))?;
+    parsed.try_into().map_err(|got: Vec<f32>| format!("`{text}` has {} numbers, not {N}", got.len()))
+}
+
+fn colour(text: &str) -> Result<Vec3, String> {
+    let [r, g, b] = numbers::<3>(text)?;
+    if r < 0.0 || g < 0.0 || b < 0.0 { Err(format!("`{text}`: radiance is not negative")) } else { Ok(Vec3::new(r, g, b)) }
+}
+
+fn sun(text: &str) -> Result<(Vec3, Vec3), String> {
+    let [x, y, z, r, g, b] = numbers::<6>(text)?;
+    let direction = Vec3::new(x, y, z).try_normalize().ok_or_else(|| format!("`{text}`: the direction is zero"))?;
+    if r < 0.0 || g < 0.0 || b < 0.0 {
+        return Err(format!("`{text}`: irradiance is not negative"));
+    }
+    Ok((direction, Vec3::new(r, g, b)))
+}
+
+fn noise(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x: &f64| *x >= 1e-4 && *x < 10.0).ok_or_else(|| format!("`{text}` is not a number from 0.0001 to 10"))
+}
+
+fn backend(text: &str) -> Result<Backend, String> {
+    text.parse().map_err(|error: crate::exec::ExecError| error.to_string())
+}

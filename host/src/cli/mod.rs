@@ -1,0 +1,38 @@
+//! The program: verbs, progress, exit codes. Everything it does is in the library; this only asks and prints.
+
+mod args;
+mod compare;
+
+mod list;
+mod progress;
+mod reference;
+mod render;
+mod setup;
+
+pub use args::{Cli, Verb};
+
+use crate::error::Error;
+
+/// Runs a command line.
+///
+/// # Errors
+/// What the verb returns; [`Error::exit_code`] is the program's exit code.
+pub fn run(cli: Cli) -> Result<(), Error> {
+    if let Some(threads) = cli.threads {
+        // Only the first call in a process can set the pool; tests that call `run` twice keep the first's.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
+    }
+    match cli.verb {
+        Verb::Compare(args) => compare::run(&args, cli.json),
+        Verb::Render(args) => render::run(&args, cli.json),
+        Verb::Reference(args) => reference::run(&args, cli.json),
+        Verb::Methods => list::methods(cli.json),
+        Verb::Scenes => list::scenes(cli.json),
+        Verb::Devices => list::devices(cli.json),
+    }
+}
+
+/// Prints a value as JSON on standard output.
+fn print_json(value: &impl serde::Serialize) {
+    println!("{}", serde_json::to_string_pretty(value).expect("reports hold finite numbers and text keys"));
+}
