@@ -139,7 +139,8 @@ pub struct ReferenceArgs {
 pub const MAX_SIDE_PX: u32 = 16_384;
 
 fn size(text: &str) -> Result<(u32, u32), String> {
-    let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.trim().parse().ok()?, h.trim().parse().ok()?)));
+    let parsed =
+        text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some((w.trim().parse().ok()?, h.trim().parse().ok()?)));
     match parsed {
         Some((w, h)) if (1..=MAX_SIDE_PX).contains(&w) && (1..=MAX_SIDE_PX).contains(&h) => Ok((w, h)),
         Some((w, h)) => Err(format!("{w}x{h}: each side must be from 1 to {MAX_SIDE_PX} pixels")),
@@ -158,7 +159,11 @@ fn numbers<const N: usize>(text: &str) -> Result<[f32; N], String> {
 
 fn colour(text: &str) -> Result<Vec3, String> {
     let [r, g, b] = numbers::<3>(text)?;
-    if r < 0.0 || g < 0.0 || b < 0.0 { Err(format!("`{text}`: radiance is not negative")) } else { Ok(Vec3::new(r, g, b)) }
+    if r < 0.0 || g < 0.0 || b < 0.0 {
+        Err(format!("`{text}`: radiance is not negative"))
+    } else {
+        Ok(Vec3::new(r, g, b))
+    }
 }
 
 fn sun(text: &str) -> Result<(Vec3, Vec3), String> {
@@ -171,7 +176,10 @@ fn sun(text: &str) -> Result<(Vec3, Vec3), String> {
 }
 
 fn noise(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|x: &f64| *x >= 1e-4 && *x < 10.0).ok_or_else(|| format!("`{text}` is not a number from 0.0001 to 10"))
+    text.parse()
+        .ok()
+        .filter(|x: &f64| *x >= 1e-4 && *x < 10.0)
+        .ok_or_else(|| format!("`{text}` is not a number from 0.0001 to 10"))
 }
 
 fn backend(text: &str) -> Result<Backend, String> {

@@ -13,7 +13,8 @@ pub fn methods(as_json: bool) -> Result<(), Error> {
         let rows: Vec<_> = METHODS
             .iter()
             .map(|m| {
-                let ladder: Vec<_> = m.ladder.iter().map(|(name, changes)| json!({ "name": name, "set": changes })).collect();
+                let ladder: Vec<_> =
+                    m.ladder.iter().map(|(name, changes)| json!({ "name": name, "set": changes })).collect();
                 json!({ "name": m.name, "summary": m.summary, "good_when": m.good_when, "fails_when": m.fails_when,
                         "settings": m.settings, "ladder": ladder })
             })
@@ -35,12 +36,16 @@ pub fn methods(as_json: bool) -> Result<(), Error> {
 pub fn scenes(as_json: bool) -> Result<(), Error> {
     let rows: Vec<_> = BUILT_IN.iter().map(|b| (b, (b.make)().stats())).collect();
     if as_json {
-        let rows: Vec<_> = rows.iter().map(|(b, stats)| json!({ "name": b.name, "summary": b.summary, "stats": stats })).collect();
+        let rows: Vec<_> =
+            rows.iter().map(|(b, stats)| json!({ "name": b.name, "summary": b.summary, "stats": stats })).collect();
         print_json(&rows);
         return Ok(());
     }
     for (b, stats) in rows {
-        println!("{:<16} {:>7} triangles, {:>3} lights  {}", b.name, stats.triangle_count, stats.light_count, b.summary);
+        println!(
+            "{:<16} {:>7} triangles, {:>3} lights  {}",
+            b.name, stats.triangle_count, stats.light_count, b.summary
+        );
     }
     Ok(())
 }

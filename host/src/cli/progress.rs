@@ -16,7 +16,8 @@ impl TruthBar {
         if !std::io::stderr().is_terminal() {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }
-        let style = ProgressStyle::with_template("{prefix:>12} {bar:30} {percent:>3} %  {msg}").expect("a fixed template");
+        let style =
+            ProgressStyle::with_template("{prefix:>12} {bar:30} {percent:>3} %  {msg}").expect("a fixed template");
         bar.set_style(style);
         bar.set_prefix(what.to_string());
         Self(bar)
@@ -30,7 +31,8 @@ impl TruthBar {
         } else {
             String::from("measuring")
         };
-        let noise = if progress.noise.is_finite() { format!(", noise {:.2} %", progress.noise * 100.0) } else { String::new() };
+        let noise =
+            if progress.noise.is_finite() { format!(", noise {:.2} %", progress.noise * 100.0) } else { String::new() };
         self.0.set_message(format!("{left}, {} paths per pixel{noise}", progress.spp));
     }
 }

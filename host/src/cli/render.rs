@@ -47,10 +47,20 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
         let times = &report.result.time_ms;
         println!(
             "{} by {} on {} ({}): precompute {:.1} ms, light change {:.1} ms, frame {:.1} ms -> {}",
-            report.scene, row.name, device.adapter, device.backend, times.precompute, times.light_change, times.frame, out.display()
+            report.scene,
+            row.name,
+            device.adapter,
+            device.backend,
+            times.precompute,
+            times.light_change,
+            times.frame,
+            out.display()
         );
         if let Some(error) = &report.result.error {
-            println!("nrmse {:.4}, on blocks {:.4}, bias {:.4}, p95 {:.4}", error.nrmse, error.nrmse_block, error.bias, error.p95);
+            println!(
+                "nrmse {:.4}, on blocks {:.4}, bias {:.4}, p95 {:.4}",
+                error.nrmse, error.nrmse_block, error.bias, error.p95
+            );
         }
     }
     Ok(())

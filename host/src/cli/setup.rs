@@ -41,7 +41,12 @@ pub fn truth_settings(args: &TruthArgs, seed: u32, default_noise: f64) -> Refere
 }
 
 /// The truth's picture, from the cache where it is there.
-pub fn truth_picture(args: &SceneArgs, scene: &Scene, camera: &Camera, settings: &ReferenceSettings) -> Result<Truth, Error> {
+pub fn truth_picture(
+    args: &SceneArgs,
+    scene: &Scene,
+    camera: &Camera,
+    settings: &ReferenceSettings,
+) -> Result<Truth, Error> {
     let bar = TruthBar::new("truth");
     let (width, height) = args.size;
     Ok(reference::render(scene, camera, width, height, settings, &mut |p| bar.update(p))?)
