@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::exec::{self, Executor};
 use crate::reference::{self, IrradianceTruth, Receiver, ReferenceSettings, Truth};
 use crate::scene::{self, Camera, Light, LoadOptions, Scene};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The scene and the camera of a command; says on standard error what was simplified at import.
 pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
@@ -49,25 +49,16 @@ pub fn truth_picture(
 ) -> Result<Truth, Error> {
     let bar = TruthBar::new("truth");
     let (width, height) = args.size;
-    Ok(reference::render(scene, camera, width, height, settings, &mut |p| bar.update(p))?)
+    let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
+    Ok(reference::cached(&folder, scene, camera, width, height, settings, &mut |p| bar.update(p))?.truth)
 }
 
-/// The truth's irradiance at receivers, from the cache where it is there.
+/// The truth's irradiance at receivers.
 pub fn truth_irradiance(
-    args: &SceneArgs,
     scene: &Scene,
     receivers: &[Receiver],
     settings: &ReferenceSettings,
 ) -> Result<IrradianceTruth, Error> {
     let bar = TruthBar::new("irradiance");
     Ok(reference::irradiance(scene, receivers, settings, &mut |p| bar.update(p))?)
-}
-
-/// The cache folder: the one asked for, or the user's.
-fn cache(args: &SceneArgs) -> Option<PathBuf> {
-    let variable = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
-    args.cache.clone().or_else(|| {
-        let base = variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));
-        base.map(|base| base.join("interreflect"))
-    })
 }
