@@ -1,6 +1,6 @@
 //! Outputs of two executors, word by word: integers exactly, floats within the kernel's tolerance.
 
-use crate::failure::{Failure, Place};
+use crate::failure::{Difference, Failure, Place};
 use interreflect_kernels::kernel::{Binding, Kernel, Tolerance};
 use interreflect_shared::{Field, Word};
 
@@ -100,12 +100,12 @@ pub fn compare(expected: &[Output], got: &[Output], allowed: Allowed) -> Result<
         }
         for i in 0..a.words.len() {
             if !allowed.accepts(a.kind(i), a.words[i], b.words[i]) {
-                return Err(Failure::Differs {
+                return Err(Failure::Differs(Box::new(Difference {
                     place: b.place(i),
                     expected: a.text(i),
                     got: b.text(i),
                     allowed: allowed.text(a.kind(i)),
-                });
+                })));
             }
         }
         compared += a.words.len();

@@ -27,6 +27,25 @@ impl fmt::Display for Place {
     }
 }
 
+/// Where and how two outputs differ.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Difference {
+    /// Where, in the second output.
+    pub place: Place,
+    /// What the first output holds there.
+    pub expected: String,
+    /// What the second one holds.
+    pub got: String,
+    /// What is allowed.
+    pub allowed: String,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}, expected {} ({})", self.place, self.got, self.expected, self.allowed)
+    }
+}
+
 /// Why a kernel's case failed. NaN, a short output, an empty table and a missing adapter are failures, never a pass.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Failure {
@@ -57,16 +76,7 @@ pub enum Failure {
     /// What was written depends on what lay there before.
     DependsOnBefore(Place),
     /// Two outputs differ.
-    Differs {
-        /// Where, in the second output.
-        place: Place,
-        /// What the first output holds there.
-        expected: String,
-        /// What the second one holds.
-        got: String,
-        /// What is allowed.
-        allowed: String,
-    },
+    Differs(Box<Difference>),
     /// The case covers nothing: no output word was compared at any size.
     NothingCompared,
     /// There is no kernel to test.
@@ -88,9 +98,7 @@ impl fmt::Display for Failure {
             Failure::Unwritten(place) => write!(f, "{place} was not written"),
             Failure::Overwritten(place) => write!(f, "{place} belongs to no invocation and was overwritten"),
             Failure::DependsOnBefore(place) => write!(f, "{place} depends on what the buffer held before"),
-            Failure::Differs { place, expected, got, allowed } => {
-                write!(f, "{place} is {got}, expected {expected} ({allowed})")
-            }
+            Failure::Differs(difference) => difference.fmt(f),
             Failure::NothingCompared => write!(f, "the case has no output: nothing was compared"),
             Failure::EmptyTable => write!(f, "the kernel table is empty"),
             Failure::TwiceInTable(name) => write!(f, "kernel `{name}` is in the table twice"),

@@ -47,9 +47,7 @@ impl CpuExecutor {
     fn buffer_mut(&mut self, id: BufferId) -> Result<&mut CpuBuffer, ExecError> {
         self.buffers.get_mut(id.0 as usize).and_then(Option::as_mut).ok_or_else(ExecError::freed)
     }
-}
 
-impl CpuExecutor {
     /// The rows that a dispatch covers.
     fn rows(&self, kernel: &Kernel, buffers: &[BufferId], out_count: u32) -> Result<Rows, ExecError> {
         let mut uniform: &[u32] = &[];

@@ -247,17 +247,19 @@ pub fn open_adapter(
         spirv,
         ..GpuOptions::default()
     };
-    match GpuExecutor::open_or_naga(&options, warn) {
-        Ok(executor) => Ok(Box::new(executor)),
-        Err(error) if options.hardware_only => {
-            // Without a hardware GPU the processor is what `auto` means; one that fails deserves a word.
-            if !matches!(error, ExecError::NoAdapter { .. }) {
-                warn(format!("{error}; going on with the CPU"));
-            }
-            Ok(Box::new(CpuExecutor::new()))
+    let opened = GpuExecutor::open_or_naga(&options, warn).map(|executor| Box::new(executor) as Box<dyn Executor>);
+    if options.hardware_only { Ok(or_cpu(opened, warn)) } else { opened }
+}
+
+/// What `auto` makes of its attempt to open a hardware GPU.
+fn or_cpu(opened: Result<Box<dyn Executor>, ExecError>, warn: &mut dyn FnMut(String)) -> Box<dyn Executor> {
+    opened.unwrap_or_else(|error| {
+        // Without a hardware GPU the processor is what `auto` means; one that fails deserves a word.
+        if !matches!(error, ExecError::NoAdapter { .. }) {
+            warn(format!("{error}; going on with the CPU"));
         }
-        Err(error) => Err(error),
-    }
+        Box::new(CpuExecutor::new())
+    })
 }
 
 /// Typed convenience over [`Executor`].
@@ -348,4 +350,25 @@ pub(crate) fn check_write(label: &str, bytes: u64, written: usize) -> Result<(),
         return Err(ExecError::buffer(label, format!("{written} bytes do not fit into its {bytes}, word by word")));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn auto_after(error: ExecError) -> (String, Vec<String>) {
+        let mut warnings = Vec::new();
+        let exec = or_cpu(Err(error), &mut |text| warnings.push(text));
+        (exec.device().backend, warnings)
+    }
+
+    #[test]
+    fn auto_goes_on_with_the_cpu() {
+        let (backend, warnings) = auto_after(ExecError::NoAdapter { wanted: "GPU".into(), reason: "none".into() });
+        assert_eq!((backend.as_str(), warnings.len()), ("cpu", 0));
+        let broken = ExecError::BrokenDevice { adapter: "Some GPU".into(), reason: "dead canary".into() };
+        let (backend, warnings) = auto_after(broken);
+        assert_eq!(backend, "cpu");
+        assert!(warnings.len() == 1 && warnings[0].contains("Some GPU") && warnings[0].contains("dead canary"));
+    }
 }

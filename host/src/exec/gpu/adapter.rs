@@ -1,6 +1,7 @@
 //! Finding adapters: what there is, which one `auto` and `gpu` mean, and what each can do.
 
 use super::SpirvPath;
+use super::pipeline::shortcoming;
 use crate::exec::ExecError;
 use serde::Serialize;
 
@@ -50,6 +51,8 @@ pub struct AdapterReport {
     pub max_storage_buffers: u32,
     /// Invocations of one workgroup.
     pub max_workgroup_size: u32,
+    /// Kernels that it cannot run, each with what there is too little of; empty on any WebGPU adapter.
+    pub cannot_run: Vec<String>,
 }
 
 impl AdapterReport {
@@ -74,6 +77,9 @@ impl AdapterReport {
             max_buffer_bytes: limits.max_buffer_size,
             max_storage_buffers: limits.max_storage_buffers_per_shader_stage,
             max_workgroup_size: limits.max_compute_invocations_per_workgroup,
+            cannot_run: interreflect_kernels::all()
+                .filter_map(|k| Some(format!("{}: {}", k.desc.name, shortcoming(&limits, &k.desc)?.text())))
+                .collect(),
         }
     }
 }

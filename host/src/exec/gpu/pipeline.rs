@@ -115,24 +115,39 @@ impl Pipeline {
     }
 }
 
-/// Whether the device can run such a kernel at all.
-fn check_limits(context: &GpuContext, desc: &KernelDesc) -> Result<(), ExecError> {
-    let limits = context.device.limits();
+/// What a kernel needs and what there is of it.
+pub(super) struct Need {
+    what: &'static str,
+    needed: u64,
+    allowed: u64,
+}
+
+impl Need {
+    /// In words: `12 storage buffers (8 allowed)`.
+    pub(super) fn text(&self) -> String {
+        format!("{} {} ({} allowed)", self.needed, self.what, self.allowed)
+    }
+}
+
+/// The first thing that a device has too little of for a kernel.
+pub(super) fn shortcoming(limits: &wgpu::Limits, desc: &KernelDesc) -> Option<Need> {
     let storage = desc.bindings.iter().filter(|b| b.access != Access::Uniform).count() as u64;
-    let checks = [
+    let (workgroup, x) = (limits.max_compute_invocations_per_workgroup, limits.max_compute_workgroup_size_x);
+    let needs = [
         ("storage buffers", storage, u64::from(limits.max_storage_buffers_per_shader_stage)),
         ("bindings", desc.bindings.len() as u64, MAX_BINDINGS as u64),
-        (
-            "invocations in a workgroup",
-            u64::from(desc.workgroup_size),
-            u64::from(limits.max_compute_invocations_per_workgroup),
-        ),
-        ("invocations along x", u64::from(desc.workgroup_size), u64::from(limits.max_compute_workgroup_size_x)),
+        ("invocations in a workgroup", u64::from(desc.workgroup_size), u64::from(workgroup.min(x))),
     ];
-    for (what, needed, allowed) in checks {
-        if needed > allowed {
-            return Err(ExecError::Limit { kernel: desc.name, what, needed, allowed, adapter: context.name.clone() });
-        }
+    needs
+        .into_iter()
+        .map(|(what, needed, allowed)| Need { what, needed, allowed })
+        .find(|need| need.needed > need.allowed)
+}
+
+/// Whether the device can run such a kernel at all.
+fn check_limits(context: &GpuContext, desc: &KernelDesc) -> Result<(), ExecError> {
+    if let Some(Need { what, needed, allowed }) = shortcoming(&context.device.limits(), desc) {
+        return Err(ExecError::Limit { kernel: desc.name, what, needed, allowed, adapter: context.name.clone() });
     }
     // Passthrough does not renumber bindings as naga does: wgpu numbers them 0, 1, … in the order of the layout.
     if desc.bindings.iter().enumerate().any(|(k, b)| b.index as usize != k) {
