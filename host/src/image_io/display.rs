@@ -19,10 +19,9 @@ pub struct ToneMap {
     pub white: f32,
 }
 
-/// The tone map that only clamps: display = sRGB(linear).
-pub const LINEAR: ToneMap = ToneMap { exposure: 1.0, white: f32::MAX };
-
 impl ToneMap {
+    /// The tone map that only clamps: display = sRGB(linear).
+    pub const LINEAR: Self = Self { exposure: 1.0, white: f32::MAX };
     /// Percentile of the truth's luminance that is exposed to 1: bright surfaces, not the few pixels of a lamp.
     pub const PERCENTILE: f64 = 0.95;
     /// Value that becomes white, in units of that percentile: two stops of highlights above it keep their drawing.
@@ -47,8 +46,8 @@ impl ToneMap {
 
     /// Linear value of the display, 0…1.
     pub fn curve(&self, linear: Vec3) -> Vec3 {
-        if self.white == f32::MAX {
-            return (linear * self.exposure).clamp(Vec3::ZERO, Vec3::ONE);
+        if *self == Self::LINEAR {
+            return linear.clamp(Vec3::ZERO, Vec3::ONE);
         }
         // Beyond white the result is clamped to 1 anyway; the bound keeps v² finite.
         let v = (linear * self.exposure).clamp(Vec3::ZERO, Vec3::splat(self.white));
@@ -63,6 +62,9 @@ impl ToneMap {
 
     /// One sentence for reports.
     pub fn describe(&self) -> String {
+        if *self == Self::LINEAR {
+            return "clamped to 0…1, sRGB".into();
+        }
         format!(
             "exposure {:.4} (95th percentile of the truth's luminance to 1), Reinhard's extended curve with white at \
              {}, sRGB",
@@ -99,7 +101,7 @@ pub fn error_map(truth: &Image, estimate: &Image, visible: &[bool], guard: f32, 
 }
 
 /// Names of the two ends of [`colour_of_signed`].
-pub const DIVERGING: [&str; 2] = ["too dark", "too bright"];
+pub const DIVERGING_ENDS: [&str; 2] = ["too dark", "too bright"];
 
 /// Diverging colour scale: blue at −1, near white at 0, red-brown at +1, clamped outside. Lightness falls evenly on
 /// both sides in Oklab (Ottosson 2020), so that equal steps of error look equal and both signs weigh the same.

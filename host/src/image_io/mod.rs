@@ -7,7 +7,7 @@
 mod display;
 mod exr_file;
 
-pub use display::{DIVERGING, LINEAR, Rgb8, ToneMap, colour_of_signed, error_map, flip_map, magma};
+pub use display::{DIVERGING_ENDS, Rgb8, ToneMap, colour_of_signed, error_map, flip_map, magma};
 pub use exr_file::{MAX_PIXELS, read_exr, write_exr};
 
 use glam::Vec3;
@@ -156,7 +156,7 @@ pub fn luminance(rgb: Vec3) -> f32 {
     rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
-/// Writes a file so that it appears whole or not at all: the bytes go to a nameless neighbour that takes the file's
+/// Writes a file so that it appears whole or not at all: the bytes go to a hidden neighbour that takes the file's
 /// place only when complete. An older file of that name stays as it was until then.
 ///
 /// # Errors

@@ -6,6 +6,7 @@ use crate::image_io::{
     Image, ImageError, Rgb8, ToneMap, error_map, flip_map, png_bytes, write_exr, write_png, write_whole,
 };
 use crate::metrics::{self, RELATIVE_GUARD};
+use rayon::prelude::*;
 use std::path::Path;
 
 /// Relative error at the ends of the colour scale of irradiance error maps.
@@ -141,19 +142,19 @@ fn check_shapes(comparison: &Comparison, pictures: &Pictures) -> Result<(), Repo
 
 /// Writes the folders of the truth and of each result, and gives the page's pictures.
 fn write_pictures(work: &Path, comparison: &Comparison, pictures: &Pictures) -> Result<Vec<Picture>, ReportError> {
-    let tones = Tones {
-        full: tone_map(&pictures.truth, &pictures.visible),
-        irradiance: ToneMap::from_truth(&pictures.truth.irradiance, &pictures.visible),
-    };
-    let mut on_page = Vec::new();
     let truth = &pictures.truth;
-    write_frame(&work.join("truth"), truth, &tones, ("truth", "truth"), &mut on_page)?;
+    let tones = Tones {
+        full: tone_map(truth, &pictures.visible),
+        irradiance: ToneMap::from_truth(&truth.irradiance, &pictures.visible),
+    };
+    let mut on_page = write_frame(&work.join("truth"), truth, &tones, ("truth", "truth"))?;
     let truth_full = tones.full.apply(&truth.full);
     // A black truth has no mean: the error map then has no guard, and shows everything as too bright.
     let guard = metrics::truth_mean(&truth.irradiance, &pictures.visible).unwrap_or(0.0) * RELATIVE_GUARD;
-    for (k, (result, name)) in comparison.results.iter().zip(folder_names(comparison)).enumerate() {
-        let (frame, folder, title) = (&pictures.results[k], work.join(name), result.title());
-        write_frame(&folder, frame, &tones, (&format!("m{k}"), &title), &mut on_page)?;
+    let names = folder_names(comparison);
+    let of_results = (0..comparison.results.len()).into_par_iter().map(|k| {
+        let (frame, folder, title) = (&pictures.results[k], work.join(&names[k]), comparison.results[k].title());
+        let mut on_page = write_frame(&folder, frame, &tones, (&format!("m{k}"), &title))?;
         let flip = metrics::flip(&truth_full, &tones.full.apply(&frame.full))
             .map_err(|source| ReportError::Metrics { method: title.clone(), source })?;
         let flip = flip_map(comparison.size[0], comparison.size[1], &flip.map);
@@ -162,7 +163,9 @@ fn write_pictures(work: &Path, comparison: &Comparison, pictures: &Pictures) -> 
             write_png(&folder.join(file), &map)?;
             on_page.push(page_picture(layer, format!("e{k}"), format!("error of {title}"), &map)?);
         }
-    }
+        Ok(on_page)
+    });
+    on_page.extend(of_results.collect::<Result<Vec<_>, ReportError>>()?.into_iter().flatten());
     Ok(on_page)
 }
 
@@ -171,17 +174,16 @@ fn write_frame(
     frame: &Frame,
     tones: &Tones,
     (choice, name): (&str, &str),
-    on_page: &mut Vec<Picture>,
-) -> Result<(), ReportError> {
+) -> Result<Vec<Picture>, ReportError> {
     create_folder(folder)?;
     let layers = [("full", &frame.full, &tones.full), ("irradiance", &frame.irradiance, &tones.irradiance)];
-    for (layer, picture, tone) in layers {
+    let write = |(layer, picture, tone): (&'static str, &Image, &ToneMap)| {
         write_exr(&folder.join(format!("{layer}.exr")), picture)?;
         let shown = tone.apply(picture);
         write_png(&folder.join(format!("{layer}.png")), &shown)?;
-        on_page.push(page_picture(layer, choice.into(), name.into(), &shown)?);
-    }
-    Ok(())
+        page_picture(layer, choice.into(), name.into(), &shown)
+    };
+    layers.into_iter().map(write).collect()
 }
 
 fn page_picture(layer: &'static str, choice: String, name: String, picture: &Rgb8) -> Result<Picture, ReportError> {

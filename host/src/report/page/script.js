@@ -27,6 +27,7 @@
     stage.hidden = !slider;
     side.hidden = slider;
     $("#choose-left").hidden = !slider;
+    $("#right-name").textContent = slider ? "Right" : "Method";
     if (slider) {
       $(".tag.a").textContent = show(over, left.value);
       $(".tag.b").textContent = show(under, right.value);
@@ -55,6 +56,8 @@
     range.focus({ preventScroll: true });
     drag(event);
   });
+  // The focus stays on the range, so that the arrow keys go on from where the pointer left.
+  stage.addEventListener("mousedown", (event) => event.preventDefault());
   stage.addEventListener("pointermove", (event) => {
     if (stage.hasPointerCapture(event.pointerId)) drag(event);
   });

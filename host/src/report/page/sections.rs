@@ -1,7 +1,7 @@
 //! The page's parts, from top to bottom.
 
 use super::{LAYERS, Picture};
-use crate::image_io::{DIVERGING, colour_of_signed, magma};
+use crate::image_io::{DIVERGING_ENDS, colour_of_signed, magma};
 use crate::metrics::{BLOCK_PX, ErrorMetrics};
 use crate::report::chart::{PALETTE, colours};
 use crate::report::table::{bytes, milliseconds, number};
@@ -26,7 +26,7 @@ pub fn viewer(html: &mut String, comparison: &Comparison) {
          <fieldset><legend>Picture</legend><div class=\"seg\">{layers}</div></fieldset>\n\
          <fieldset><legend>View</legend><div class=\"seg\">{modes}</div></fieldset>\n\
          <label id=\"choose-left\"><span>Left</span><select id=\"left\">{}</select></label>\n\
-         <label><span>Right</span><select id=\"right\">{}</select></label>\n</div>\n\
+         <label><span id=\"right-name\">Right</span><select id=\"right\">{}</select></label>\n</div>\n\
          <div class=\"stage{small}\" id=\"stage\" style=\"--w:{shown:.0}px;--ratio:{width}/{height}\">\
          <img class=\"under\" alt=\"\" draggable=\"false\"><img class=\"over\" alt=\"\" draggable=\"false\">\
          <span class=\"tag a\"></span><span class=\"tag b\"></span><i></i>\
@@ -83,7 +83,7 @@ fn scale(layer: &str, meaning: &str) -> String {
     let ends = if flip {
         "<span>0: none visible</span><span>0.5</span><span>1: largest</span>".to_string()
     } else {
-        let [dark, bright] = DIVERGING;
+        let [dark, bright] = DIVERGING_ENDS;
         format!("<span>−{range} % {dark}</span><span>0</span><span>+{range} % {bright}</span>")
     };
     let gray = if flip { "" } else { "; grey: no surface" };
@@ -203,9 +203,10 @@ fn bars(html: &mut String, name: &str, total: &str, rows: &[(&str, f64, String, 
     }
     html.push_str("<dl class=\"bars\">");
     for (label, value, words, class) in rows {
+        let zero = if *value == 0.0 { " zero" } else { "" };
         let _ = write!(
             html,
-            "<dt title=\"{0}\">{0}</dt><dd class=\"b {class}\" style=\"--v:{1:.1}%\"></dd><dd>{2}</dd>",
+            "<dt title=\"{0}\">{0}</dt><dd class=\"b {class}{zero}\" style=\"--v:{1:.1}%\"></dd><dd>{2}</dd>",
             escape(label),
             100.0 * value / largest,
             escape(words)
