@@ -1,6 +1,6 @@
 //! Rounds of batches: means and their variance without storing samples, and when to stop.
 //!
-//! A round gives every element the same number of samples, in about [`BATCHES`] batches. Samples within a batch are
+//! A round gives every element the same number of samples, in [`BATCHES`] batches or more. Samples within a batch are
 //! stratified against each other and so not independent; batches are. The variance of the mean therefore comes from
 //! the spread of the batch means: with batches of `mᵢ` samples and means `xᵢ` in a round of `N` samples,
 //! `Var(x̄) ≈ Σ mᵢ (xᵢ − x̄)² / ((R − 1) N)`, and rounds add up weighted by their squared share of all samples.
@@ -12,7 +12,12 @@ use std::time::Instant;
 
 /// Batches in a round, where there are samples enough: more give a better estimate of the variance, fewer and larger
 /// ones better stratified samples.
-const BATCHES: u32 = 8;
+const BATCHES: u32 = 4;
+/// Batches of all elements together in a round, at least: for few elements the noise must still be known to 10 %, or
+/// chance would end the work too soon.
+const ALL_BATCHES: u32 = 256;
+/// Most batches in a round.
+const MAX_BATCHES: u32 = 64;
 /// Samples of the first round when rendering to a noise.
 const FIRST_ROUND: u32 = 32;
 /// A round is at most this many times as large as all before it, so that a bad first estimate cannot overshoot much.
@@ -91,11 +96,13 @@ pub fn run(
     let start = Instant::now();
     let mut state =
         Rounds { elements: vec![Element::default(); count], spp: 0, noise: f64::INFINITY, rays: 0, ms: 0.0 };
+    let per_round = ALL_BATCHES.div_ceil(u32::try_from(count).unwrap_or(u32::MAX).max(1)).clamp(BATCHES, MAX_BATCHES);
+    let first_round = FIRST_ROUND.max(2 * per_round);
     let mut first_batch = 0;
-    let mut planned = target.map_or(limit, |_| FIRST_ROUND.min(limit));
+    let mut planned = target.map_or(limit, |_| first_round.min(limit));
     let mut expected = f64::from(planned);
     loop {
-        let round = batches(planned, first_batch);
+        let round = batches(planned, first_batch, per_round);
         let before = f64::from(state.spp);
         let mut report = |share: f64| {
             let fraction = ((before + share * f64::from(planned)) / expected).min(1.0);
@@ -114,9 +121,9 @@ pub fn run(
         let ratio = (state.noise / target).powi(2);
         expected = (f64::from(state.spp) * ratio * 1.03).min(f64::from(limit));
         let needed = (expected - f64::from(state.spp)).max(1.0);
-        planned = (needed.ceil() as u32).clamp(2 * BATCHES, (GROWTH * state.spp).max(2 * BATCHES)).min(left);
-        // Whole batches of a power of two are stratified best.
-        planned = (planned.div_ceil(BATCHES).next_multiple_of(2) * BATCHES).min(left);
+        planned = (needed.ceil() as u32).clamp(2 * per_round, GROWTH * state.spp).min(left);
+        // Whole batches of an even size are stratified better than uneven ones.
+        planned = (planned.div_ceil(per_round).next_multiple_of(2) * per_round).min(left);
         if planned < 2 {
             break;
         }
@@ -128,8 +135,8 @@ pub fn run(
 }
 
 /// Index and size of each batch of a round.
-fn batches(samples: u32, first: u32) -> Vec<(u32, u32)> {
-    let count = BATCHES.min(samples);
+fn batches(samples: u32, first: u32, count: u32) -> Vec<(u32, u32)> {
+    let count = count.min(samples);
     (0..count).map(|i| (first + i, samples / count + u32::from(i < samples % count))).collect()
 }
 
@@ -217,10 +224,10 @@ mod tests {
 
     #[test]
     fn variance_of_independent_batches_is_unbiased() {
-        // Uniform numbers of variance 1/12 in batches of unequal size; mean of 20 samples: 1/240.
+        // Uniform numbers of variance 1/12 in batches of unequal size; mean of 22 samples: 1/264.
         let uniform = |n: u32| f64::from(super::super::sampler::hash(n)) / 4_294_967_296.0;
-        let round = batches(20, 0);
-        assert_eq!(round.iter().map(|b| b.1).sum::<u32>(), 20);
+        let round = batches(22, 0, 4);
+        assert_eq!(round.iter().map(|b| b.1).sum::<u32>(), 22);
         let mut sum = 0.0;
         for trial in 0..4000u32 {
             let mut e = Element::default();
@@ -228,11 +235,11 @@ mod tests {
                 let x = (0..count).map(|i| uniform(trial * 1000 + batch * 50 + i)).sum::<f64>() / f64::from(count);
                 BatchMean { direct: DVec3::splat(x), indirect: DVec3::ZERO, rays: 0 }
             });
-            sum += e.variance_full.x / 400.0;
+            sum += e.variance_full.x / 484.0;
         }
         let variance = sum / 4000.0;
-        // The estimate over 4000 trials of 8 batches has a standard error of about √(2/7/4000) = 0.8 %.
-        assert!((variance * 240.0 - 1.0).abs() < 0.04, "{variance} for {}", 1.0 / 240.0);
+        // The estimate over 4000 trials of 4 batches has a standard error of about √(2/3/4000) = 1.3 %.
+        assert!((variance * 264.0 - 1.0).abs() < 0.06, "{variance} for {}", 1.0 / 264.0);
     }
 
     #[test]

@@ -21,13 +21,16 @@ use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 use obvhs::triangle::Triangle as ObvhsTriangle;
 
 /// Deepest tree that a traversal can walk. Balanced trees of 10⁹ triangles have 10 levels.
-const MAX_DEPTH: usize = 64;
+const MAX_DEPTH: usize = 32;
 
 /// Smallest magnitude of a direction's component in box tests, so that its inverse is finite and 0·∞ never arises.
 const MIN_DIRECTION: f32 = 1e-20;
 
 /// A box test may end this factor later than computed: 1 + 2γ₃, Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013.
 const BOX_TMAX_SCALE: f32 = 1.000_000_4;
+
+/// Scenes of fewer triangles are not pre-split: there is nothing to gain.
+const PRESPLIT_FROM: usize = 64;
 
 /// No triangle: nothing is excluded from a query.
 pub const NO_TRIANGLE: u32 = u32::MAX;
@@ -110,10 +113,11 @@ impl<'a> Tracer<'a> {
             .map(|t| matches!(scene.materials[t.material as usize].alpha, Alpha::Mask(_)))
             .collect();
         let any_masked = masked.iter().any(|&m| m);
-        let packed = build_packed(scene);
+        let boxes = boxes(scene);
+        let packed = build_packed(scene, &boxes);
         let sources = packed.primitive_indices.clone();
         let corners = sources.iter().map(|&s| transposed(scene.corners(&scene.triangles[s as usize]))).collect();
-        let bvh = WideBvh::unpack(&packed)?;
+        let bvh = WideBvh::unpack(&packed, &boxes)?;
         Ok(Self { scene, bvh, corners, sources, masked, any_masked })
     }
 
@@ -214,8 +218,27 @@ fn transposed(corners: [Vec3; 3]) -> [Vec4; 3] {
     [Vec4::new(a.x, b.x, c.x, 0.0), Vec4::new(a.y, b.y, c.y, 0.0), Vec4::new(a.z, b.z, c.z, 0.0)]
 }
 
-/// obvhs' best tree: large triangles pre-split, PLOC, every node a candidate for reinsertion.
-fn build_packed(scene: &Scene) -> CwBvh {
+/// Room around a triangle for the rounding of its test: 4 units in the last place of the longest distance.
+fn room(boxes: &[Aabb]) -> Vec3A {
+    let all = boxes.iter().skip(1).fold(boxes[0], |a, b| a.union(b));
+    let reach = all.diagonal().max_element() + all.min.abs().max_element().max(all.max.abs().max_element());
+    Vec3A::splat(4.0 * f32::EPSILON * reach)
+}
+
+fn grown(b: &Aabb, room: Vec3A) -> Aabb {
+    Aabb::new(b.min - room, b.max + room)
+}
+
+/// Exact boxes of the scene's triangles.
+fn boxes(scene: &Scene) -> Vec<Aabb> {
+    scene.triangles.iter().map(|t| Aabb::from_points(&scene.corners(t).map(Vec3A::from))).collect()
+}
+
+/// obvhs' best tree: large triangles pre-split, PLOC, half of the nodes candidates for reinsertion.
+fn build_packed(scene: &Scene, boxes: &[Aabb]) -> CwBvh {
+    if boxes.is_empty() {
+        return CwBvh::default();
+    }
     let triangles: Vec<ObvhsTriangle> = scene
         .triangles
         .iter()
@@ -224,26 +247,18 @@ fn build_packed(scene: &Scene) -> CwBvh {
             ObvhsTriangle { v0, v1, v2 }
         })
         .collect();
-    if triangles.is_empty() {
-        return CwBvh::default();
-    }
-    let mut boxes: Vec<Aabb> = triangles.iter().map(ObvhsTriangle::aabb).collect();
+    let mut split = boxes.to_vec();
     let mut indices: Vec<u32> = (0..triangles.len() as u32).collect();
-    let mean = boxes.iter().map(Aabb::half_area).sum::<f32>() / boxes.len() as f32;
-    let largest = boxes.iter().map(Aabb::half_area).fold(0.0, f32::max);
-    if triangles.len() > 64 {
-        obvhs::splits::split_aabbs_preset(&mut boxes, &mut indices, &triangles, mean, largest);
+    if triangles.len() >= PRESPLIT_FROM {
+        let mean = boxes.iter().map(Aabb::half_area).sum::<f32>() / boxes.len() as f32;
+        let largest = boxes.iter().map(Aabb::half_area).fold(0.0, f32::max);
+        obvhs::splits::split_aabbs_preset(&mut split, &mut indices, &triangles, mean, largest);
     }
-    // Room for the rounding of the triangle test: about 4 units in the last place of the longest distance.
-    let all = boxes.iter().skip(1).fold(boxes[0], |a, b| a.union(b));
-    let reach = all.diagonal().max_element() + all.min.abs().max_element().max(all.max.abs().max_element());
-    let room = Vec3A::splat(4.0 * f32::EPSILON * reach);
-    for b in &mut boxes {
-        *b = Aabb::new(b.min - room, b.max + room);
-    }
-    let mut bvh2 = PlocBuilder::with_capacity(boxes.len()).build(
+    let room = room(boxes);
+    let split: Vec<Aabb> = split.iter().map(|b| grown(b, room)).collect();
+    let mut bvh2 = PlocBuilder::with_capacity(split.len()).build(
         PlocSearchDistance::High,
-        &boxes,
+        &split,
         indices,
         SortPrecision::U128,
         2,
@@ -254,8 +269,13 @@ fn build_packed(scene: &Scene) -> CwBvh {
 }
 
 impl WideBvh {
-    fn unpack(packed: &CwBvh) -> Result<Self, ReferenceError> {
-        let nodes: Vec<WideNode> = packed.nodes.iter().map(|n| WideNode::unpack(n, packed)).collect();
+    fn unpack(packed: &CwBvh, boxes: &[Aabb]) -> Result<Self, ReferenceError> {
+        let nodes: Vec<WideNode> = if boxes.is_empty() {
+            Vec::new()
+        } else {
+            let room = room(boxes);
+            packed.nodes.iter().map(|n| WideNode::unpack(n, packed, boxes, room)).collect()
+        };
         let bvh = Self { nodes };
         let depth = bvh.depth();
         if depth > MAX_DEPTH { Err(ReferenceError::TooDeep { depth, limit: MAX_DEPTH }) } else { Ok(bvh) }
@@ -276,17 +296,23 @@ impl WideBvh {
 }
 
 impl WideNode {
-    fn unpack(node: &CwBvhNode, packed: &CwBvh) -> Self {
+    fn unpack(node: &CwBvhNode, packed: &CwBvh, boxes: &[Aabb], room: Vec3A) -> Self {
         // An empty slot's box is inverted: no ray enters it.
         let mut planes = [[Vec4::splat(f32::MAX); 2]; 6];
         for axis in 0..3 {
             planes[2 * axis + 1] = [Vec4::splat(f32::MIN); 2];
         }
         for child in (0..8).filter(|&c| !node.is_child_empty(c)) {
-            let mut bounds = node.child_aabb(child);
-            if let (false, Some(exact)) = (node.is_leaf(child), &packed.exact_node_aabbs) {
-                bounds = exact[node.child_node_index(child) as usize];
-            }
+            let bounds = if node.is_leaf(child) {
+                // Tighter than packed; the packed box is smaller only where a triangle was split.
+                let (first, count) = node.child_primitives(child);
+                let sources = &packed.primitive_indices[first as usize..(first + count) as usize];
+                let exact = sources.iter().fold(Aabb::empty(), |a, &s| a.union(&boxes[s as usize]));
+                grown(&exact, room).intersection(&node.child_aabb(child))
+            } else {
+                let exact = packed.exact_node_aabbs.as_ref();
+                exact.map_or(node.child_aabb(child), |e| e[node.child_node_index(child) as usize])
+            };
             for axis in 0..3 {
                 planes[2 * axis][child / 4][child % 4] = bounds.min[axis];
                 planes[2 * axis + 1][child / 4][child % 4] = bounds.max[axis];
