@@ -140,15 +140,19 @@ impl Assembler {
 }
 
 fn check_positions(part: &Part) -> Result<(), FileError> {
-    let bad = |p: &Vec3| !p.is_finite() || p.abs().max_element() > MAX_COORDINATE_M;
-    let Some(vertex) = part.positions.iter().position(bad) else { return Ok(()) };
-    let position = part.positions[vertex];
-    let reason = if position.is_finite() {
+    part.positions.iter().enumerate().try_for_each(|(vertex, &position)| check_position(part.mesh, vertex, position))
+}
+
+/// An error unless a position is finite and not absurdly far away.
+pub fn check_position(mesh: &str, vertex: usize, position: Vec3) -> Result<(), FileError> {
+    let reason = if !position.is_finite() {
+        "is not finite".to_owned()
+    } else if position.abs().max_element() > MAX_COORDINATE_M {
         format!("is more than {MAX_COORDINATE_M:e} m from the origin")
     } else {
-        "is not finite".to_owned()
+        return Ok(());
     };
-    Err(FileError::BadVertex { mesh: part.mesh.to_owned(), vertex, position: position.to_array(), reason })
+    Err(FileError::BadVertex { mesh: mesh.to_owned(), vertex, position: position.to_array(), reason })
 }
 
 fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[Vec3; 3], FileError> {

@@ -9,6 +9,7 @@ mod container;
 mod external;
 mod gltf;
 mod material;
+mod obj;
 mod picture;
 
 use super::{FileError, LoadOptions, Scene};
@@ -30,7 +31,7 @@ const MAX_COORDINATE_M: f32 = 1e9;
 /// Reads a scene file; its kind follows from its name.
 pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, FileError> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-    if !matches!(extension.as_str(), "glb" | "gltf") {
+    if !matches!(extension.as_str(), "glb" | "gltf" | "obj") {
         // A name that says nothing must not hide that the file is not there at all.
         external::check_is_file(path)?;
         return Err(FileError::UnknownKind);
@@ -39,7 +40,8 @@ pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, FileErro
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut scene = match extension.as_str() {
         "glb" => gltf::load_binary(&bytes, folder, options)?,
-        _ => gltf::load_text(&bytes, folder, options)?,
+        "gltf" => gltf::load_text(&bytes, folder, options)?,
+        _ => obj::load(&bytes, folder, options)?,
     };
     scene.name = path.display().to_string();
     Ok(scene)
