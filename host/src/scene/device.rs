@@ -4,7 +4,8 @@ use super::bvh::Bvh;
 use super::{Alpha, Light, Material, Scene};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use glam::Vec3;
-use interreflect_kernels::trace::surface::{encode_normal, srgb_table};
+use interreflect_kernels::math::octahedral;
+use interreflect_kernels::trace::surface::srgb_table;
 use interreflect_shared::scene::{
     BvhNode, LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT, LIGHT_TRIANGLE, MATERIAL_WORDS, NO_TEXTURE, SRGB_TABLE_WORDS,
     SceneLight, SceneMaterial, SceneTriangle, TRIANGLE_EMITS, TRIANGLE_MASKED, TriangleAttributes,
@@ -109,7 +110,7 @@ fn pack_triangle(scene: &Scene, source: u32) -> SceneTriangle {
 fn pack_attributes(scene: &Scene, source: u32) -> TriangleAttributes {
     let vertices = scene.triangles[source as usize].vertices;
     let [a, b, c] = vertices.map(|v| scene.uvs.get(v as usize).copied().unwrap_or_default());
-    let normals = vertices.map(|v| encode_normal(scene.normals.get(v as usize).copied().unwrap_or(Vec3::Y)));
+    let normals = vertices.map(|v| octahedral::pack(scene.normals.get(v as usize).copied().unwrap_or(Vec3::Y)));
     TriangleAttributes { uv: [a.x, a.y, b.x, b.y, c.x, c.y], normals, _pad: [0; 3] }
 }
 
@@ -230,8 +231,8 @@ fn power(light: &SceneLight, radius: f32) -> f64 {
     let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
     let measure = match light.kind {
         LIGHT_POINT => 4.0 * PI,
-        // The cone's solid angle with half the falloff region.
-        LIGHT_SPOT => 2.0 * PI * (1.0 - 0.5 * f64::from(light.c[0] + light.c[1])),
+        // Between the cones the squared ramp has the mean 1/3.
+        LIGHT_SPOT => 2.0 * PI * f64::from(1.0 - light.c[0] + (light.c[0] - light.c[1]).max(0.0) / 3.0),
         LIGHT_DIRECTIONAL => PI * f64::from(radius).powi(2),
         _ => PI * f64::from(light.area),
     };

@@ -1,8 +1,9 @@
 //! Small random scenes for the kernels' test cases: a room of triangles of the requested flavour's size, one textured
 //! material, one that is masked, one that emits, and a light of each kind.
 
-use super::surface::{encode_normal, srgb_table};
+use super::surface::srgb_table;
 use crate::kernel::{Case, CaseInput, Flavour};
+use crate::math::octahedral;
 use alloc::vec::Vec;
 use glam::{Vec3, Vec4};
 use interreflect_shared::scene::*;
@@ -76,7 +77,7 @@ fn attributes(input: &mut CaseInput, t: &SceneTriangle) -> TriangleAttributes {
     let n = super::surface::unit_or((b - a).cross(c - a), Vec3::Y);
     TriangleAttributes {
         uv: [(); 6].map(|()| input.unit() * 4.0 - 2.0),
-        normals: [(); 3].map(|()| encode_normal(super::surface::unit_or(n + input.direction() * 0.3, n))),
+        normals: [(); 3].map(|()| octahedral::pack(super::surface::unit_or(n + input.direction() * 0.3, n))),
         _pad: [0; 3],
     }
 }
@@ -125,7 +126,7 @@ fn lights(input: &mut CaseInput, triangles: &[SceneTriangle], scale: f32) -> Vec
             a: t.v0,
             kind: LIGHT_TRIANGLE,
             b: t.v1,
-            area: 0.5 * super::surface::length(cross) * scale,
+            area: 0.5 * crate::math::vector::length(cross) * scale,
             c: t.v2,
             radiance: [4.0, 3.0, 2.0],
             ..lights[0]

@@ -6,12 +6,12 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::{self, CaseScene};
-use super::light::hash;
 use super::light::{DirectSampling, direct_irradiance, environment_irradiance};
 use super::{Receiver, SceneRef};
 use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::math::rng::hash;
 use glam::Vec4;
 use interreflect_shared::scene::{BvhNode, NO_SURFACE, SceneLight, SceneTriangle, Surfel, TriangleAttributes};
 use interreflect_shared::trace::DirectParams;

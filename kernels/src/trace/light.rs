@@ -3,15 +3,19 @@
 //! Lights without extent need one ray. An emissive triangle is the ratio estimator of Heitz, Hill & McGuire 2018
 //! ("Combining Analytic Direct Illumination and Stochastic Shadows"): Lambert's exact irradiance of the triangle above
 //! the horizon, times the visible share of area samples weighted by what each would give. Where the triangle is wholly
-//! visible the result has no noise. Triangles that look small take the area samples themselves, whose weights then
+//! visible the result has no noise; where partly, its bias falls with the number of samples. Triangles that look small take the area samples themselves, whose weights then
 //! hardly differ, while Lambert's sum would cancel. Sample points: the R2 sequence (Roberts 2018), shifted by a hash per
 //! receiver and light, mapped to the triangle by Heitz 2019.
 
 use super::ray::Ray;
-use super::surface::{leave_surface, length, unit_or};
+use super::surface::{leave_surface, unit_or};
 use super::{SceneRef, any_hit};
-use crate::math::float::{abs, cos, max, min, sin, sqrt};
-use core::f32::consts::{PI, TAU};
+use crate::math::float::{abs, atan2, max, min, sqrt};
+use crate::math::frame::Frame;
+use crate::math::rng::{hash, rotate, unit};
+use crate::math::sampling::{self, cosine_hemisphere};
+use crate::math::vector::length;
+use core::f32::consts::PI;
 use glam::{Vec2, Vec3};
 use interreflect_shared::scene::{LIGHT_DIRECTIONAL, LIGHT_SPOT, LIGHT_TRIANGLE, SceneLight, Surfel};
 
@@ -22,7 +26,7 @@ pub struct Receiver {
     pub position: Vec3,
     /// Unit normal that cosines are taken with.
     pub normal: Vec3,
-    /// Unit normal of the surface itself, on the same side: light from behind it does not count.
+    /// Unit normal of the surface itself, either side: rays leave along it.
     pub geometric_normal: Vec3,
     /// How far shadow rays start off the surface (m): [`Surfel::error`], or 0 for a point in free space.
     pub error: f32,
@@ -40,10 +44,10 @@ impl Receiver {
         }
     }
 
-    /// Cosine towards a direction, in units of its length; 0 from behind either normal.
+    /// Cosine towards a direction, in units of its length; 0 from behind.
     #[inline(always)]
     fn cosine(&self, towards: Vec3) -> f32 {
-        if self.geometric_normal.dot(towards) > 0.0 { max(self.normal.dot(towards), 0.0) } else { 0.0 }
+        max(self.normal.dot(towards), 0.0)
     }
 
     /// Where a ray in `direction` starts.
@@ -112,7 +116,8 @@ fn triangle_form(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, sample
     let (mut all, mut seen) = (0.0, 0.0);
     let mut nearest = f32::MAX;
     for k in 0..samples {
-        let point = triangle_point(a, b, c, r2(k, scramble));
+        let weights = sampling::triangle(r2(k, scramble));
+        let point = a + (b - a) * weights.x + (c - a) * weights.y;
         let towards = point - at.position;
         let square = towards.dot(towards);
         nearest = min(nearest, square);
@@ -127,7 +132,8 @@ fn triangle_form(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, sample
     if seen <= 0.0 {
         return 0.0;
     }
-    if light.area < SMALL_TRIANGLE * nearest {
+    // One sample's ratio would be the visible share of the area, without the weights.
+    if samples == 1 || light.area < SMALL_TRIANGLE * nearest {
         return seen * light.area / samples as f32;
     }
     lambert(at.position, at.normal, a, b, c) * (seen / all)
@@ -137,14 +143,6 @@ fn triangle_form(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, sample
 #[inline(always)]
 fn lamp_offset(light: &SceneLight, point: Vec3) -> f32 {
     (max(max(abs(point.x), abs(point.y)), abs(point.z)) + sqrt(light.area)) * 16.0 * 5.960_464_5e-8
-}
-
-/// Uniform point of a triangle from a point of the unit square (Heitz 2019, "A Low-Distortion Map Between Triangle and
-/// Square").
-#[inline(always)]
-fn triangle_point(a: Vec3, b: Vec3, c: Vec3, s: Vec2) -> Vec3 {
-    let (u, v) = if s.y > s.x { (s.x * 0.5, s.y - s.x * 0.5) } else { (s.x - s.y * 0.5, s.y * 0.5) };
-    a + (b - a) * u + (c - a) * v
 }
 
 /// Irradiance of a uniform Lambertian triangle of radiance 1, unoccluded, above the horizon of `normal` (Lambert 1760;
@@ -198,22 +196,7 @@ fn edge_integral(normal: Vec3, a: Vec3, b: Vec3) -> f32 {
     if sine <= f32::MIN_POSITIVE {
         return 0.0;
     }
-    normal.dot(cross) / sine * angle(sine, a.dot(b))
-}
-
-/// Angle in [0, π] from its sine and cosine, within 1e-7 (Abramowitz & Stegun 4.4.49), the same on every target.
-#[inline(always)]
-fn angle(sine: f32, cosine: f32) -> f32 {
-    let flat = abs(cosine);
-    let t = if sine < flat { sine / flat } else { flat / sine };
-    let s = t * t;
-    let series = 0.002_866_225_7 * s - 0.016_165_736_7;
-    let series = (series * s + 0.042_909_613_8) * s - 0.075_289_640_0;
-    let series = (series * s + 0.106_562_639_3) * s - 0.142_088_994_4;
-    let series = (series * s + 0.199_935_508_5) * s - 0.333_331_452_8;
-    let small = t + t * s * series;
-    let first_octants = if sine < flat { small } else { 0.5 * PI - small };
-    if cosine < 0.0 { PI - first_octants } else { first_octants }
+    normal.dot(cross) / sine * atan2(sine, a.dot(b))
 }
 
 /// How direct light is sampled; see [`interreflect_shared::trace::DirectParams`].
@@ -271,47 +254,20 @@ fn picked(lights: &[SceneLight], count: u32, u: f32) -> u32 {
 
 /// Irradiance (W/m²) from an environment of radiance 1 (W/(sr m²)): `samples` cosine-distributed rays.
 pub fn environment_irradiance(scene: &SceneRef<'_>, at: &Receiver, samples: u32, scramble: u32) -> f32 {
+    let frame = Frame::new(at.normal);
     let mut open = 0;
     for k in 0..samples {
-        let direction = cosine_direction(at.normal, r2(k, scramble));
-        if at.geometric_normal.dot(direction) > 0.0 && !any_hit(scene, &Ray::new(at.start(direction), direction)) {
+        let direction = frame.world_from_local(cosine_hemisphere(r2(k, scramble)));
+        if !any_hit(scene, &Ray::new(at.start(direction), direction)) {
             open += 1;
         }
     }
     PI * open as f32 / max(samples as f32, 1.0)
 }
 
-/// Direction with the density cos/π around a normal (Malley's method; frame of Duff et al. 2017).
-#[inline(always)]
-fn cosine_direction(n: Vec3, s: Vec2) -> Vec3 {
-    let radius = sqrt(s.x);
-    let (x, y) = (radius * cos(TAU * s.y), radius * sin(TAU * s.y));
-    let z = sqrt(max(1.0 - s.x, 0.0));
-    let side = if n.z < 0.0 { -1.0 } else { 1.0 };
-    let a = -1.0 / (side + n.z);
-    let b = n.x * n.y * a;
-    let tangent = Vec3::new(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
-    let bitangent = Vec3::new(b, side + n.y * n.y * a, -n.y);
-    tangent * x + bitangent * y + n * z
-}
-
-/// Point `k` of the R2 sequence (Roberts 2018), shifted by a hash: integers modulo 2³², so that every target agrees.
+/// Point `k` of the R2 sequence, shifted by a hash.
 #[inline(always)]
 fn r2(k: u32, scramble: u32) -> Vec2 {
-    let x = k.wrapping_mul(3_242_174_889).wrapping_add(hash(scramble));
-    let y = k.wrapping_mul(2_447_445_414).wrapping_add(hash(scramble ^ 0x9E37_79B9));
-    Vec2::new(unit(x), unit(y))
-}
-
-/// PCG hash (Jarzynski & Olano 2020).
-#[inline(always)]
-pub(crate) fn hash(x: u32) -> u32 {
-    let state = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-    (word >> 22) ^ word
-}
-
-#[inline(always)]
-fn unit(x: u32) -> f32 {
-    (x >> 8) as f32 * (1.0 / 16_777_216.0)
+    let offset = Vec2::new(unit(hash(scramble)), unit(hash(scramble ^ 0x9E37_79B9)));
+    rotate(sampling::r2(k), offset)
 }

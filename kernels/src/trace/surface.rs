@@ -6,7 +6,9 @@
 
 use super::SceneRef;
 use super::ray::{Hit, Ray};
-use crate::math::float::{abs, floor, max, min, sqrt};
+use crate::math::float::{abs, floor, max};
+use crate::math::octahedral;
+use crate::math::vector::length;
 use glam::{Vec2, Vec3};
 use interreflect_shared::scene::{
     MATERIAL_WORDS, NO_SURFACE, NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, Surfel, TriangleAttributes,
@@ -155,7 +157,7 @@ pub fn surface(scene: &SceneRef<'_>, ray: &Ray, hit: &Hit) -> Surfel {
     Surfel {
         position: position.to_array(),
         triangle: hit.triangle,
-        normal: shading_normal(attributes, hit, geometric_normal).to_array(),
+        normal: shading_normal(attributes, hit, ray.direction, geometric_normal).to_array(),
         distance: hit.t * length(ray.direction),
         geometric_normal: geometric_normal.to_array(),
         front: front as u32,
@@ -183,19 +185,20 @@ pub fn no_surface() -> Surfel {
     }
 }
 
-/// Interpolated vertex normal on the side of the geometric one, which also stands in where the sum vanishes.
+/// Interpolated vertex normal on the viewer's side; the geometric one where the sum vanishes.
 #[inline(always)]
-fn shading_normal(t: &TriangleAttributes, hit: &Hit, geometric_normal: Vec3) -> Vec3 {
-    let sum = decode_normal(t.normals[0]) * (1.0 - hit.u - hit.v)
-        + decode_normal(t.normals[1]) * hit.u
-        + decode_normal(t.normals[2]) * hit.v;
+fn shading_normal(t: &TriangleAttributes, hit: &Hit, direction: Vec3, geometric_normal: Vec3) -> Vec3 {
+    let sum = octahedral::unpack(t.normals[0]) * (1.0 - hit.u - hit.v)
+        + octahedral::unpack(t.normals[1]) * hit.u
+        + octahedral::unpack(t.normals[2]) * hit.v;
     let n = unit_or(sum, geometric_normal);
-    if n.dot(geometric_normal) < 0.0 { -n } else { n }
+    if n.dot(direction) > 0.0 { -n } else { n }
 }
 
-/// Units in the last place of the position and of the edges that [`Surfel::error`] allows for: three roundings of the
-/// sum, six of the next ray's triangle test, and a reserve of two for directions along the surface.
+/// Roundings (2⁻²⁴) of the first corner that [`Surfel::error`] allows for: one of the position in each coordinate, one of
+/// the ray's start, with a reserve of two.
 const POSITION_ROUNDINGS: f32 = 8.0 * 5.960_464_5e-8;
+/// Roundings of the edges: three of the sum, five of the next ray's sheared corners, with a reserve of two.
 const EDGE_ROUNDINGS: f32 = 18.0 * 5.960_464_5e-8;
 
 /// How far a ray must start off a triangle not to meet it again.
@@ -228,46 +231,9 @@ pub fn srgb_table() -> [u32; SRGB_TABLE_WORDS as usize] {
     })
 }
 
-/// A unit vector as two 16-bit signed normalized numbers (x low), octahedral (Meyer et al. 2010; Cigolle et al. 2014).
-pub fn encode_normal(n: Vec3) -> u32 {
-    let sum = max(abs(n.x) + abs(n.y) + abs(n.z), f32::MIN_POSITIVE);
-    let (x, y) = (n.x / sum, n.y / sum);
-    let (x, y) = if n.z < 0.0 { ((1.0 - abs(y)) * sign(x), (1.0 - abs(x)) * sign(y)) } else { (x, y) };
-    to_snorm(x) | (to_snorm(y) << 16)
-}
-
-/// The unit vector of [`encode_normal`], within 5e-5.
-#[inline(always)]
-pub fn decode_normal(code: u32) -> Vec3 {
-    let (x, y) = (from_snorm(code & 0xFFFF), from_snorm(code >> 16));
-    let z = 1.0 - abs(x) - abs(y);
-    let fold = max(-z, 0.0);
-    unit_or(Vec3::new(x - fold * sign(x), y - fold * sign(y), z), Vec3::Z)
-}
-
-#[inline(always)]
-fn to_snorm(x: f32) -> u32 {
-    floor(min(max(x, -1.0), 1.0) * 32767.0 + 0.5) as i32 as u32 & 0xFFFF
-}
-
-#[inline(always)]
-fn from_snorm(code: u32) -> f32 {
-    max(((code << 16) as i32 >> 16) as f32 * (1.0 / 32767.0), -1.0)
-}
-
-#[inline(always)]
-fn sign(x: f32) -> f32 {
-    if x < 0.0 { -1.0 } else { 1.0 }
-}
-
 #[inline(always)]
 fn largest(v: Vec3) -> f32 {
     max(max(abs(v.x), abs(v.y)), abs(v.z))
-}
-
-#[inline(always)]
-pub(crate) fn length(v: Vec3) -> f32 {
-    sqrt(v.dot(v))
 }
 
 /// `v` at unit length, `otherwise` where it has none. Scaled first, so that tiny and huge vectors keep their direction.
