@@ -14,7 +14,7 @@ pub use gpu::{GpuExecutor, GpuOptions, SpirvPath, list_devices};
 #[derive(Debug, thiserror::Error)]
 pub enum ExecError {
     /// No adapter of the requested kind.
-    #[error("no {wanted} adapter: {reason}")]
+    #[error("no {wanted}: {reason}")]
     NoAdapter {
         /// What was asked for.
         wanted: String,
