@@ -32,6 +32,11 @@ const BOX_TMAX_SCALE: f32 = 1.000_000_4;
 /// Scenes of fewer triangles are not pre-split: there is nothing to gain.
 const PRESPLIT_FROM: usize = 64;
 
+/// Share of the nodes that are tried elsewhere in the tree, for scenes of up to [`LARGE_SCENE`] triangles and beyond:
+/// on 1.5 million triangles the larger share takes three times as long to build and gains 5 % of speed.
+const REINSERTION_RATIO: [f32; 2] = [0.5, 0.1];
+const LARGE_SCENE: usize = 400_000;
+
 /// No triangle: nothing is excluded from a query.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
@@ -234,7 +239,7 @@ fn boxes(scene: &Scene) -> Vec<Aabb> {
     scene.triangles.iter().map(|t| Aabb::from_points(&scene.corners(t).map(Vec3A::from))).collect()
 }
 
-/// obvhs' best tree: large triangles pre-split, PLOC, half of the nodes candidates for reinsertion.
+/// A tree of high quality: large triangles pre-split, PLOC, reinsertion.
 fn build_packed(scene: &Scene, boxes: &[Aabb]) -> CwBvh {
     if boxes.is_empty() {
         return CwBvh::default();
@@ -264,7 +269,7 @@ fn build_packed(scene: &Scene, boxes: &[Aabb]) -> CwBvh {
         2,
     );
     bvh2.uses_spatial_splits = true;
-    ReinsertionOptimizer::default().run(&mut bvh2, 0.5, None);
+    ReinsertionOptimizer::default().run(&mut bvh2, REINSERTION_RATIO[usize::from(triangles.len() > LARGE_SCENE)], None);
     bvh2_to_cwbvh(&bvh2, 3, true, true)
 }
 
