@@ -7,11 +7,13 @@
 
 extern crate self as interreflect_shared;
 
+pub mod cone;
 pub mod record;
 pub mod scene;
 pub mod sh;
 pub mod smoke;
 pub mod trace;
+pub mod voxel;
 
 pub use record::{Field, FieldType, Record, Word};
 

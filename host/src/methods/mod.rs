@@ -7,6 +7,9 @@ pub mod settings;
 
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use crate::reference::{Receiver, ReferenceError};
+pub mod voxels;
+
+use crate::exec::{BufferId, ExecError, Executor};
 use crate::scene::Scene;
 use glam::Vec3;
 use interreflect_shared::scene::Surfel;

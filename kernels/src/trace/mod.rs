@@ -8,7 +8,7 @@
 
 pub mod bvh;
 #[cfg(not(target_arch = "spirv"))]
-mod case;
+pub(crate) mod case;
 pub mod compose;
 pub mod direct;
 pub mod gbuffer;

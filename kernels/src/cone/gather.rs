@@ -1,0 +1,173 @@
+//! Diffuse gathering: indirect irradiance by a set of cones.
+//!
+//! `cone_gather`: one invocation gathers for one surface point of a picture. `cone_bounce`: one invocation gathers for one
+//! side of one facet: light's next bounce among the voxels. Grid: receivers.
+//!
+//! Crassin et al. 2011, §7. Each cone's radiance counts with its exact share of the cosine (`set.rs`). Cones start above the
+//! surface, so that its own voxels do not hide everything else: what is nearer than that is missed, and at a wall's foot the
+//! wall is seen from a little higher. With a seed each receiver turns its set by a random angle: the error of few cones
+//! becomes noise that a filter or the eye averages.
+//!
+//! Pass before: mipmaps of the voxels' radiance. Pass after: the shading of a picture, or `voxel_radiate`.
+
+#[cfg(not(target_arch = "spirv"))]
+use super::case::cone_params;
+use super::march::{ConeMarch, trace_cone};
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::kernel::Rows;
+use crate::math::float::sin_cos;
+use crate::math::frame::Frame;
+use crate::math::rng::rand;
+#[cfg(not(target_arch = "spirv"))]
+use crate::voxel::case::CasePyramid;
+use crate::voxel::facet::facet_normal;
+use crate::voxel::grid::{Grid, grid_from_world};
+use crate::voxel::query::VoxelPyramid;
+use core::f32::consts::{PI, TAU};
+use glam::{UVec4, Vec3, Vec4};
+use interreflect_shared::cone::ConeParams;
+use interreflect_shared::scene::{NO_SURFACE, Surfel};
+use interreflect_shared::voxel::VoxelFacet;
+
+impl Grid for ConeParams {
+    #[inline(always)]
+    fn origin_size(&self) -> Vec4 {
+        self.origin_size
+    }
+    #[inline(always)]
+    fn dims_levels(&self) -> UVec4 {
+        self.dims_levels
+    }
+    #[inline(always)]
+    fn level(&self, level: u32) -> UVec4 {
+        self.levels[level as usize]
+    }
+    #[inline(always)]
+    fn direction_count(&self) -> u32 {
+        self.direction_count
+    }
+}
+
+/// Receivers.
+pub fn receivers(p: &ConeParams) -> Rows {
+    Rows::all(p.count)
+}
+
+/// Irradiance (W/m², w = 0) at a point with unit normals by the set of cones of `p`; `element` picks the set's rotation.
+#[inline(always)]
+pub fn diffuse_irradiance(
+    p: &ConeParams,
+    pyramid: &VoxelPyramid<'_>,
+    position: Vec3,
+    normal: Vec3,
+    geometric_normal: Vec3,
+    element: u32,
+) -> Vec4 {
+    let start = grid_from_world(p, position) + geometric_normal * p.offset;
+    let frame = Frame::new(normal);
+    let (sine, cosine) = if p.seed == 0 { (0.0, 1.0) } else { sin_cos(TAU * rand(p.seed, element, 0)) };
+    let tangent = frame.tangent * cosine + frame.bitangent * sine;
+    let bitangent = frame.bitangent * cosine - frame.tangent * sine;
+    let march = ConeMarch { spread: p.spread, step: p.step };
+    let mut sum = Vec3::ZERO;
+    for k in 0..p.cone_count {
+        let cone = p.cones[k as usize];
+        let direction = tangent * cone.x + bitangent * cone.y + normal * cone.z;
+        let found = trace_cone(p, pyramid, start, direction, &march);
+        sum += (found.truncate() + p.beyond.truncate() * found.w) * cone.w;
+    }
+    (sum * PI).extend(0.0)
+}
+
+/// Irradiance at surface point `i` of a picture; zero where there is no surface.
+pub fn gather(
+    i: u32,
+    p: &ConeParams,
+    cells: &[u32],
+    facet_bits: &[u32],
+    facets: &[VoxelFacet],
+    radiance: &[Vec4],
+    odd: &[Vec4],
+    even: &[Vec4],
+    surfels: &[Surfel],
+) -> Vec4 {
+    let surfel = surfels[i as usize];
+    if surfel.triangle == NO_SURFACE {
+        return Vec4::ZERO;
+    }
+    let pyramid = VoxelPyramid { cells, facet_bits, facets, radiance, odd, even };
+    diffuse_irradiance(
+        p,
+        &pyramid,
+        Vec3::from_array(surfel.position),
+        Vec3::from_array(surfel.normal),
+        Vec3::from_array(surfel.geometric_normal),
+        i,
+    )
+}
+
+/// Irradiance on side `i & 1` (0 front, 1 back) of facet `i / 2`.
+pub fn bounce(
+    i: u32,
+    p: &ConeParams,
+    cells: &[u32],
+    facet_bits: &[u32],
+    facets: &[VoxelFacet],
+    radiance: &[Vec4],
+    odd: &[Vec4],
+    even: &[Vec4],
+) -> Vec4 {
+    let facet = facets[(i / 2) as usize];
+    let front = facet_normal(&facet);
+    let normal = if i & 1 == 0 { front } else { -front };
+    let pyramid = VoxelPyramid { cells, facet_bits, facets, radiance, odd, even };
+    diffuse_irradiance(p, &pyramid, Vec3::from_array(facet.position), normal, normal, i)
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn gather_case(input: &mut CaseInput) -> Case {
+    let pyramid = CasePyramid::lit(input);
+    let surfels: alloc::vec::Vec<Surfel> = (0..input.count).map(|_| super::case::surfel(input, &pyramid)).collect();
+    let params = ConeParams { count: input.count as u32, ..cone_params(input, &pyramid.params) };
+    pyramid.bind(Case::default().uniform(&params)).read(&surfels).zeroed::<Vec4>(input.count)
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn bounce_case(input: &mut CaseInput) -> Case {
+    let pyramid = CasePyramid::lit(input);
+    let count = pyramid.radiance.len();
+    let params = ConeParams { count: count as u32, ..cone_params(input, &pyramid.params) };
+    pyramid.bind(Case::default().uniform(&params)).zeroed::<Vec4>(count)
+}
+
+kernel! {
+    /// Surface points to indirect irradiance.
+    mod cone_gather = super::gather; entry "cone_gather" threads(64);
+    uniform 0 params: ConeParams;
+    read 1 cells: u32;
+    read 2 facet_bits: u32;
+    read 3 facets: VoxelFacet;
+    read 4 radiance: Vec4;
+    read 5 odd: Vec4;
+    read 6 even: Vec4;
+    read 7 surfels: Surfel;
+    write 8 out: Vec4;
+    over super::receivers;
+    case super::gather_case; tolerance Tolerance::RelAbs(1e-3, 1e-6), "hundreds of samples whose positions differ in the last place; whether a sample of vanishing coverage ends a surface may differ";
+}
+
+kernel! {
+    /// Facets to the irradiance of light's next bounce.
+    mod cone_bounce = super::bounce; entry "cone_bounce" threads(64);
+    uniform 0 params: ConeParams;
+    read 1 cells: u32;
+    read 2 facet_bits: u32;
+    read 3 facets: VoxelFacet;
+    read 4 radiance: Vec4;
+    read 5 odd: Vec4;
+    read 6 even: Vec4;
+    write 7 out: Vec4;
+    over super::receivers;
+    case super::bounce_case; tolerance Tolerance::RelAbs(1e-3, 1e-6), "hundreds of samples whose positions differ in the last place; whether a sample of vanishing coverage ends a surface may differ";
+}

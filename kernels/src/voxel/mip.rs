@@ -1,0 +1,176 @@
+//! Radiance and coverage of levels ≥ 1, in one or six directions.
+//!
+//! One invocation computes one stored direction of one record. `voxel_mip_base` makes level 1 from facets, `voxel_mip` a
+//! level from the level below. A record's value in a direction is what a viewer who looks along it sees: radiance times
+//! coverage (premultiplied), and coverage: the share of a voxel's face that is hidden.
+//!
+//! Crassin et al. 2011 (§4, anisotropic voxels): over each pair of voxels along the direction front to back, then the mean
+//! of the four pairs. Deviation: where a pair's coverages add up to no more than 1 they are taken as pieces side by side,
+//! not as random ones (the "disjoint over" of Porter & Duff 1984 instead of "over"): a wall that crosses from one voxel
+//! into the next stays opaque, α + (1 − α) = 1, where the usual operator leaves α(1 − α) ≤ ¼ of it open on every level
+//! anew. For coverages 0 and 1 the two are the same.
+//!
+//! With one direction (isotropic, Crassin & Green 2012) the coverage of eight voxels is their sum over four, as if half of
+//! them lay behind the others; cheaper by six, and light leaks through thin walls, because lit and dark sides are averaged.
+//!
+//! Pass before: `light.rs` (level 1), the level below (others). Pass after: cones.
+
+#[cfg(not(target_arch = "spirv"))]
+use super::case::CasePyramid;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
+use super::cells::pass_rows;
+use super::facet::facet_index;
+use super::grid::below;
+use super::view::{facets_seen, facets_seen_from_everywhere, facet_total};
+use crate::math::float::{max, min};
+use glam::{Vec3, Vec4};
+use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
+
+/// Two voxels one behind the other; each premultiplied radiance and coverage up to 1.
+#[inline(always)]
+pub fn over(front: Vec4, back: Vec4) -> Vec4 {
+    let free = 1.0 - front.w;
+    if back.w <= free { front + back } else { front + back * (free / back.w) }
+}
+
+/// Eight voxels seen along one axis, `reversed` against it; bit `axis` of an index is the place along the axis.
+#[inline(always)]
+fn seen_along(axis: u32, reversed: bool, v: &[Vec4; 8]) -> Vec4 {
+    let (along, u, w) = (1 << axis, if axis == 0 { 2 } else { 1 }, if axis == 2 { 2 } else { 4 });
+    let (front, back) = if reversed { (along, 0) } else { (0, along) };
+    let sum = over(v[front], v[back])
+        + over(v[u + front], v[u + back])
+        + over(v[w + front], v[w + back])
+        + over(v[u + w + front], v[u + w + back]);
+    sum * 0.25
+}
+
+/// Eight voxels seen from everywhere: their sum over four, cut at full coverage.
+#[inline(always)]
+fn seen_from_everywhere(v: &[Vec4; 8]) -> Vec4 {
+    let sum = (((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]))) * 0.25;
+    if sum.w > 1.0 { sum / sum.w } else { sum }
+}
+
+#[inline(always)]
+fn combine(p: &VoxelParams, direction: u32, v: &[Vec4; 8]) -> Vec4 {
+    if p.direction_count == 1 { seen_from_everywhere(v) } else { seen_along(direction >> 1, direction & 1 == 1, v) }
+}
+
+/// Value `p.first + i` of the levels ≥ 1 of one parity, from the level below: record by record, direction by direction
+/// (+x, −x, +y, −y, +z, −z: the way the viewer looks). `children`: what [`super::cells::children`] made; `finer`: values of
+/// the other parity.
+pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> Vec4 {
+    let element = p.first + i;
+    let record = element / p.direction_count;
+    let direction = element - record * p.direction_count;
+    let child = children[record as usize];
+    let cell = 2 * (child >> 2) as usize;
+    let byte = child & 3;
+    let word = cells[cell];
+    let bits = word >> (8 * byte);
+    let mut next = cells[cell + 1] + (word & below(8 * byte)).count_ones();
+    let mut v = [Vec4::ZERO; 8];
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
+        if bits >> K & 1 == 1 {
+            v[K] = finer[(next * p.direction_count + direction) as usize];
+            next += 1;
+        }
+    });
+    combine(p, direction, &v)
+}
+
+/// Value `i` of level 1, from facets. `radiance`: two per facet, front and back.
+#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+pub fn mip_base(
+    i: u32,
+    p: &VoxelParams,
+    cells: &[u32],
+    facet_bits: &[u32],
+    facets: &[VoxelFacet],
+    radiance: &[Vec4],
+    children: &[u32],
+) -> Vec4 {
+    let record = i / p.direction_count;
+    let direction = i - record * p.direction_count;
+    let child = children[record as usize];
+    let cell = child >> 2;
+    let first_bit = 8 * (child & 3);
+    let bits = cells[(2 * cell) as usize] >> first_bit;
+    let mut next = facet_index(cells, facet_bits, cell, first_bit, 0);
+    let sign = if direction & 1 == 1 { -1.0 } else { 1.0 };
+    let axis = direction >> 1;
+    let looking = Vec3::new(
+        if axis == 0 { sign } else { 0.0 },
+        if axis == 1 { sign } else { 0.0 },
+        if axis == 2 { sign } else { 0.0 },
+    );
+    let mut v = [Vec4::ZERO; 8];
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
+        if bits >> K & 1 == 1 {
+            let count = facet_total(facet_bits, cell, first_bit + K as u32);
+            let seen = if p.direction_count == 1 {
+                facets_seen_from_everywhere(next, count, facets, radiance)
+            } else {
+                facets_seen(next, count, looking, facets, radiance)
+            };
+            v[K] = seen * (1.0 / max(seen.w, 1.0));
+            v[K].w = min(v[K].w, 1.0);
+            next += count;
+        }
+    });
+    combine(p, direction, &v)
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn mip_case(input: &mut CaseInput) -> Case {
+    let pyramid = CasePyramid::lit(input);
+    let level = 2 + input.bits() % (pyramid.params.dims_levels.w - 2);
+    let params = pyramid.record_pass(level);
+    let (children, finer, out) = if level & 1 == 1 {
+        (&pyramid.odd_children, &pyramid.even_mips, &pyramid.odd_mips)
+    } else {
+        (&pyramid.even_children, &pyramid.odd_mips, &pyramid.even_mips)
+    };
+    Case::default().uniform(&params).read(&pyramid.cells).read(children).read(finer).zeroed::<Vec4>(out.len())
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn mip_base_case(input: &mut CaseInput) -> Case {
+    let pyramid = CasePyramid::lit(input);
+    Case::default()
+        .uniform(&pyramid.record_pass(1))
+        .read(&pyramid.cells)
+        .read(&pyramid.facet_bits)
+        .read(&pyramid.facets)
+        .read(&pyramid.radiance)
+        .read(&pyramid.odd_children)
+        .zeroed::<Vec4>(pyramid.odd_mips.len())
+}
+
+kernel! {
+    /// A level of radiance and coverage from the level below.
+    mod voxel_mip = super::mip; entry "voxel_mip" threads(64);
+    uniform 0 params: VoxelParams;
+    read 1 cells: u32;
+    read 2 children: u32;
+    read 3 finer: Vec4;
+    write 4 out: Vec4;
+    over super::pass_rows;
+    case super::mip_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "a division and four products of positive numbers; fused on some devices";
+}
+
+kernel! {
+    /// Level 1 of radiance and coverage from facets.
+    mod voxel_mip_base = super::mip_base; entry "voxel_mip_base" threads(64);
+    uniform 0 params: VoxelParams;
+    read 1 cells: u32;
+    read 2 facet_bits: u32;
+    read 3 facets: VoxelFacet;
+    read 4 radiance: Vec4;
+    read 5 children: u32;
+    write 6 out: Vec4;
+    over super::pass_rows;
+    case super::mip_base_case; tolerance Tolerance::RelAbs(1e-4, 1e-35), "back faces show by a difference of coverages, which cancels";
+}

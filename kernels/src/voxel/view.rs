@@ -1,0 +1,50 @@
+//! What a viewer sees of one voxel's facets.
+
+use crate::math::float::max;
+use crate::math::vector::length;
+use glam::{Vec3, Vec4};
+use interreflect_shared::voxel::{FACET_KINDS, VoxelFacet};
+
+/// Number of facets of a voxel of level 0.
+#[inline(always)]
+pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
+    let first = (cell * FACET_KINDS) as usize;
+    (facet_bits[first] >> bit & 1)
+        + (facet_bits[first + 1] >> bit & 1)
+        + (facet_bits[first + 2] >> bit & 1)
+        + (facet_bits[first + 3] >> bit & 1)
+        + (facet_bits[first + 4] >> bit & 1)
+        + (facet_bits[first + 5] >> bit & 1)
+}
+
+/// Facets `first ..` of one voxel, looked at along a unit direction: radiance times coverage, and coverage, the facets'
+/// projected area in voxel faces (not cut at 1: it is also the coverage per voxel's length of a beam's way).
+///
+/// Fronts and backs that the viewer sees hide each other: the larger of the two sums covers, fronts first. A facet seen
+/// from behind whose wall has its other sheet in the same voxel adds nothing; a single sheet shows its back.
+#[inline(always)]
+pub fn facets_seen(first: u32, count: u32, looking: Vec3, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
+    let (mut front, mut back) = (Vec4::ZERO, Vec4::ZERO);
+    for facet in first..first + count {
+        let towards = -looking.dot(Vec3::from_array(facets[facet as usize].normal));
+        if towards > 0.0 {
+            front += radiance[(2 * facet) as usize].truncate().extend(1.0) * towards;
+        } else {
+            back -= radiance[(2 * facet + 1) as usize].truncate().extend(1.0) * towards;
+        }
+    }
+    if back.w > front.w { front + back * ((back.w - front.w) / back.w) } else { front }
+}
+
+/// Facets `first ..` of one voxel without regard to direction: the brighter side of each stands for both, and its whole
+/// area covers.
+#[inline(always)]
+pub fn facets_seen_from_everywhere(first: u32, count: u32, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
+    let mut sum = Vec4::ZERO;
+    for facet in first..first + count {
+        let (a, b) = (radiance[(2 * facet) as usize], radiance[(2 * facet + 1) as usize]);
+        let brighter = Vec4::new(max(a.x, b.x), max(a.y, b.y), max(a.z, b.z), 1.0);
+        sum += brighter * length(Vec3::from_array(facets[facet as usize].normal));
+    }
+    sum
+}
