@@ -36,7 +36,8 @@ crate::record! {
         pub step: f32,
         /// Start of cones above the surface, in voxels. Less sees more of corners, and more of the surface itself.
         pub offset: f32,
-        /// Zero.
-        pub _pad: f32,
+        /// Size of the voxels read, at most, per height above the surface: larger voxels would hold the surface itself, which
+        /// would hide what low cones see. ⅔ keeps all of a voxel and its filter above the surface in the worst case.
+        pub clearance: f32,
     }
 }

@@ -4,12 +4,11 @@ pub mod ambient;
 pub mod direct;
 pub mod reference;
 pub mod settings;
+pub mod vct;
+pub mod voxels;
 
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use crate::reference::{Receiver, ReferenceError};
-pub mod voxels;
-
-use crate::exec::{BufferId, ExecError, Executor};
 use crate::scene::Scene;
 use glam::Vec3;
 use interreflect_shared::scene::Surfel;
@@ -209,7 +208,7 @@ pub struct MethodRow {
 }
 
 /// Every method.
-pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW];
+pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW, vct::ROW];
 
 /// The method of a name.
 ///

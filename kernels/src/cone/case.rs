@@ -25,7 +25,7 @@ pub fn cone_params(input: &mut CaseInput, p: &VoxelParams) -> ConeParams {
         spread: half_angle_tangent(6),
         step: 1.0,
         offset: 1.0,
-        _pad: 0.0,
+        clearance: 0.5,
     }
 }
 

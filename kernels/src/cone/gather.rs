@@ -69,11 +69,16 @@ pub fn diffuse_irradiance(
     let (sine, cosine) = if p.seed == 0 { (0.0, 1.0) } else { sin_cos(TAU * rand(p.seed, element, 0)) };
     let tangent = frame.tangent * cosine + frame.bitangent * sine;
     let bitangent = frame.bitangent * cosine - frame.tangent * sine;
-    let march = ConeMarch { spread: p.spread, step: p.step };
     let mut sum = Vec3::ZERO;
     for k in 0..p.cone_count {
         let cone = p.cones[k as usize];
         let direction = tangent * cone.x + bitangent * cone.y + normal * cone.z;
+        let march = ConeMarch {
+            spread: p.spread,
+            clear: p.clearance * p.offset,
+            clear_slope: p.clearance * cone.z,
+            step: p.step,
+        };
         let found = trace_cone(p, pyramid, start, direction, &march);
         sum += (found.truncate() + p.beyond.truncate() * found.w) * cone.w;
     }

@@ -11,6 +11,7 @@ use super::case::cone_params;
 use super::march::{ConeMarch, trace_cone};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::math::float::max;
 use crate::math::vector::{normalize, reflect};
 #[cfg(not(target_arch = "spirv"))]
 use crate::voxel::case::CasePyramid;
@@ -43,7 +44,13 @@ pub fn glossy(
     let wo = normalize(p.camera.truncate() - position);
     let wi = reflect(wo, Vec3::from_array(surfel.normal));
     let start = grid_from_world(p, position) + Vec3::from_array(surfel.geometric_normal) * p.offset;
-    let found = trace_cone(p, &pyramid, start, wi, &ConeMarch { spread: 2.0 * p.camera.w, step: p.step });
+    let march = ConeMarch {
+        spread: 2.0 * p.camera.w,
+        clear: p.clearance * p.offset,
+        clear_slope: p.clearance * max(wi.dot(Vec3::from_array(surfel.geometric_normal)), 0.0),
+        step: p.step,
+    };
+    let found = trace_cone(p, &pyramid, start, wi, &march);
     (found.truncate() + p.beyond.truncate() * found.w).extend(found.w)
 }
 

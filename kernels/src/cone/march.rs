@@ -20,8 +20,21 @@ use glam::{Vec3, Vec4};
 pub struct ConeMarch {
     /// Size of the voxels read, per distance.
     pub spread: f32,
+    /// Size of the voxels read, at most, at the start, in voxels of level 0.
+    pub clear: f32,
+    /// Growth of that bound per distance.
+    pub clear_slope: f32,
     /// Step in voxels of that size.
     pub step: f32,
+}
+
+impl ConeMarch {
+    /// Size of the voxels to read at a distance: the cone's width, but no more than the height above the surface that the
+    /// cone leaves allows.
+    #[inline(always)]
+    fn size(&self, t: f32) -> f32 {
+        max(min(self.spread * t, self.clear + self.clear_slope * t), 1.0)
+    }
 }
 
 /// Transmittance below which a cone has seen enough.
@@ -39,7 +52,10 @@ pub fn trace_cone<G: Grid>(
     march: &ConeMarch,
 ) -> Vec4 {
     let d = grid.dims_levels();
-    let end = exit(origin, direction, Vec3::new(d.x as f32, d.y as f32, d.z as f32));
+    let size = Vec3::new(d.x as f32, d.y as f32, d.z as f32);
+    // A surface near the grid's side reaches as far out as half a voxel and a voxel's filter of the size read there.
+    let margin = Vec3::splat(1.5 * march.size(exit(origin, direction, size)));
+    let end = exit(origin + margin, direction, size + margin * 2.0);
     let mut radiance = Vec3::ZERO;
     // Transmittance up to the surface being crossed, and how much of the beam that surface has covered.
     let (mut reaching, mut covered) = (1.0, 0.0);
@@ -48,9 +64,9 @@ pub fn trace_cone<G: Grid>(
         if t >= end || reaching * (1.0 - covered) < OPAQUE {
             break;
         }
-        let length = march.step * max(march.spread * t, 1.0);
+        let length = march.step * march.size(t);
         let middle = t + 0.5 * length;
-        let seen = pyramid.sample(grid, origin + direction * middle, max(march.spread * middle, 1.0), direction);
+        let seen = pyramid.sample(grid, origin + direction * middle, march.size(middle), direction);
         let coverage = seen.w * length;
         if coverage > 0.0 {
             let fresh = min(coverage, 1.0 - covered);

@@ -28,7 +28,16 @@ pub fn touches(a: Vec3, b: Vec3, c: Vec3) -> bool {
     if edge_separates(ab, a, c) || edge_separates(bc, b, a) || edge_separates(ca, c, b) {
         return false;
     }
-    let n = ab.cross(bc);
+    // The two shorter edges: their cross product rounds least.
+    let (dab, dbc, dca) = (sum_abs(ab), sum_abs(bc), sum_abs(ca));
+    let (first, second) = if dab >= dbc && dab >= dca {
+        (bc, ca)
+    } else if dbc >= dca {
+        (ca, ab)
+    } else {
+        (ab, bc)
+    };
+    let n = first.cross(second);
     let reach = 0.5 * (abs(n.x) + abs(n.y) + abs(n.z));
     let (la, lb, lc) = (sum_abs(a), sum_abs(b), sum_abs(c));
     // The corner nearest to the cube rounds least.
@@ -39,7 +48,7 @@ pub fn touches(a: Vec3, b: Vec3, c: Vec3) -> bool {
     } else {
         c
     };
-    let margin = PLANE_ROUNDING * min(min(la, lb), lc) * sum_abs(ab) * sum_abs(bc);
+    let margin = PLANE_ROUNDING * min(min(la, lb), lc) * sum_abs(first) * sum_abs(second);
     abs(n.dot(nearest)) <= reach + margin
 }
 

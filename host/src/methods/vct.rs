@@ -1,0 +1,317 @@
+//! Voxel cone tracing on a full grid: light on voxels, directional mipmaps, a few cones per pixel.
+//!
+//! Crassin, Neyret, Sainz, Green & Eisemann 2011; thesis on voxel techniques, §4.2. Kernels and deviations:
+//! `interreflect_kernels::{voxel, cone}`. Order: voxelize (geometry changed); inject, radiate, mipmap, and for each further
+//! bounce cones between voxels, radiate, mipmap (lights changed); cones per pixel (every frame).
+
+use super::settings::parse;
+use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
+use super::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock};
+use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
+use glam::Vec4;
+use interreflect_kernels::cone::gather::{cone_bounce, cone_gather};
+use interreflect_kernels::cone::set::{CONE_COUNTS, diffuse_cones, half_angle_tangent};
+use interreflect_shared::cone::ConeParams;
+use serde_json::json;
+
+const NAME: &str = "vct";
+
+/// Row of the methods table.
+pub const ROW: MethodRow = MethodRow {
+    name: NAME,
+    control: false,
+    summary: "Voxel cone tracing on a full grid, with six-direction mipmaps and light's further bounces.",
+    good_when: "Rooms and courtyards lit by large surfaces; moving lights; soft occlusion.",
+    fails_when: "Walls thinner than a voxel, small bright secondary sources, contact shadows.",
+    settings: &[
+        Setting {
+            key: "resolution",
+            default: "128",
+            allowed: "a whole number from 16 to 512",
+            help: "Voxels along the longest side. Higher: finer occlusion, less leaking; memory and injection grow with \
+                   the square, cones with the logarithm.",
+        },
+        Setting {
+            key: "mipmaps",
+            default: "anisotropic",
+            allowed: "anisotropic or isotropic",
+            help: "Directions stored in the coarser levels: six keep the lit and the dark side of walls apart; one takes a \
+                   sixth of the memory and leaks.",
+        },
+        Setting {
+            key: "cones",
+            default: "16",
+            allowed: "5, 6, 9 or 16",
+            help: "Cones per pixel. More: finer directions, time in proportion.",
+        },
+        Setting {
+            key: "bounces",
+            default: "2",
+            allowed: "a whole number from 1 to 64",
+            help: "Reflections that light may make before it reaches a pixel. Each after the first takes a pass of cones \
+                   over all voxels when lights change.",
+        },
+        Setting {
+            key: "bounce_cones",
+            default: "6",
+            allowed: "5, 6, 9 or 16",
+            help: "Cones per voxel side for further bounces.",
+        },
+        Setting {
+            key: "aperture",
+            default: "0.5",
+            allowed: "a number from 0.05 to 2",
+            help: "Size of the voxels that a cone reads, in widths of the cone. Lower: less of a surface's own voxels, more \
+                   steps; higher: smoother and faster.",
+        },
+        Setting {
+            key: "step",
+            default: "1",
+            allowed: "a number from 0.1 to 4",
+            help: "Steps along a cone, in voxels of the size read. Higher is faster and may jump thin walls.",
+        },
+        Setting {
+            key: "offset",
+            default: "1",
+            allowed: "a number from 0 to 4",
+            help: "Start of cones above the surface, in voxels. Lower sees more of corners, and more of the surface itself.",
+        },
+        Setting {
+            key: "clearance",
+            default: "0.5",
+            allowed: "a number from 0.05 to 10",
+            help: "Size of the voxels that a cone reads, at most, in heights above the surface it leaves. Higher: faster, and \
+                   flat cones are darkened by their own surface.",
+        },
+        Setting {
+            key: "rotate",
+            default: "1",
+            allowed: "0 or 1",
+            help: "1 turns each pixel's cones by a random angle: noise instead of bands.",
+        },
+        Setting {
+            key: "light_samples",
+            default: "8",
+            allowed: "a whole number from 1 to 1024",
+            help: "Shadow rays per voxel and emissive triangle. More: less noise in penumbrae.",
+        },
+        Setting {
+            key: "environment_samples",
+            default: "32",
+            allowed: "a whole number from 0 to 4096",
+            help: "Rays per voxel to the environment. More: less noise where the sky is partly hidden.",
+        },
+        Setting {
+            key: "memory_limit_mb",
+            default: "2048",
+            allowed: "a whole number from 1 to 1048576",
+            help: "Memory that the method may take, in MiB; more is refused with a message.",
+        },
+    ],
+    ladder: &[
+        ("32, 5 cones", &[("resolution", "32"), ("cones", "5"), ("bounce_cones", "5"), ("aperture", "1")]),
+        ("64, 6 cones", &[("resolution", "64"), ("cones", "6"), ("bounce_cones", "5")]),
+        ("128, 9 cones", &[("resolution", "128"), ("cones", "9")]),
+        ("128, 16 cones", &[("resolution", "128"), ("cones", "16")]),
+        ("256, 16 cones, 3 bounces", &[("resolution", "256"), ("cones", "16"), ("bounces", "3")]),
+    ],
+    new: |settings| Ok(Box::new(Vct { options: Options::parse(settings)?, state: None })),
+};
+
+/// Checked settings.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Options {
+    resolution: u32,
+    anisotropic: bool,
+    cones: u32,
+    bounces: u32,
+    bounce_cones: u32,
+    aperture: f32,
+    step: f32,
+    offset: f32,
+    clearance: f32,
+    rotate: bool,
+    light_samples: u32,
+    environment_samples: u32,
+    memory_limit_bytes: u64,
+}
+
+impl Options {
+    fn parse(settings: &Settings) -> Result<Self, MethodError> {
+        let cones = |n: &u32| CONE_COUNTS.contains(n);
+        Ok(Self {
+            resolution: parse(&ROW, settings, "resolution", |n| (16..=512).contains(n))?,
+            anisotropic: parse(&ROW, settings, "mipmaps", |m: &String| m == "anisotropic" || m == "isotropic")? == "anisotropic",
+            cones: parse(&ROW, settings, "cones", cones)?,
+            bounces: parse(&ROW, settings, "bounces", |n| (1..=64).contains(n))?,
+            bounce_cones: parse(&ROW, settings, "bounce_cones", cones)?,
+            aperture: parse(&ROW, settings, "aperture", |x| (0.05..=2.0).contains(x))?,
+            step: parse(&ROW, settings, "step", |x| (0.1..=4.0).contains(x))?,
+            offset: parse(&ROW, settings, "offset", |x| (0.0..=4.0).contains(x))?,
+            clearance: parse(&ROW, settings, "clearance", |x| (0.05..=10.0).contains(x))?,
+            rotate: parse(&ROW, settings, "rotate", |n: &u32| *n <= 1)? == 1,
+            light_samples: parse(&ROW, settings, "light_samples", |n| (1..=1024).contains(n))?,
+            environment_samples: parse(&ROW, settings, "environment_samples", |n| *n <= 4096)?,
+            memory_limit_bytes: parse(&ROW, settings, "memory_limit_mb", |n: &u64| (1..=1 << 20).contains(n))? << 20,
+        })
+    }
+}
+
+struct Vct {
+    options: Options,
+    state: Option<State>,
+}
+
+/// What [`Method::precompute`] makes.
+struct State {
+    voxels: VoxelScene,
+    gather: ConeParams,
+    gather_uniform: BufferId,
+    bounce: ConeParams,
+    bounce_uniform: BufferId,
+}
+
+impl State {
+    fn pyramid(&self) -> [BufferId; 6] {
+        let v = &self.voxels;
+        [v.cells, v.facet_bits, v.facets, v.radiance, v.odd, v.even]
+    }
+}
+
+impl Vct {
+    fn cone_params(&self, voxels: &VoxelScene, cones: u32) -> ConeParams {
+        let o = &self.options;
+        ConeParams {
+            origin_size: voxels.params.origin_size,
+            dims_levels: voxels.params.dims_levels,
+            levels: voxels.params.levels,
+            cones: diffuse_cones(cones),
+            beyond: Vec4::ZERO,
+            camera: Vec4::ZERO,
+            cone_count: cones,
+            direction_count: voxels.params.direction_count,
+            count: 2 * voxels.params.facet_count,
+            seed: 0,
+            spread: 2.0 * half_angle_tangent(cones) * o.aperture,
+            step: o.step,
+            offset: o.offset,
+            clearance: o.clearance,
+        }
+    }
+
+    /// A seed that is not 0, which would leave the cones unturned.
+    fn rotation(&self, seed: u32) -> u32 {
+        if self.options.rotate { seed | 1 << 31 } else { 0 }
+    }
+
+    fn state(&mut self) -> Result<&mut State, MethodError> {
+        self.state.as_mut().ok_or_else(|| {
+            MethodError::Exec(ExecError::Binding {
+                kernel: "cone_gather",
+                binding: "cells",
+                expected: "a voxelized scene: call precompute first".into(),
+                got: "none".into(),
+            })
+        })
+    }
+}
+
+impl Method for Vct {
+    fn precompute(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let o = self.options;
+        let emission_max = input.scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max);
+        let options = VoxelOptions {
+            method: NAME,
+            anisotropic: o.anisotropic,
+            limit_bytes: o.memory_limit_bytes,
+            emission_max,
+        };
+        let grid = VoxelGrid::around(input.scene.bounds(), o.resolution);
+        let voxels = VoxelScene::build(exec, input.buffers, &grid, &options, clock)?;
+        let gather = self.cone_params(&voxels, o.cones);
+        let bounce = self.cone_params(&voxels, o.bounce_cones);
+        let gather_uniform = exec.upload_one("cone parameters", &gather)?;
+        let bounce_uniform = exec.upload_one("bounce parameters", &bounce)?;
+        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform });
+        Ok(())
+    }
+
+    fn light_change(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let o = self.options;
+        let rotation = self.rotation(input.seed);
+        let state = self.state()?;
+        clock.stage(exec, "inject", |exec| {
+            state.voxels.inject(exec, input, o.light_samples, o.environment_samples)?;
+            state.voxels.radiate(exec)
+        })?;
+        clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
+        for bounce in 2..=o.bounces {
+            // Every bounce turns the cones anew, so that their errors do not add up.
+            let params = ConeParams { seed: rotation.wrapping_mul(bounce), ..state.bounce };
+            exec.write(state.bounce_uniform, bytemuck::bytes_of(&params))?;
+            clock.stage(exec, &format!("bounce {bounce}"), |exec| {
+                let [a, b, c, d, e, f] = state.pyramid();
+                exec.run(&cone_bounce::KERNEL, &[state.bounce_uniform, a, b, c, d, e, f, state.voxels.bounced])?;
+                state.voxels.radiate(exec)
+            })?;
+            clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
+        }
+        Ok(())
+    }
+
+    fn frame(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        gbuffer: BufferId,
+        irradiance: BufferId,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let seed = self.rotation(input.seed);
+        let state = self.state()?;
+        let count = (exec.size_bytes(irradiance) / size_of::<Vec4>() as u64) as u32;
+        exec.write(state.gather_uniform, bytemuck::bytes_of(&ConeParams { count, seed, ..state.gather }))?;
+        clock.stage(exec, "cones", |exec| {
+            let [a, b, c, d, e, f] = state.pyramid();
+            Ok(exec.run(&cone_gather::KERNEL, &[state.gather_uniform, a, b, c, d, e, f, gbuffer, irradiance])?)
+        })
+    }
+
+    fn needs(&self) -> serde_json::Value {
+        let Some(state) = &self.state else { return serde_json::Value::Null };
+        let mut needs = state.voxels.needs();
+        needs["bounces"] = json!(self.options.bounces);
+        needs["cone_half_angle_rad"] = json!(half_angle_tangent(self.options.cones).atan());
+        needs
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_checked() {
+        assert!(Options::parse(&Settings::new()).is_ok());
+        for (key, value) in [("resolution", "8"), ("cones", "7"), ("mipmaps", "trilinear"), ("step", "NaN")] {
+            let settings = Settings::from([(key.to_string(), value.to_string())]);
+            let error = Options::parse(&settings).unwrap_err().to_string();
+            assert!(error.contains(key) && error.contains(value), "{error}");
+        }
+        for (_, changes) in ROW.ladder {
+            let settings: Settings = changes.iter().map(|(k, v)| (k.to_string(), v.to_string())).collect();
+            assert!(Options::parse(&settings).is_ok());
+            assert!(changes.iter().all(|(k, _)| ROW.settings.iter().any(|s| s.key == *k)));
+        }
+    }
+}
