@@ -79,7 +79,10 @@ fn compare_with_oracle(params: &VoxelParams, triangle: Corners, epsilon: f64) ->
                 let gap = separation(corners, DVec3::new(x.into(), y.into(), z.into()) + 0.5);
                 let is = got.contains(&[x, y, z]);
                 // Axes are normalized in the oracle: what touches exactly is off by its rounding.
-                if (is && gap > epsilon.max(1e-12)) || (!is && gap <= -epsilon.max(1e-12)) || (!is && epsilon == 0.0 && gap <= 0.0) {
+                if (is && gap > epsilon.max(1e-12))
+                    || (!is && gap <= -epsilon.max(1e-12))
+                    || (!is && epsilon == 0.0 && gap <= 0.0)
+                {
                     return Err(format!("voxel ({x}, {y}, {z}) {is}, separation {gap:e}, triangle {corners:?}"));
                 }
             }
@@ -204,11 +207,8 @@ type Mesh = Vec<(Corners, [f32; 3])>;
 
 /// Buffers of bare triangles with a material each; no BVH, no lights.
 fn buffers(exec: &mut dyn Executor, mesh: &Mesh) -> SceneBuffers {
-    let triangles: Vec<SceneTriangle> = mesh
-        .iter()
-        .enumerate()
-        .map(|(k, (c, _))| SceneTriangle { material: k as u32, ..scene_triangle(*c) })
-        .collect();
+    let triangles: Vec<SceneTriangle> =
+        mesh.iter().enumerate().map(|(k, (c, _))| SceneTriangle { material: k as u32, ..scene_triangle(*c) }).collect();
     let attributes = vec![TriangleAttributes { uv: [0.0; 6], normals: [0; 3], _pad: [0; 3] }; mesh.len()];
     let mut surfaces = vec![0u32; SRGB_TABLE_WORDS as usize];
     for (_, albedo) in mesh {

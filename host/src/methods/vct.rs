@@ -141,7 +141,8 @@ impl Options {
         let cones = |n: &u32| CONE_COUNTS.contains(n);
         Ok(Self {
             resolution: parse(&ROW, settings, "resolution", |n| (16..=512).contains(n))?,
-            anisotropic: parse(&ROW, settings, "mipmaps", |m: &String| m == "anisotropic" || m == "isotropic")? == "anisotropic",
+            anisotropic: parse(&ROW, settings, "mipmaps", |m: &String| m == "anisotropic" || m == "isotropic")?
+                == "anisotropic",
             cones: parse(&ROW, settings, "cones", cones)?,
             bounces: parse(&ROW, settings, "bounces", |n| (1..=64).contains(n))?,
             bounce_cones: parse(&ROW, settings, "bounce_cones", cones)?,
@@ -225,12 +226,8 @@ impl Method for Vct {
     ) -> Result<(), MethodError> {
         let o = self.options;
         let emission_max = input.scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max);
-        let options = VoxelOptions {
-            method: NAME,
-            anisotropic: o.anisotropic,
-            limit_bytes: o.memory_limit_bytes,
-            emission_max,
-        };
+        let options =
+            VoxelOptions { method: NAME, anisotropic: o.anisotropic, limit_bytes: o.memory_limit_bytes, emission_max };
         let grid = VoxelGrid::around(input.scene.bounds(), o.resolution);
         let voxels = VoxelScene::build(exec, input.buffers, &grid, &options, clock)?;
         let gather = self.cone_params(&voxels, o.cones);

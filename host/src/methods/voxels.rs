@@ -8,7 +8,9 @@ use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use crate::scene::device::SceneBuffers;
 use glam::{UVec3, UVec4, Vec3, Vec4};
 use interreflect_kernels::voxel::{cells, facet, grid, light, mark, mip, scan};
-use interreflect_shared::voxel::{AREA_SCALE, FACET_KINDS, FACET_WORDS, SCAN_RADIX, ScanParams, VoxelFacet, VoxelParams};
+use interreflect_shared::voxel::{
+    AREA_SCALE, FACET_KINDS, FACET_WORDS, SCAN_RADIX, ScanParams, VoxelFacet, VoxelParams,
+};
 use serde_json::json;
 
 /// Largest storage buffer that every device allows: WebGPU's default limit.
@@ -155,14 +157,18 @@ impl VoxelScene {
         let odd_children = exec.zeroed_slice::<u32>("voxel odd children", odd_records)?;
         let even_children = exec.zeroed_slice::<u32>("voxel even children", even_records)?;
         clock.stage(exec, "voxel children", |exec| {
-            once(exec, &cells::voxel_children::KERNEL, &VoxelParams { level: 1, ..params }, &[
-                occupancy.cells,
-                odd_children,
-            ])?;
-            once(exec, &cells::voxel_children::KERNEL, &VoxelParams { level: 2, ..params }, &[
-                occupancy.cells,
-                even_children,
-            ])
+            once(
+                exec,
+                &cells::voxel_children::KERNEL,
+                &VoxelParams { level: 1, ..params },
+                &[occupancy.cells, odd_children],
+            )?;
+            once(
+                exec,
+                &cells::voxel_children::KERNEL,
+                &VoxelParams { level: 2, ..params },
+                &[occupancy.cells, even_children],
+            )
         })?;
         let level_passes = record_passes(exec, &params, occupancy)?;
         Ok(Self {
@@ -201,7 +207,8 @@ impl VoxelScene {
         self.params.environment = environment.extend(0.0);
         self.params.light = UVec4::new(b.light_count, light_samples, environment_samples, input.seed);
         exec.write(self.uniform, bytemuck::bytes_of(&self.params))?;
-        let buffers = [self.uniform, b.nodes, b.triangles, b.attributes, b.surfaces, b.lights, self.facets, self.direct];
+        let buffers =
+            [self.uniform, b.nodes, b.triangles, b.attributes, b.surfaces, b.lights, self.facets, self.direct];
         exec.run(&light::voxel_inject::KERNEL, &buffers)?;
         exec.clear(self.bounced)
     }
@@ -211,10 +218,7 @@ impl VoxelScene {
     /// # Errors
     /// What the executor returns.
     pub fn radiate(&self, exec: &mut dyn Executor) -> Result<(), ExecError> {
-        exec.run(
-            &light::voxel_radiate::KERNEL,
-            &[self.uniform, self.facets, self.direct, self.bounced, self.radiance],
-        )
+        exec.run(&light::voxel_radiate::KERNEL, &[self.uniform, self.facets, self.direct, self.bounced, self.radiance])
     }
 
     /// Makes the coarser levels from the facets' radiance.
@@ -351,15 +355,20 @@ fn make_facets(
         let p = &*params;
         clock.stage(exec, "accumulate", |exec| {
             exec.clear(sums)?;
-            once(exec, &facet::voxel_accumulate::KERNEL, p, &[
-                scene.triangles,
-                scene.attributes,
-                scene.surfaces,
-                occupancy.tile_first,
-                occupancy.cells,
-                occupancy.facet_bits,
-                sums,
-            ])
+            once(
+                exec,
+                &facet::voxel_accumulate::KERNEL,
+                p,
+                &[
+                    scene.triangles,
+                    scene.attributes,
+                    scene.surfaces,
+                    occupancy.tile_first,
+                    occupancy.cells,
+                    occupancy.facet_bits,
+                    sums,
+                ],
+            )
         })?;
         fits = exec.read_slice::<u32>(sums)?[words - 1] == 0;
         if fits {

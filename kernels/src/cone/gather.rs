@@ -13,9 +13,9 @@
 #[cfg(not(target_arch = "spirv"))]
 use super::case::cone_params;
 use super::march::{ConeMarch, trace_cone};
+use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::kernel::Rows;
 use crate::math::float::sin_cos;
 use crate::math::frame::Frame;
 use crate::math::rng::rand;

@@ -1,8 +1,6 @@
 //! Small voxel pyramids for the kernels' test cases, made by the kernels' own CPU functions.
 
-use super::cells::{
-    voxel_cells, voxel_children, voxel_coarsen, voxel_facet_count, voxel_popcount, voxel_union,
-};
+use super::cells::{voxel_cells, voxel_children, voxel_coarsen, voxel_facet_count, voxel_popcount, voxel_union};
 use super::facet::{voxel_accumulate, voxel_resolve};
 use super::grid::{cell_count, pyramid};
 use super::mark::{voxel_mark, voxel_tiles};
@@ -11,7 +9,7 @@ use crate::kernel::{Case, CaseInput, Flavour};
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use glam::{UVec3, Vec3, Vec4};
-use interreflect_shared::scene::{NO_TEXTURE, SceneMaterial, SceneTriangle, SRGB_TABLE_WORDS, TriangleAttributes};
+use interreflect_shared::scene::{NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, SceneTriangle, TriangleAttributes};
 use interreflect_shared::voxel::{FACET_KINDS, FACET_WORDS, VoxelFacet, VoxelParams};
 
 /// A pyramid and everything on the way to it.

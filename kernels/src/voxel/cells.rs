@@ -9,10 +9,10 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
-#[cfg(not(target_arch = "spirv"))]
-use crate::kernel::{Case, CaseInput, Tolerance};
 use super::grid::{Grid, last_at_most, level_dims, nth_set_bit, place, voxel_of};
 use crate::kernel::Rows;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
 use glam::UVec3;
 use interreflect_shared::voxel::{FACET_KINDS, VoxelParams};
 
@@ -128,18 +128,18 @@ fn coarsen_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::marked(input);
     let level = 1 + input.bits() % (pyramid.params.dims_levels.w - 1);
     let params = pyramid.level_pass(level);
-    let (finer, coarser) = if level & 1 == 1 {
-        (&pyramid.even_bits, &pyramid.odd_bits)
-    } else {
-        (&pyramid.odd_bits, &pyramid.even_bits)
-    };
+    let (finer, coarser) =
+        if level & 1 == 1 { (&pyramid.even_bits, &pyramid.odd_bits) } else { (&pyramid.odd_bits, &pyramid.even_bits) };
     Case::default().uniform(&params).read(finer).zeroed::<u32>(coarser.len())
 }
 
 #[cfg(not(target_arch = "spirv"))]
 fn facet_count_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::marked(input);
-    Case::default().uniform(&pyramid.params).read(&pyramid.facet_bits).zeroed::<u32>(pyramid.params.levels[0].w as usize)
+    Case::default()
+        .uniform(&pyramid.params)
+        .read(&pyramid.facet_bits)
+        .zeroed::<u32>(pyramid.params.levels[0].w as usize)
 }
 
 #[cfg(not(target_arch = "spirv"))]
@@ -167,10 +167,7 @@ fn children_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::marked(input);
     let level = 1 + input.bits() % 2;
     let count = if level == 1 { pyramid.odd_children.len() } else { pyramid.even_children.len() };
-    Case::default()
-        .uniform(&VoxelParams { level, ..pyramid.params })
-        .read(&pyramid.cells)
-        .zeroed::<u32>(count)
+    Case::default().uniform(&VoxelParams { level, ..pyramid.params }).read(&pyramid.cells).zeroed::<u32>(count)
 }
 
 kernel! {

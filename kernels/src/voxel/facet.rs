@@ -16,13 +16,13 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
-#[cfg(not(target_arch = "spirv"))]
-use crate::kernel::{Case, CaseInput, Tolerance};
 use super::grid::{Grid, below, facet_kind, from_axis, last_at_most, place, voxel_of};
 use super::mark::{tile_items, tile_owner};
 use super::overlap::clip;
 use super::tile::{GridTriangle, TileWalk};
 use crate::kernel::AtomicWords;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, max, min};
 use crate::math::vector::{length, normalize};
 use crate::trace::surface::{base_colour, material, texture_coordinate};

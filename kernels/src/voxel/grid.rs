@@ -81,11 +81,7 @@ pub fn voxel_of(level: UVec4, cell_in_level: u32, bit: u32) -> UVec3 {
     let rest = cell_in_level - z * level.y;
     let y = rest / level.x;
     let x = rest - y * level.x;
-    UVec3::new(
-        x << 2 | (bit & 1) | (bit >> 2) & 2,
-        y << 2 | (bit >> 1) & 1 | (bit >> 3) & 2,
-        z << 1 | (bit >> 2) & 1,
-    )
+    UVec3::new(x << 2 | (bit & 1) | (bit >> 2) & 2, y << 2 | (bit >> 1) & 1 | (bit >> 3) & 2, z << 1 | (bit >> 2) & 1)
 }
 
 /// Bits below a bit.

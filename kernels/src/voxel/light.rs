@@ -63,8 +63,7 @@ pub fn inject(
         geometric_normal: normal,
         error: facet_sag(&facet) * p.origin_size.w,
     };
-    let sampling =
-        DirectSampling { light_count: p.light.x, light_samples: p.light.y, pick_above: PICK_ABOVE };
+    let sampling = DirectSampling { light_count: p.light.x, light_samples: p.light.y, pick_above: PICK_ABOVE };
     let scramble = hash(p.light.w ^ hash(i));
     let mut sum = direct_irradiance(&scene, lights, &sampling, &at, scramble);
     if p.light.z > 0 {

@@ -8,11 +8,11 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
-#[cfg(not(target_arch = "spirv"))]
-use crate::kernel::{Case, CaseInput, Tolerance};
 use super::grid::{facet_kind, last_at_most, place};
 use super::tile::{GridTriangle, TileWalk};
 use crate::kernel::AtomicWords;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
 use interreflect_shared::scene::SceneTriangle;
 use interreflect_shared::voxel::{FACET_KINDS, VoxelParams};
 
@@ -61,11 +61,7 @@ fn tiles_case(input: &mut CaseInput) -> Case {
 fn mark_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::tiles(input);
     let words = (pyramid.params.levels[0].w * FACET_KINDS) as usize;
-    Case::default()
-        .uniform(&pyramid.params)
-        .read(&pyramid.triangles)
-        .read(&pyramid.tile_first)
-        .zeroed::<u32>(words)
+    Case::default().uniform(&pyramid.params).read(&pyramid.triangles).read(&pyramid.tile_first).zeroed::<u32>(words)
 }
 
 kernel! {

@@ -17,12 +17,12 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
-#[cfg(not(target_arch = "spirv"))]
-use crate::kernel::{Case, CaseInput, Tolerance};
 use super::cells::pass_rows;
 use super::facet::facet_index;
 use super::grid::below;
-use super::view::{facets_seen, facets_seen_from_everywhere, facet_total};
+use super::view::{facet_total, facets_seen, facets_seen_from_everywhere};
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{max, min};
 use glam::{Vec3, Vec4};
 use interreflect_shared::voxel::{VoxelFacet, VoxelParams};

@@ -115,7 +115,8 @@ impl VoxelPyramid<'_> {
                 + if x1 { x.cell1 } else { x.cell0 }
                 + if y1 { y.cell1 } else { y.cell0 }
                 + if z1 { z.cell1 } else { z.cell0 };
-            let bit = if x1 { x.bit1 } else { x.bit0 } | if y1 { y.bit1 } else { y.bit0 } | if z1 { z.bit1 } else { z.bit0 };
+            let bit =
+                if x1 { x.bit1 } else { x.bit0 } | if y1 { y.bit1 } else { y.bit0 } | if z1 { z.bit1 } else { z.bit0 };
             let word = self.cells[(2 * cell) as usize];
             if weight > 0.0 && word >> bit & 1 == 1 {
                 sum += self.voxel(grid, level, cell, bit, word, looking) * weight;
