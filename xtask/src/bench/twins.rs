@@ -17,7 +17,11 @@ use serde_json::{Value, json};
 use std::borrow::Cow;
 
 /// Kernel and its twin.
-const TWINS: &[(&str, &str)] = &[("sh_project", include_str!("twins/sh_project.wgsl"))];
+const TWINS: &[(&str, &str)] = &[
+    ("sh_project", include_str!("twins/sh_project.wgsl")),
+    ("voxel_mip", include_str!("twins/voxel_mip.wgsl")),
+    ("cone_glossy", include_str!("twins/cone_glossy.wgsl")),
+];
 const REPEATS: usize = 11;
 
 /// The table of twins.
