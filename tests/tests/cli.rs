@@ -1,0 +1,288 @@
+//! The program: every verb, every error, exit codes, and that files appear whole or not at all.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn interreflect(args: &[&str]) -> Output {
+    // The program lies beside this test's own folder: `cargo test --workspace` builds both.
+    let mut program = std::env::current_exe().expect("a test knows itself");
+    program.pop();
+    program.pop();
+    program.push(format!("interreflect{}", std::env::consts::EXE_SUFFIX));
+    assert!(program.is_file(), "{} is not built: run `cargo test --workspace`", program.display());
+    Command::new(program).args(args).output().expect("the program starts")
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("temporary paths are text")
+}
+
+/// Runs a command that must succeed, and gives the JSON it prints.
+fn json(args: &[&str]) -> serde_json::Value {
+    let output = interreflect(args);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {error}");
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{args:?} printed no JSON: {e}"))
+}
+
+/// Runs a command that must fail with a code and name these things in its message.
+fn fails(args: &[&str], code: i32, named: &[&str]) {
+    let output = interreflect(args);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{args:?}: {error}");
+    for name in named {
+        assert!(error.contains(name), "{args:?}: the message does not name `{name}`: {error}");
+    }
+    assert!(!error.contains("panicked"), "{args:?} panicked: {error}");
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    std::fs::read_dir(folder).map(|entries| entries.flatten().map(|e| e.path()).collect()).unwrap_or_default()
+}
+
+#[test]
+fn lists_are_complete_in_text_and_json() {
+    let methods = json(&["methods", "--json"]);
+    let names: Vec<&str> = methods.as_array().unwrap().iter().map(|m| m["name"].as_str().unwrap()).collect();
+    for name in ["reference", "direct", "ambient", "vct"] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    let scenes = json(&["scenes", "--json"]);
+    assert!(
+        scenes.as_array().unwrap().iter().any(|s| s["name"] == "cornell-box" && s["stats"]["triangle_count"] == 32)
+    );
+    let devices = json(&["devices", "--json"]);
+    assert_eq!(devices["cpu"]["backend"], "cpu");
+    for verb in ["methods", "scenes", "devices"] {
+        let output = interreflect(&[verb]);
+        assert!(output.status.success() && !output.stdout.is_empty(), "{verb}");
+    }
+}
+
+#[test]
+fn render_writes_pictures_and_a_report_that_agree() {
+    let out = folder();
+    let report = json(&[
+        "render",
+        "cornell-box",
+        "--method",
+        "direct",
+        "--size",
+        "24x16",
+        "--backend",
+        "cpu",
+        "--json",
+        "--out",
+        text(out.path()),
+    ]);
+    assert_eq!(report["size"], serde_json::json!([24, 16]));
+    assert_eq!(report["method"], "direct");
+    let read = |name: &str| interreflect::image_io::read_exr(&out.path().join(name)).unwrap();
+    let (direct, indirect, full) = (read("direct.exr"), read("indirect.exr"), read("full.exr"));
+    assert!(indirect.pixels().iter().all(|p| *p == glam::Vec3::ZERO), "the control has no indirect light");
+    assert!(direct.pixels().iter().any(|p| p.x > 1.0), "the lamp is in the picture");
+    for (d, f) in direct.pixels().iter().zip(full.pixels()) {
+        assert_eq!(d, f);
+    }
+    assert_eq!(read("irradiance.exr").size(), [24, 16]);
+    assert_eq!(image::image_dimensions(out.path().join("full.png")).unwrap(), (24, 16));
+    let written: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(out.path().join("report.json")).unwrap()).unwrap();
+    assert_eq!(written["camera"], report["camera"]);
+}
+
+#[test]
+fn reference_and_render_meet_in_the_error_of_a_report() {
+    let (truth, out) = (folder(), folder());
+    let common = ["cornell-box", "--size", "16x16", "--seed", "3"];
+    let cache = folder();
+    let mut args =
+        vec!["reference", "--spp", "64", "--cache", text(cache.path()), "--json", "--out", text(truth.path())];
+    args.extend(common);
+    let reference = json(&args);
+    assert_eq!(reference["picture"]["spp"], 64);
+    let file = truth.path().join("irradiance.exr");
+    let mut args = vec!["render", "--backend", "cpu", "--json", "--truth", text(&file), "--out", text(out.path())];
+    args.extend(common);
+    args.extend(["--method", "direct"]);
+    let error = json(&args)["error"].clone();
+    // No indirect light at all: nothing of the mean, and the root mean square is at least the mean.
+    assert_eq!(error["bias"], 0.0);
+    assert!(error["nrmse"].as_f64().unwrap() >= 1.0, "{error}");
+    assert!(error["flip"].as_f64().unwrap() > 0.01, "{error}");
+}
+
+#[test]
+fn compare_writes_one_folder_with_everything() {
+    let (out, cache) = (folder(), folder());
+    let comparison = json(&[
+        "compare",
+        "cornell-box",
+        "--methods",
+        "direct,ambient,reference",
+        "--set",
+        "reference.spp=64",
+        "--size",
+        "24x24",
+        "--noise",
+        "0.1",
+        "--backend",
+        "cpu",
+        "--cache",
+        text(cache.path()),
+        "--json",
+        "--out",
+        text(out.path()),
+    ]);
+    let results = comparison["results"].as_array().unwrap();
+    assert_eq!(results.len(), 3);
+    let nrmse = |k: usize| results[k]["error"]["nrmse"].as_f64().unwrap();
+    assert!(nrmse(1) < nrmse(0), "a fitted constant beats no light");
+    assert!(nrmse(2) < nrmse(1), "path tracing beats a constant");
+    let bias = results[1]["error"]["bias"].as_f64().unwrap();
+    assert!((bias - 1.0).abs() < 0.01, "the constant is fitted to the mean: {bias}");
+    for name in ["compare.json", "index.html", "chart.svg"] {
+        assert!(out.path().join(name).is_file(), "{name} in {:?}", files(out.path()));
+    }
+    let page = std::fs::read_to_string(out.path().join("index.html")).unwrap();
+    assert!(page.contains("ambient") && !page.contains("src=\"http"), "the page is self-contained");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_picture_with_any_number_of_threads() {
+    let run = |threads: &str| {
+        let out = folder();
+        json(&[
+            "render",
+            "cornell-box",
+            "--method",
+            "reference",
+            "--set",
+            "spp=4",
+            "--size",
+            "20x20",
+            "--backend",
+            "cpu",
+            "--threads",
+            threads,
+            "--json",
+            "--out",
+            text(out.path()),
+        ]);
+        std::fs::read(out.path().join("irradiance.exr")).unwrap()
+    };
+    assert!(run("1") == run("3"), "irradiance depends on the number of threads");
+}
+
+#[test]
+fn wrong_use_says_what_is_right() {
+    let out = folder();
+    let o = text(out.path());
+    fails(&["render", "cornel-box", "--method", "direct", "--out", o], 2, &["cornel-box", "cornell-box"]);
+    fails(&["render", "cornell-box", "--method", "drect", "--out", o], 2, &["drect", "direct"]);
+    fails(
+        &["render", "cornell-box", "--method", "ambient", "--set", "irradianse=1,1,1", "--out", o],
+        2,
+        &["irradianse", "irradiance"],
+    );
+    fails(
+        &["render", "cornell-box", "--method", "ambient", "--set", "irradiance=red", "--out", o],
+        2,
+        &["red", "r,g,b"],
+    );
+    fails(&["render", "cornell-box", "--method", "ambient", "--set", "irradiance", "--out", o], 2, &["key=value"]);
+    fails(&["render", "cornell-box", "--method", "direct", "--camera", "nobody", "--out", o], 2, &["nobody"]);
+    fails(
+        &["render", "cornell-box", "--method", "direct", "--camera", "0,0,0,0,0,0,40", "--out", o],
+        2,
+        &["0,0,0,0,0,0,40"],
+    );
+    for size in ["0x10", "10x0", "99999x10", "10", "ax10", "-1x4"] {
+        fails(&["render", "cornell-box", "--method", "direct", "--size", size, "--out", o], 2, &["--size"]);
+    }
+    for env in ["1,2", "1,2,x", "-1,0,0", "nan,0,0"] {
+        fails(&["render", "cornell-box", "--method", "direct", "--env", env, "--out", o], 2, &["--env"]);
+    }
+    fails(&["render", "cornell-box", "--method", "direct", "--sun", "0,0,0,1,1,1", "--out", o], 2, &["direction"]);
+    fails(&["compare", "--methods", "direct,nothing", "--out", o], 2, &["nothing"]);
+    fails(&["compare", "--methods", "direct", "--set", "vct.resolution=64", "--out", o], 2, &["vct"]);
+    fails(&["reference", "--noise", "0", "--out", o], 2, &["--noise"]);
+    fails(&["reference", "--noise", "0.1", "--spp", "4", "--out", o], 2, &["--spp"]);
+    fails(&["render", "cornell-box", "--method", "direct", "--backend", "quantum", "--out", o], 2, &["quantum"]);
+    fails(&["fly"], 2, &["fly"]);
+    fails(&[], 2, &["Usage"]);
+    assert!(files(out.path()).is_empty(), "wrong use leaves nothing behind: {:?}", files(out.path()));
+}
+
+#[test]
+fn failures_name_the_path_and_leave_nothing() {
+    let out = folder();
+    let o = text(out.path());
+    fails(&["render", "no/such/scene.glb", "--method", "direct", "--out", o], 1, &["no/such/scene.glb"]);
+    let broken = out.path().join("broken.glb");
+    std::fs::write(&broken, b"glTF\x02\0\0\0\xff\xff\xff\xff").unwrap();
+    fails(&["render", text(&broken), "--method", "direct", "--out", o], 1, &["broken.glb"]);
+    assert_eq!(files(out.path()).len(), 1, "only the broken file itself: {:?}", files(out.path()));
+    // A folder that cannot be made: a file stands in its way.
+    let blocked = broken.join("deeper");
+    fails(&["render", "cornell-box", "--method", "direct", "--out", text(&blocked)], 1, &["broken.glb"]);
+    fails(
+        &[
+            "render",
+            "cornell-box",
+            "--method",
+            "direct",
+            "--size",
+            "8x8",
+            "--truth",
+            "no/truth.exr",
+            "--backend",
+            "cpu",
+            "--out",
+            o,
+        ],
+        1,
+        &["no/truth.exr"],
+    );
+    fails(
+        &["render", "cornell-box", "--method", "direct", "--backend", "gpu", "--adapter", "Voodoo 2", "--out", o],
+        1,
+        &["Voodoo 2"],
+    );
+}
+
+#[test]
+fn errors_are_json_where_json_was_asked_for() {
+    let output =
+        interreflect(&["render", "nowhere.obj", "--method", "direct", "--json", "--out", text(folder().path())]);
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+    assert!(value["error"].as_str().unwrap().contains("nowhere.obj"));
+}
+
+#[test]
+fn an_unlit_scene_is_black_and_says_so() {
+    let out = folder();
+    let obj = out.path().join("dark.obj");
+    std::fs::write(&obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let output = interreflect(&[
+        "render",
+        text(&obj),
+        "--method",
+        "direct",
+        "--size",
+        "8x8",
+        "--backend",
+        "cpu",
+        "--out",
+        text(out.path()),
+    ]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("black"), "{said}");
+    let full = interreflect::image_io::read_exr(&out.path().join("full.exr")).unwrap();
+    assert!(full.pixels().iter().all(|p| *p == glam::Vec3::ZERO));
+}
