@@ -66,7 +66,6 @@ pub fn parse<T: FromStr>(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::methods::{METHODS, method};
 
     #[test]
