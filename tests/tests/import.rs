@@ -166,9 +166,9 @@ fn parameters_of_built_in_scenes_do_what_they_say() {
 
 #[test]
 fn the_environment_of_the_options_replaces_the_scenes_own() {
-    let environment = Some(Vec3::new(1.0, 2.0, 3.0));
-    let options = LoadOptions { environment, ..LoadOptions::default() };
-    assert_eq!(load("louvres", &options).unwrap().environment, environment.unwrap());
+    let environment = Vec3::new(1.0, 2.0, 3.0);
+    let options = LoadOptions { environment: Some(environment), ..LoadOptions::default() };
+    assert_eq!(load("louvres", &options).unwrap().environment, environment);
     assert_ne!(must_load("louvres").environment, Vec3::ZERO);
 }
 

@@ -72,8 +72,7 @@ impl<'a> Materials<'a> {
         for (i, source) in self.root.materials.iter().enumerate() {
             uv_sources.push(self.convert(i, source, buffers, out)?);
         }
-        let mut default = Source::default();
-        default.name = Some("default".into());
+        let default = Source { name: Some("default".into()), ..Source::default() };
         uv_sources.push(self.convert(self.root.materials.len(), &default, buffers, out)?);
         Ok(uv_sources)
     }

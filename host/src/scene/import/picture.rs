@@ -16,7 +16,7 @@ impl Pictures {
     /// Decodes a picture; its kind follows from its bytes. `name` is for errors.
     pub fn decode(&mut self, name: &str, bytes: &[u8]) -> Result<Texture, FileError> {
         let refuse = |reason: String| FileError::Image { image: name.to_owned(), reason };
-        let size = reader(bytes).and_then(|r| Ok(r.into_dimensions()?)).map_err(|e| refuse(e.to_string()))?;
+        let size = reader(bytes).and_then(ImageReader::into_dimensions).map_err(|e| refuse(e.to_string()))?;
         if size.0 == 0 || size.1 == 0 || size.0.max(size.1) > MAX_TEXTURE_SIDE {
             return Err(refuse(format!(
                 "{} × {} pixels: sides of 1 to {MAX_TEXTURE_SIDE} are accepted",
