@@ -6,7 +6,7 @@ struct Params {
     beyond: vec4<f32>,
     camera: vec4<f32>,
     cone_count: u32, direction_count: u32, count: u32, seed: u32,
-    spread: f32, step: f32, offset: f32, pad: f32,
+    spread: f32, step: f32, offset: f32, clearance: f32,
 }
 struct Facet {
     position: vec3<f32>, area: f32,
@@ -124,21 +124,31 @@ fn leave(origin: f32, direction: f32, size: f32) -> f32 {
     return (select(0.0, size, direction > 0.0) - origin) / direction;
 }
 
-fn cone(origin: vec3<f32>, direction: vec3<f32>, spread: f32) -> vec4<f32> {
+fn leave_box(origin: vec3<f32>, direction: vec3<f32>, size: vec3<f32>) -> f32 {
+    let x = leave(origin.x, direction.x, size.x);
+    let y = leave(origin.y, direction.y, size.y);
+    let z = leave(origin.z, direction.z, size.z);
+    return max(min(min(x, y), z), 0.0);
+}
+
+// Size of the voxels to read at a distance: the cone's width, or less near the surface that it leaves.
+fn voxel_size(t: f32, spread: f32, clear: vec2<f32>) -> f32 {
+    return max(min(spread * t, clear.x + clear.y * t), 1.0);
+}
+
+fn cone(origin: vec3<f32>, direction: vec3<f32>, spread: f32, clear: vec2<f32>) -> vec4<f32> {
     let size = vec3<f32>(params.dims_levels.xyz);
-    let out_x = leave(origin.x, direction.x, size.x);
-    let out_y = leave(origin.y, direction.y, size.y);
-    let out_z = leave(origin.z, direction.z, size.z);
-    let end = max(min(min(out_x, out_y), out_z), 0.0);
+    let margin = 1.5 * voxel_size(leave_box(origin, direction, size), spread, clear);
+    let end = leave_box(origin + margin, direction, size + 2.0 * margin);
     var light = vec3<f32>(0.0);
     var reaching = 1.0;
     var covered = 0.0;
     var t = 0.0;
     for (var k = 0u; k < 2048u; k++) {
         if (t >= end || reaching * (1.0 - covered) < 1e-3) { break; }
-        let length = params.step * max(spread * t, 1.0);
+        let length = params.step * voxel_size(t, spread, clear);
         let middle = t + 0.5 * length;
-        let seen = sample_pyramid(origin + direction * middle, max(spread * middle, 1.0), direction);
+        let seen = sample_pyramid(origin + direction * middle, voxel_size(middle, spread, clear), direction);
         let coverage = seen.w * length;
         if (coverage > 0.0) {
             let fresh = min(coverage, 1.0 - covered);
@@ -165,6 +175,7 @@ fn cone_glossy(@builtin(global_invocation_id) id: vec3<u32>) {
     let to_viewer = normalize(params.camera.xyz - surfel.position);
     let mirrored = reflect(-to_viewer, surfel.normal);
     let start = (surfel.position - params.origin_size.xyz) / params.origin_size.w + surfel.geometric_normal * params.offset;
-    let found = cone(start, mirrored, 2.0 * params.camera.w);
+    let rise = max(dot(mirrored, surfel.geometric_normal), 0.0);
+    let found = cone(start, mirrored, 2.0 * params.camera.w, params.clearance * vec2<f32>(params.offset, rise));
     result[i] = vec4<f32>(found.xyz + params.beyond.xyz * found.w, found.w);
 }
