@@ -7,7 +7,7 @@ pub const MAX_CONES: usize = 16;
 
 crate::record! {
     /// A voxel pyramid, a set of cones, and how they march.
-    pub struct ConeParams: 512 {
+    pub struct ConeParams: 768 {
         /// As in [`crate::voxel::VoxelParams`].
         pub origin_size: Vec4,
         /// As in [`crate::voxel::VoxelParams`].
@@ -16,6 +16,9 @@ crate::record! {
         pub levels: [UVec4; 10],
         /// Unit directions with the surface's normal as z; w: weights that add up to 1.
         pub cones: [Vec4; 16],
+        /// Each cone's part of the hemisphere: squared cosines of its inner and outer edge, first azimuth and range of azimuths
+        /// in turns.
+        pub parts: [Vec4; 16],
         /// Radiance of what the cones find beyond the grid, W/(sr m²); w is unused. Zero for indirect light, whose first
         /// surface is never the sky.
         pub beyond: Vec4,
@@ -27,17 +30,17 @@ crate::record! {
         pub direction_count: u32,
         /// Receivers.
         pub count: u32,
-        /// Mixed into the rotation of each receiver's set; 0 leaves the sets unrotated.
+        /// Mixed into the random direction of each receiver's cones; 0 leaves every cone in the middle of its part.
         pub seed: u32,
         /// Size of the voxels that a diffuse cone reads, per distance. A cone's width would be 2·tan(half angle); less
         /// sees finer detail and its own surface less, and takes more steps.
         pub spread: f32,
-        /// Length of a step in voxels of the size read. Default 1: every voxel counts once. More: faster, may jump walls.
-        pub step: f32,
         /// Start of cones above the surface, in voxels. Less sees more of corners, and more of the surface itself.
         pub offset: f32,
-        /// Size of the voxels read, at most, per height above the surface: larger voxels would hold the surface itself, which
-        /// would hide what low cones see. ⅔ keeps all of a voxel and its filter above the surface in the worst case.
+        /// Size of the voxels read, at most, per height above the surface. Up to 1 no cone meets the middle of its own surface's
+        /// voxels, behind which the surface would hide what low cones see.
         pub clearance: f32,
+        /// Zero.
+        pub _pad: f32,
     }
 }

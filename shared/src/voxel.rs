@@ -23,7 +23,7 @@ pub const AREA_LIMIT: u32 = 1 << 31;
 
 crate::record! {
     /// A voxel pyramid and one pass over it: the uniform of every voxel kernel.
-    pub struct VoxelParams: 272 {
+    pub struct VoxelParams: 288 {
         /// Corner of the grid (m) and, in w, the side of a voxel (m).
         pub origin_size: Vec4,
         /// Voxels along x, y, z of level 0 and, in w, the number of levels.
@@ -57,6 +57,8 @@ crate::record! {
         pub _pad: u32,
         /// Radiance of the environment, W/(sr m²); w is unused.
         pub environment: Vec4,
+        /// Factor per channel on bounced irradiance, for the light of bounces that are not traced; w is unused.
+        pub bounce_gain: Vec4,
         /// Lights, samples per facet, environment rays per facet, seed.
         pub light: UVec4,
     }

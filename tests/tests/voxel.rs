@@ -362,7 +362,7 @@ fn planes_hide_all_of_a_beam_at_any_angle() {
             }
             for spread in [0.0, 0.2] {
                 let start = centre - direction * 10.0;
-                let march = ConeMarch { spread, clear: 1e3, clear_slope: 0.0, step: 1.0 };
+                let march = ConeMarch { spread, clear: 1e3, clear_slope: 0.0, rounding: 1.4 };
                 let open = trace_cone(&voxels.params, &held.pyramid(), start, direction, &march).w;
                 assert!(open < 0.4, "plane {plane} {n}, direction {direction}, spread {spread}: {open} passes");
                 open_sum += open;

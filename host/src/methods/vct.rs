@@ -8,10 +8,11 @@ use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use super::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
-use glam::Vec4;
+use glam::{DVec3, Vec3, Vec4};
 use interreflect_kernels::cone::gather::{cone_bounce, cone_gather};
-use interreflect_kernels::cone::set::{CONE_COUNTS, diffuse_cones, half_angle_tangent};
+use interreflect_kernels::cone::set::{CONE_COUNTS, cone_parts, diffuse_cones, half_angle_tangent};
 use interreflect_shared::cone::ConeParams;
+use interreflect_shared::voxel::VoxelFacet;
 use serde_json::json;
 
 const NAME: &str = "vct";
@@ -52,6 +53,13 @@ pub const ROW: MethodRow = MethodRow {
                    over all voxels when lights change.",
         },
         Setting {
+            key: "tail",
+            default: "1",
+            allowed: "0 or 1",
+            help: "1 adds the light of all further bounces, spread like the last one, as a geometric series; 0 leaves it out \
+                   (and the picture too dark where surfaces are bright). Needs 2 bounces to know the series' ratio.",
+        },
+        Setting {
             key: "bounce_cones",
             default: "6",
             allowed: "5, 6, 9 or 16",
@@ -65,12 +73,6 @@ pub const ROW: MethodRow = MethodRow {
                    steps; higher: smoother and faster.",
         },
         Setting {
-            key: "step",
-            default: "1",
-            allowed: "a number from 0.1 to 4",
-            help: "Steps along a cone, in voxels of the size read. Higher is faster and may jump thin walls.",
-        },
-        Setting {
             key: "offset",
             default: "1",
             allowed: "a number from 0 to 4",
@@ -78,16 +80,16 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "clearance",
-            default: "0.5",
+            default: "1",
             allowed: "a number from 0.05 to 10",
             help: "Size of the voxels that a cone reads, at most, in heights above the surface it leaves. Higher: faster, and \
                    flat cones are darkened by their own surface.",
         },
         Setting {
-            key: "rotate",
+            key: "jitter",
             default: "1",
             allowed: "0 or 1",
-            help: "1 turns each pixel's cones by a random angle: noise instead of bands.",
+            help: "1 points each cone anywhere in its part of the hemisphere: noise instead of bands, and right on average.",
         },
         Setting {
             key: "light_samples",
@@ -125,12 +127,12 @@ struct Options {
     anisotropic: bool,
     cones: u32,
     bounces: u32,
+    tail: bool,
     bounce_cones: u32,
     aperture: f32,
-    step: f32,
     offset: f32,
     clearance: f32,
-    rotate: bool,
+    jitter: bool,
     light_samples: u32,
     environment_samples: u32,
     memory_limit_bytes: u64,
@@ -145,12 +147,12 @@ impl Options {
                 == "anisotropic",
             cones: parse(&ROW, settings, "cones", cones)?,
             bounces: parse(&ROW, settings, "bounces", |n| (1..=64).contains(n))?,
+            tail: parse(&ROW, settings, "tail", |n: &u32| *n <= 1)? == 1,
             bounce_cones: parse(&ROW, settings, "bounce_cones", cones)?,
             aperture: parse(&ROW, settings, "aperture", |x| (0.05..=2.0).contains(x))?,
-            step: parse(&ROW, settings, "step", |x| (0.1..=4.0).contains(x))?,
             offset: parse(&ROW, settings, "offset", |x| (0.0..=4.0).contains(x))?,
             clearance: parse(&ROW, settings, "clearance", |x| (0.05..=10.0).contains(x))?,
-            rotate: parse(&ROW, settings, "rotate", |n: &u32| *n <= 1)? == 1,
+            jitter: parse(&ROW, settings, "jitter", |n: &u32| *n <= 1)? == 1,
             light_samples: parse(&ROW, settings, "light_samples", |n| (1..=1024).contains(n))?,
             environment_samples: parse(&ROW, settings, "environment_samples", |n| *n <= 4096)?,
             memory_limit_bytes: parse(&ROW, settings, "memory_limit_mb", |n: &u64| (1..=1 << 20).contains(n))? << 20,
@@ -170,9 +172,17 @@ struct State {
     gather_uniform: BufferId,
     bounce: ConeParams,
     bounce_uniform: BufferId,
+    /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
+    reflecting: Vec<Vec3>,
 }
 
 impl State {
+    /// Reflected flux, up to a constant factor, that irradiance on all facets' sides makes.
+    fn flux(&self, exec: &mut dyn Executor, irradiance: BufferId) -> Result<DVec3, ExecError> {
+        let sides = exec.read_slice::<Vec4>(irradiance)?;
+        Ok(sides.chunks_exact(2).zip(&self.reflecting).map(|(e, w)| ((e[0] + e[1]).truncate() * *w).as_dvec3()).sum())
+    }
+
     fn pyramid(&self) -> [BufferId; 6] {
         let v = &self.voxels;
         [v.cells, v.facet_bits, v.facets, v.radiance, v.odd, v.even]
@@ -187,6 +197,7 @@ impl Vct {
             dims_levels: voxels.params.dims_levels,
             levels: voxels.params.levels,
             cones: diffuse_cones(cones),
+            parts: cone_parts(cones),
             beyond: Vec4::ZERO,
             camera: Vec4::ZERO,
             cone_count: cones,
@@ -194,15 +205,15 @@ impl Vct {
             count: 2 * voxels.params.facet_count,
             seed: 0,
             spread: 2.0 * half_angle_tangent(cones) * o.aperture,
-            step: o.step,
             offset: o.offset,
             clearance: o.clearance,
+            _pad: 0.0,
         }
     }
 
-    /// A seed that is not 0, which would leave the cones unturned.
-    fn rotation(&self, seed: u32) -> u32 {
-        if self.options.rotate { seed | 1 << 31 } else { 0 }
+    /// A seed that is not 0, which would leave the cones in place.
+    fn cone_seed(&self, seed: u32) -> u32 {
+        if self.options.jitter { seed | 1 << 31 } else { 0 }
     }
 
     fn state(&mut self) -> Result<&mut State, MethodError> {
@@ -232,9 +243,11 @@ impl Method for Vct {
         let voxels = VoxelScene::build(exec, input.buffers, &grid, &options, clock)?;
         let gather = self.cone_params(&voxels, o.cones);
         let bounce = self.cone_params(&voxels, o.bounce_cones);
+        let facets = exec.read_slice::<VoxelFacet>(voxels.facets)?;
+        let reflecting = facets.iter().map(|f| Vec3::from(f.albedo) * f.area).collect();
         let gather_uniform = exec.upload_one("cone parameters", &gather)?;
         let bounce_uniform = exec.upload_one("bounce parameters", &bounce)?;
-        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform });
+        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform, reflecting });
         Ok(())
     }
 
@@ -245,20 +258,32 @@ impl Method for Vct {
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
         let o = self.options;
-        let rotation = self.rotation(input.seed);
+        let cone_seed = self.cone_seed(input.seed);
         let state = self.state()?;
         clock.stage(exec, "inject", |exec| {
             state.voxels.inject(exec, input, o.light_samples, o.environment_samples)?;
             state.voxels.radiate(exec)
         })?;
         clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
+        // Reflected flux of the last two bounces, and of all but the first.
+        let (mut before, mut last, mut bounced) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+        if o.tail && o.bounces > 1 {
+            last = state.flux(exec, state.voxels.direct)?;
+        }
         for bounce in 2..=o.bounces {
-            // Every bounce turns the cones anew, so that their errors do not add up.
-            let params = ConeParams { seed: rotation.wrapping_mul(bounce), ..state.bounce };
+            // Every bounce points the cones anew, so that their errors do not add up.
+            let params = ConeParams { seed: cone_seed.wrapping_mul(bounce), ..state.bounce };
             exec.write(state.bounce_uniform, bytemuck::bytes_of(&params))?;
             clock.stage(exec, &format!("bounce {bounce}"), |exec| {
                 let [a, b, c, d, e, f] = state.pyramid();
                 exec.run(&cone_bounce::KERNEL, &[state.bounce_uniform, a, b, c, d, e, f, state.voxels.bounced])?;
+                if o.tail {
+                    let all = state.flux(exec, state.voxels.bounced)?;
+                    (before, last, bounced) = (last, all - bounced, all);
+                }
+                if o.tail && bounce == o.bounces {
+                    state.voxels.set_bounce_gain(exec, tail_gain(before, last, bounced))?;
+                }
                 state.voxels.radiate(exec)
             })?;
             clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
@@ -274,7 +299,7 @@ impl Method for Vct {
         irradiance: BufferId,
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
-        let seed = self.rotation(input.seed);
+        let seed = self.cone_seed(input.seed);
         let state = self.state()?;
         let count = (exec.size_bytes(irradiance) / size_of::<Vec4>() as u64) as u32;
         exec.write(state.gather_uniform, bytemuck::bytes_of(&ConeParams { count, seed, ..state.gather }))?;
@@ -293,14 +318,39 @@ impl Method for Vct {
     }
 }
 
+/// Factor on bounced light that adds the bounces after the last: flux in geometric series, with the ratio of the last two.
+/// No room keeps more than [`MAX_RATIO`] of its light per bounce; a larger ratio is noise.
+fn tail_gain(before: DVec3, last: DVec3, bounced: DVec3) -> Vec3 {
+    let gain = |before: f64, last: f64, bounced: f64| {
+        if before <= 0.0 || last <= 0.0 || bounced <= 0.0 {
+            return 1.0;
+        }
+        let ratio = (last / before).min(MAX_RATIO);
+        1.0 + last * ratio / (1.0 - ratio) / bounced
+    };
+    DVec3::new(gain(before.x, last.x, bounced.x), gain(before.y, last.y, bounced.y), gain(before.z, last.z, bounced.z))
+        .as_vec3()
+}
+
+/// Largest ratio of one bounce's flux to the one before.
+const MAX_RATIO: f64 = 0.95;
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    fn tails_sum_geometric_series() {
+        // 8 + 4 + 2 + 1 + …: the bounces after the first carry 8 together.
+        let gain = tail_gain(DVec3::splat(4.0), DVec3::splat(2.0), DVec3::splat(6.0));
+        assert!((gain * 6.0 - 8.0).abs().max_element() < 1e-6, "{gain}");
+        assert_eq!(tail_gain(DVec3::ZERO, DVec3::ONE, DVec3::ONE), Vec3::ONE);
+    }
+
+    #[test]
     fn settings_are_checked() {
         assert!(Options::parse(&Settings::new()).is_ok());
-        for (key, value) in [("resolution", "8"), ("cones", "7"), ("mipmaps", "trilinear"), ("step", "NaN")] {
+        for (key, value) in [("resolution", "8"), ("cones", "7"), ("mipmaps", "trilinear"), ("offset", "NaN")] {
             let settings = Settings::from([(key.to_string(), value.to_string())]);
             let error = Options::parse(&settings).unwrap_err().to_string();
             assert!(error.contains(key) && error.contains(value), "{error}");

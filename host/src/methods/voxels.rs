@@ -205,12 +205,22 @@ impl VoxelScene {
         let environment = input.scene.environment;
         let environment_samples = if environment == Vec3::ZERO { 0 } else { environment_samples };
         self.params.environment = environment.extend(0.0);
+        self.params.bounce_gain = Vec4::ONE;
         self.params.light = UVec4::new(b.light_count, light_samples, environment_samples, input.seed);
         exec.write(self.uniform, bytemuck::bytes_of(&self.params))?;
         let buffers =
             [self.uniform, b.nodes, b.triangles, b.attributes, b.surfaces, b.lights, self.facets, self.direct];
         exec.run(&light::voxel_inject::KERNEL, &buffers)?;
         exec.clear(self.bounced)
+    }
+
+    /// Sets the factor per channel on bounced irradiance.
+    ///
+    /// # Errors
+    /// What the executor returns.
+    pub fn set_bounce_gain(&mut self, exec: &mut dyn Executor, gain: Vec3) -> Result<(), ExecError> {
+        self.params.bounce_gain = gain.extend(0.0);
+        exec.write(self.uniform, bytemuck::bytes_of(&self.params))
     }
 
     /// Turns direct and bounced irradiance into the facets' radiance.

@@ -1,6 +1,6 @@
 //! Inputs of the cone kernels' test cases.
 
-use super::set::{diffuse_cones, half_angle_tangent};
+use super::set::{cone_parts, diffuse_cones, half_angle_tangent};
 use crate::kernel::CaseInput;
 use crate::voxel::case::CasePyramid;
 use glam::{UVec3, Vec3, Vec4};
@@ -16,6 +16,7 @@ pub fn cone_params(input: &mut CaseInput, p: &VoxelParams) -> ConeParams {
         dims_levels: p.dims_levels,
         levels: p.levels,
         cones: diffuse_cones(6),
+        parts: cone_parts(6),
         beyond: Vec4::new(0.25, 0.5, 1.0, 0.0),
         camera: camera.extend(0.1),
         cone_count: 6,
@@ -23,9 +24,9 @@ pub fn cone_params(input: &mut CaseInput, p: &VoxelParams) -> ConeParams {
         count: 0,
         seed: input.bits() & 1,
         spread: half_angle_tangent(6),
-        step: 1.0,
         offset: 1.0,
-        clearance: 0.5,
+        clearance: 1.0,
+        _pad: 0.0,
     }
 }
 

@@ -5,8 +5,8 @@
 //!
 //! Crassin et al. 2011, §7. Each cone's radiance counts with its exact share of the cosine (`set.rs`). Cones start above the
 //! surface, so that its own voxels do not hide everything else: what is nearer than that is missed, and at a wall's foot the
-//! wall is seen from a little higher. With a seed each receiver turns its set by a random angle: the error of few cones
-//! becomes noise that a filter or the eye averages.
+//! wall is seen from a little higher. With a seed each cone points anywhere in its part of the hemisphere: the error of
+//! few cones becomes noise that a filter or the eye averages, and its mean has none.
 //!
 //! Pass before: mipmaps of the voxels' radiance. Pass after: the shading of a picture, or `voxel_radiate`.
 
@@ -16,9 +16,9 @@ use super::march::{ConeMarch, trace_cone};
 use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::math::float::sin_cos;
+use crate::math::float::{max, sin_cos, sqrt};
 use crate::math::frame::Frame;
-use crate::math::rng::rand;
+use crate::math::rng::{rand, rand3};
 #[cfg(not(target_arch = "spirv"))]
 use crate::voxel::case::CasePyramid;
 use crate::voxel::facet::facet_normal;
@@ -49,12 +49,24 @@ impl Grid for ConeParams {
     }
 }
 
+/// Rounds a size to the nearest level.
+pub(super) const NEAREST: f32 = core::f32::consts::SQRT_2;
+
 /// Receivers.
 pub fn receivers(p: &ConeParams) -> Rows {
     Rows::all(p.count)
 }
 
-/// Irradiance (W/m², w = 0) at a point with unit normals by the set of cones of `p`; `element` picks the set's rotation.
+/// Random direction, with the density of the cosine, in a cone's part of the hemisphere (see [`ConeParams::parts`]).
+#[inline(always)]
+fn direction_in(part: Vec4, turn: f32, random: Vec3) -> Vec3 {
+    let squared = part.y + (part.x - part.y) * random.x;
+    let (sine, cosine) = sin_cos(TAU * (part.z + part.w * random.y + turn));
+    let across = sqrt(max(1.0 - squared, 0.0));
+    Vec3::new(across * cosine, across * sine, sqrt(squared))
+}
+
+/// Irradiance (W/m², w = 0) at a point with unit normals by the set of cones of `p`; `element` picks the random numbers.
 #[inline(always)]
 pub fn diffuse_irradiance(
     p: &ConeParams,
@@ -66,20 +78,19 @@ pub fn diffuse_irradiance(
 ) -> Vec4 {
     let start = grid_from_world(p, position) + geometric_normal * p.offset;
     let frame = Frame::new(normal);
-    let (sine, cosine) = if p.seed == 0 { (0.0, 1.0) } else { sin_cos(TAU * rand(p.seed, element, 0)) };
-    let tangent = frame.tangent * cosine + frame.bitangent * sine;
-    let bitangent = frame.bitangent * cosine - frame.tangent * sine;
+    let turn = if p.seed == 0 { 0.0 } else { rand(p.seed, element, 0) };
     let mut sum = Vec3::ZERO;
     for k in 0..p.cone_count {
         let cone = p.cones[k as usize];
-        let direction = tangent * cone.x + bitangent * cone.y + normal * cone.z;
-        let march = ConeMarch {
-            spread: p.spread,
-            clear: p.clearance * p.offset,
-            clear_slope: p.clearance * cone.z,
-            step: p.step,
+        let (local, rounding) = if p.seed == 0 {
+            (cone.truncate(), NEAREST)
+        } else {
+            let random = rand3(p.seed, element, 1 + k);
+            (direction_in(p.parts[k as usize], turn, random), 1.0 + random.z)
         };
-        let found = trace_cone(p, pyramid, start, direction, &march);
+        let march =
+            ConeMarch { spread: p.spread, clear: p.clearance * p.offset, clear_slope: p.clearance * local.z, rounding };
+        let found = trace_cone(p, pyramid, start, frame.world_from_local(local), &march);
         sum += (found.truncate() + p.beyond.truncate() * found.w) * cone.w;
     }
     (sum * PI).extend(0.0)

@@ -8,6 +8,7 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::cone_params;
+use super::gather::NEAREST;
 use super::march::{ConeMarch, trace_cone};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -48,7 +49,7 @@ pub fn glossy(
         spread: 2.0 * p.camera.w,
         clear: p.clearance * p.offset,
         clear_slope: p.clearance * max(wi.dot(Vec3::from_array(surfel.geometric_normal)), 0.0),
-        step: p.step,
+        rounding: NEAREST,
     };
     let found = trace_cone(p, &pyramid, start, wi, &march);
     (found.truncate() + p.beyond.truncate() * found.w).extend(found.w)

@@ -1,17 +1,23 @@
 //! One cone through a voxel pyramid.
 //!
-//! Crassin et al. 2011, §7: samples along the axis, from voxels as large as the cone is wide, front to back.
+//! Crassin et al. 2011, §7: a march along the axis, front to back, through voxels as large as the cone is wide.
 //!
-//! Deviation, the law of opacity. The usual correction for a step of s voxels, 1 − (1 − α)^s, treats what a voxel holds as
-//! mist: a wall that two voxels share, half each, lets ¼ of the light through, and grazing light passes walls, because
-//! weights dᵢ² shrink faster than the way through them grows. Here coverage is an area per length of the way: facets of
-//! projected area A·|n·d| in a voxel of side h cover A·|n·d|/h³ · ds of a beam, and within one crossing coverages add up,
-//! as those of neighbouring pieces of one surface do. A plane then covers exactly 1, at any angle, wherever it lies in its
-//! voxels, for any step; and a small thing covers as much as its projected area. Once the beam has left a surface (a
-//! sample without any coverage), the next one is independent of it: transmittances multiply.
+//! Deviation, the law of opacity. The usual march samples trilinearly and corrects each sample's opacity for its step of s
+//! voxels, 1 − (1 − α)^s, as if a voxel held mist: a wall that two voxels share, half each, lets ¼ of the light through;
+//! grazing light passes walls, because the weights dᵢ² of the stored directions shrink faster than the way through the wall
+//! grows; and rays that leave a surface are darkened by its back, which the filter smears a voxel far. Here the ray collects
+//! a layer of voxels, from the direction stored for the layer's axis, where it crosses the layer's middle
+//! ([`VoxelPyramid::crossing`]), and within one surface coverages add up, as those of neighbouring pieces of one surface do.
+//! A plane across an axis then covers exactly 1, at any angle and wherever it lies in its voxels, with no step to choose and
+//! no opacity to correct; a small thing covers as much as its projected area. Once the ray has crossed a layer in which
+//! nothing is, the next surface is independent of the last one: transmittances multiply.
+//!
+//! Layers come in order along each axis (Amanatides & Woo 1987). An axis changes to the next coarser level where it enters
+//! one of that level's voxels, so that no layer is met twice or missed. Instead of a blend of two levels (quadrilinear), in
+//! which a surface counts once where its fine and once where its coarse voxel lies, cones differ by a random share of a level.
 
-use crate::math::float::{abs, max, min};
-use crate::voxel::grid::Grid;
+use crate::math::float::{abs, ceil, floor, max, min};
+use crate::voxel::grid::{Grid, dominant_axis};
 use crate::voxel::query::VoxelPyramid;
 use glam::{Vec3, Vec4};
 
@@ -24,8 +30,9 @@ pub struct ConeMarch {
     pub clear: f32,
     /// Growth of that bound per distance.
     pub clear_slope: f32,
-    /// Step in voxels of that size.
-    pub step: f32,
+    /// Factor from 1 to 2 on the size before it is rounded down to a level: √2 rounds to the nearest, a random number makes
+    /// level changes invisible.
+    pub rounding: f32,
 }
 
 impl ConeMarch {
@@ -35,12 +42,67 @@ impl ConeMarch {
     fn size(&self, t: f32) -> f32 {
         max(min(self.spread * t, self.clear + self.clear_slope * t), 1.0)
     }
+
+    /// Level to read at a distance. The exponent of a float is the floor of its base-2 logarithm, exactly and on every target.
+    #[inline(always)]
+    fn level(&self, t: f32) -> u32 {
+        ((self.size(t) * self.rounding).to_bits() >> 23) - 127
+    }
 }
 
 /// Transmittance below which a cone has seen enough.
 const OPAQUE: f32 = 1e-3;
-/// Steps of one cone, at most: more than the longest way through 512 voxels one by one, twice.
-const MAX_STEPS: u32 = 2048;
+/// Layers of one cone, at most: three times 512 voxels one by one, and some.
+const MAX_LAYERS: u32 = 2048;
+
+/// The layers that a ray meets along one axis.
+#[derive(Clone, Copy)]
+struct Layers {
+    origin: f32,
+    slope: f32,
+    level: u32,
+    /// Next layer of that level.
+    next: i32,
+    /// Distance at which the ray crosses its middle; [`f32::MAX`] after the last one.
+    t: f32,
+}
+
+impl Layers {
+    #[inline(always)]
+    fn new(origin: f32, slope: f32, count: u32) -> Self {
+        let below = floor(origin - 0.5) as i32;
+        let at_or_above = ceil(origin - 0.5) as i32;
+        let next = if slope < 0.0 { at_or_above - 1 } else { below + 1 };
+        let mut layers = Self { origin, slope, level: 0, next, t: 0.0 };
+        layers.find(count);
+        layers
+    }
+
+    /// Goes on to the next layer, of the next coarser level where that is wanted and begins here.
+    #[inline(always)]
+    fn advance(&mut self, wanted: u32, count_of_finest: u32) {
+        let down = self.slope < 0.0;
+        let at_border = (self.next & 1 == 0) == down;
+        self.next = if down { self.next - 1 } else { self.next + 1 };
+        if at_border && wanted > self.level {
+            self.level += 1;
+            // Arithmetic shift: rounds down for the layer before the first, too.
+            self.next >>= 1;
+        }
+        self.find(count_of_finest);
+    }
+
+    #[inline(always)]
+    fn find(&mut self, count_of_finest: u32) {
+        let count = (count_of_finest + (1 << self.level) - 1) >> self.level;
+        let outwards = if self.slope < 0.0 { self.next < 0 } else { self.next >= count as i32 };
+        let middle = (self.next as f32 + 0.5) * (1u32 << self.level) as f32;
+        self.t = if outwards || abs(self.slope) < FLATTEST { f32::MAX } else { (middle - self.origin) / self.slope };
+    }
+}
+
+/// Slopes below this meet no layer within any grid.
+const FLATTEST: f32 = 1e-6;
 
 /// Radiance that a cone gathers (rgb, W/(sr m²)) and the share of it that leaves the grid (w). `origin` in voxels of level
 /// 0 from the grid's corner, `direction` unit.
@@ -52,48 +114,49 @@ pub fn trace_cone<G: Grid>(
     march: &ConeMarch,
 ) -> Vec4 {
     let d = grid.dims_levels();
-    let size = Vec3::new(d.x as f32, d.y as f32, d.z as f32);
-    // A surface near the grid's side reaches as far out as half a voxel and a voxel's filter of the size read there.
-    let margin = Vec3::splat(1.5 * march.size(exit(origin, direction, size)));
-    let end = exit(origin + margin, direction, size + margin * 2.0);
+    let main = dominant_axis(direction);
+    let mut x = Layers::new(origin.x, direction.x, d.x);
+    let mut y = Layers::new(origin.y, direction.y, d.y);
+    let mut z = Layers::new(origin.z, direction.z, d.z);
     let mut radiance = Vec3::ZERO;
     // Transmittance up to the surface being crossed, and how much of the beam that surface has covered.
     let (mut reaching, mut covered) = (1.0, 0.0);
-    let mut t = 0.0;
-    for _ in 0..MAX_STEPS {
-        if t >= end || reaching * (1.0 - covered) < OPAQUE {
+    for _ in 0..MAX_LAYERS {
+        let axis = if x.t <= y.t && x.t <= z.t {
+            0
+        } else if y.t <= z.t {
+            1
+        } else {
+            2
+        };
+        let layer = if axis == 0 {
+            x
+        } else if axis == 1 {
+            y
+        } else {
+            z
+        };
+        if layer.t >= f32::MAX || reaching * (1.0 - covered) < OPAQUE {
             break;
         }
-        let length = march.step * march.size(t);
-        let middle = t + 0.5 * length;
-        let seen = pyramid.sample(grid, origin + direction * middle, march.size(middle), direction);
-        let coverage = seen.w * length;
-        if coverage > 0.0 {
-            let fresh = min(coverage, 1.0 - covered);
-            radiance += seen.truncate() * (length * reaching * fresh / coverage);
+        let position = origin + direction * layer.t;
+        let seen = pyramid.crossing(grid, layer.level, axis, layer.next, layer.slope < 0.0, position);
+        if seen.w > 0.0 {
+            let fresh = min(seen.w, 1.0 - covered);
+            radiance += seen.truncate() * (reaching * fresh / seen.w);
             covered += fresh;
-        } else {
+        } else if axis == main {
             reaching *= 1.0 - covered;
             covered = 0.0;
         }
-        t += length;
+        let wanted = march.level(layer.t).min(d.w - 1);
+        if axis == 0 {
+            x.advance(wanted, d.x);
+        } else if axis == 1 {
+            y.advance(wanted, d.y);
+        } else {
+            z.advance(wanted, d.z);
+        }
     }
     radiance.extend(reaching * (1.0 - covered))
-}
-
-/// Distance at which a ray leaves the box from 0 to `size`; 0 where it starts outside and leaves.
-#[inline(always)]
-fn exit(origin: Vec3, direction: Vec3, size: Vec3) -> f32 {
-    let x = exit_axis(origin.x, direction.x, size.x);
-    let y = exit_axis(origin.y, direction.y, size.y);
-    let z = exit_axis(origin.z, direction.z, size.z);
-    max(min(min(x, y), z), 0.0)
-}
-
-#[inline(always)]
-fn exit_axis(origin: f32, direction: f32, size: f32) -> f32 {
-    if abs(direction) < 1e-9 {
-        return f32::MAX;
-    }
-    (if direction > 0.0 { size - origin } else { -origin }) / direction
 }

@@ -60,6 +60,26 @@ fn mean_direction(inner: f64, outer: f64, members: u32) -> (f64, f64) {
     (along / length, across / length)
 }
 
+/// The parts of the hemisphere that the cones of a set stand for: squared cosines of the inner and the outer edge, first
+/// azimuth and range of azimuths in turns. The weight of a cone is (inner − outer) · range.
+pub fn cone_parts(count: u32) -> [Vec4; MAX_CONES] {
+    let mut parts = [Vec4::ZERO; MAX_CONES];
+    let total = rings(count).iter().sum::<u32>() as f32;
+    let (mut next, mut before) = (0, 0.0);
+    for (ring, &members) in rings(count).iter().enumerate() {
+        let inner = 1.0 - before / total;
+        let outer = 1.0 - (before + members as f32) / total;
+        let range = 1.0 / members as f32;
+        for member in 0..members {
+            let middle = (member as f32 + 0.5 * (ring & 1) as f32) * range;
+            parts[next] = Vec4::new(inner * inner, outer * outer, middle - 0.5 * range, range);
+            next += 1;
+        }
+        before += members as f32;
+    }
+    parts
+}
+
 /// Tangent of half the angle of each cone of a set: a circular cone of solid angle 2π/n.
 pub fn half_angle_tangent(count: u32) -> f32 {
     let cosine = 1.0 - 1.0 / f64::from(count);
@@ -81,6 +101,10 @@ mod tests {
             // The cosine's mean direction is 2/3 along the normal; unit axes overshoot their parts' means a little.
             assert!(mean.truncate().length() < 1e-6 && (0.66..0.78).contains(&mean.z), "{count}: {mean}");
             assert!(used.iter().all(|c| (c.truncate().length() - 1.0).abs() < 1e-6 && c.z > 0.0), "{count}");
+            for (part, cone) in cone_parts(count).iter().zip(used) {
+                assert!(((part.x - part.y) * part.w - cone.w).abs() < 1e-6, "{count}: {part} {cone}");
+                assert!(part.y <= cone.z * cone.z && cone.z * cone.z <= part.x + 1e-6, "{count}: {part} {cone}");
+            }
             assert!(cones[count as usize..].iter().all(|c| *c == Vec4::ZERO));
         }
     }

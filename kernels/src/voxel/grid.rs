@@ -197,6 +197,7 @@ pub fn pyramid(origin: Vec3, voxel_size: f32, dims: UVec3) -> VoxelParams {
         count: 0,
         _pad: 0,
         environment: Vec4::ZERO,
+        bounce_gain: Vec4::ONE,
         light: UVec4::ZERO,
     };
     let mut next = 0;

@@ -75,7 +75,7 @@ pub fn inject(
 /// Radiance (W/(sr m²), w = 0) of side `i & 1` of facet `i / 2`.
 pub fn radiate(i: u32, p: &VoxelParams, facets: &[VoxelFacet], direct: &[Vec4], bounced: &[Vec4]) -> Vec4 {
     let facet = &facets[(i / 2) as usize];
-    let irradiance = direct[i as usize] + bounced[i as usize];
+    let irradiance = direct[i as usize] + bounced[i as usize] * p.bounce_gain;
     let reflected = Vec3::from_array(facet.albedo) * irradiance.truncate() * FRAC_1_PI;
     let emitting = if i & 1 == 0 { p.emission_weight } else { 0.0 };
     (reflected + Vec3::from_array(facet.emission) * emitting).extend(0.0)
@@ -100,7 +100,7 @@ fn inject_case(input: &mut CaseInput) -> Case {
 #[cfg(not(target_arch = "spirv"))]
 fn radiate_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::lit(input);
-    let params = VoxelParams { emission_weight: 1.0, ..pyramid.params };
+    let params = VoxelParams { emission_weight: 1.0, bounce_gain: Vec4::new(1.5, 1.25, 1.0, 1.0), ..pyramid.params };
     let bounced: alloc::vec::Vec<Vec4> = pyramid.radiance.iter().map(|r| *r * 0.5).collect();
     Case::default()
         .uniform(&params)

@@ -20,11 +20,10 @@ use super::case::CasePyramid;
 use super::cells::pass_rows;
 use super::facet::facet_index;
 use super::grid::below;
-use super::view::{facet_total, facets_seen, facets_seen_from_everywhere};
+use super::view::{at_most_covered, axis_direction, facet_total, facets_seen, facets_seen_from_everywhere};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::math::float::{max, min};
-use glam::{Vec3, Vec4};
+use glam::Vec4;
 use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
 
 /// Two voxels one behind the other; each premultiplied radiance and coverage up to 1.
@@ -99,13 +98,7 @@ pub fn mip_base(
     let first_bit = 8 * (child & 3);
     let bits = cells[(2 * cell) as usize] >> first_bit;
     let mut next = facet_index(cells, facet_bits, cell, first_bit, 0);
-    let sign = if direction & 1 == 1 { -1.0 } else { 1.0 };
-    let axis = direction >> 1;
-    let looking = Vec3::new(
-        if axis == 0 { sign } else { 0.0 },
-        if axis == 1 { sign } else { 0.0 },
-        if axis == 2 { sign } else { 0.0 },
-    );
+    let looking = axis_direction(direction >> 1, direction & 1 == 1);
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
@@ -115,8 +108,7 @@ pub fn mip_base(
             } else {
                 facets_seen(next, count, looking, facets, radiance)
             };
-            v[K] = seen * (1.0 / max(seen.w, 1.0));
-            v[K].w = min(v[K].w, 1.0);
+            v[K] = at_most_covered(seen);
             next += count;
         }
     });

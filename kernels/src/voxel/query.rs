@@ -1,9 +1,9 @@
-//! What another renderer imports to look into a voxel pyramid: [`VoxelPyramid::sample`].
+//! What another renderer imports to look into a voxel pyramid: [`VoxelPyramid::crossing`].
 
 use super::facet::facet_index;
-use super::grid::{Grid, below};
-use super::view::{facet_total, facets_seen, facets_seen_from_everywhere};
-use crate::math::float::{abs, floor};
+use super::grid::{Grid, Place, below};
+use super::view::{at_most_covered, axis_direction, facet_total, facets_seen, facets_seen_from_everywhere};
+use crate::math::float::floor;
 use glam::{UVec3, UVec4, Vec3, Vec4};
 use interreflect_shared::voxel::VoxelFacet;
 
@@ -24,8 +24,8 @@ pub struct VoxelPyramid<'a> {
     pub even: &'a [Vec4],
 }
 
-/// The two voxels around a coordinate along one axis: shares of the cell index, of the bit index, and weights. A voxel
-/// outside the grid has weight 0.
+/// The two voxels around a coordinate along one axis: shares of the cell index, of the bit index, and weights. Outside the
+/// grid both weights are 0.
 #[derive(Clone, Copy)]
 struct Tap {
     cell0: u32,
@@ -45,17 +45,26 @@ impl Tap {
         let fraction = x - base;
         let first = base as i32;
         let last = count as i32 - 1;
-        let in0 = first >= 0 && first <= last;
-        let in1 = first >= -1 && first < last;
-        let i0 = if in0 { first as u32 } else { 0 };
-        let i1 = if in1 { (first + 1) as u32 } else { 0 };
+        let inside = x >= -0.5 && x <= last as f32 + 0.5;
+        let in0 = first >= 0;
+        let in1 = first < last;
+        let i0 = if in0 { first.min(last) as u32 } else { 0 };
+        let i1 = if in1 { (first + 1).max(0) as u32 } else { 0 };
+        // In the outer half of an outer voxel there is no neighbour: that voxel counts alone.
+        let weight1 = if !in0 {
+            1.0
+        } else if in1 {
+            fraction
+        } else {
+            0.0
+        };
         Self {
             cell0: (i0 >> shift) * pitch,
             cell1: (i1 >> shift) * pitch,
             bit0: bits_of(i0, shift, low_bit),
             bit1: bits_of(i1, shift, low_bit),
-            weight0: if in0 { 1.0 - fraction } else { 0.0 },
-            weight1: if in1 { fraction } else { 0.0 },
+            weight0: if inside { 1.0 - weight1 } else { 0.0 },
+            weight1: if inside { weight1 } else { 0.0 },
         }
     }
 }
@@ -67,83 +76,71 @@ fn bits_of(i: u32, shift: u32, low_bit: u32) -> u32 {
 }
 
 impl VoxelPyramid<'_> {
-    /// What a viewer who looks along the unit vector `looking` sees of one voxel: premultiplied radiance and coverage, both
-    /// per voxel's length of the viewer's ray.
+    /// What a viewer who looks along an axis (`down`: against it) sees of one voxel: premultiplied radiance and coverage.
     #[inline(always)]
-    fn voxel<G: Grid>(&self, grid: &G, level: u32, cell: u32, bit: u32, word: u32, looking: Vec3) -> Vec4 {
+    fn voxel<G: Grid>(&self, grid: &G, level: u32, at: Place, word: u32, axis: u32, down: bool) -> Vec4 {
+        let isotropic = grid.direction_count() == 1;
         if level == 0 {
-            let first = facet_index(self.cells, self.facet_bits, cell, bit, 0);
-            let count = facet_total(self.facet_bits, cell, bit);
-            return if grid.direction_count() == 1 {
+            let first = facet_index(self.cells, self.facet_bits, at.cell, at.bit, 0);
+            let count = facet_total(self.facet_bits, at.cell, at.bit);
+            let seen = if isotropic {
                 facets_seen_from_everywhere(first, count, self.facets, self.radiance)
             } else {
-                facets_seen(first, count, looking, self.facets, self.radiance)
+                facets_seen(first, count, axis_direction(axis, down), self.facets, self.radiance)
             };
+            return at_most_covered(seen);
         }
-        let record = self.cells[(2 * cell + 1) as usize] + (word & below(bit)).count_ones();
-        if grid.direction_count() == 1 {
-            return self.record(level, record);
-        }
-        let first = record * 6;
-        self.record(level, first + (looking.x < 0.0) as u32) * abs(looking.x)
-            + self.record(level, first + 2 + (looking.y < 0.0) as u32) * abs(looking.y)
-            + self.record(level, first + 4 + (looking.z < 0.0) as u32) * abs(looking.z)
+        let record = self.cells[(2 * at.cell + 1) as usize] + (word & below(at.bit)).count_ones();
+        let i = if isotropic { record } else { 6 * record + 2 * axis + down as u32 } as usize;
+        if level & 1 == 1 { self.odd[i] } else { self.even[i] }
     }
 
+    /// What a ray sees in the layer of voxels whose middles it crosses: premultiplied radiance and coverage, bilinear in the
+    /// layer. `axis`: across the layer; `layer`: its index; `position` in voxels of level 0 where the ray crosses it.
+    ///
+    /// A ray that crosses all layers along all axes, one after another, sees exactly a voxel's coverage once: a plane across
+    /// an axis hides all of it, at any angle. Nothing is seen of a layer before or after its middle, so that a ray which
+    /// leaves a surface, or passes along one, is not darkened by that surface's back, however large the voxels; with samples
+    /// of trilinear filters that takes a tenth to a third of the light per bounce in a closed room.
     #[inline(always)]
-    fn record(&self, level: u32, i: u32) -> Vec4 {
-        if level & 1 == 1 { self.odd[i as usize] } else { self.even[i as usize] }
-    }
-
-    /// Trilinear sample of one level at a position in voxels of level 0, looking along a unit vector: premultiplied radiance
-    /// and coverage per length of a voxel of *that* level.
-    #[inline(always)]
-    pub fn sample_level<G: Grid>(&self, grid: &G, level: u32, position: Vec3, looking: Vec3) -> Vec4 {
+    pub fn crossing<G: Grid>(&self, grid: &G, level: u32, axis: u32, layer: i32, down: bool, position: Vec3) -> Vec4 {
         let table: UVec4 = grid.level(level);
         let dims: UVec3 = super::grid::level_dims(grid, level);
         let scale = 1.0 / (1u32 << level) as f32;
-        let x = Tap::new(position.x * scale - 0.5, dims.x, 2, 1, 0);
-        let y = Tap::new(position.y * scale - 0.5, dims.y, 2, table.x, 1);
-        let z = Tap::new(position.z * scale - 0.5, dims.z, 1, table.y, 2);
+        let count = if axis == 0 {
+            dims.x
+        } else if axis == 1 {
+            dims.y
+        } else {
+            dims.z
+        };
+        if layer < 0 || layer >= count as i32 {
+            return Vec4::ZERO;
+        }
+        let exact = layer as f32;
+        let x = Tap::new(if axis == 0 { exact } else { position.x * scale - 0.5 }, dims.x, 2, 1, 0);
+        let y = Tap::new(if axis == 1 { exact } else { position.y * scale - 0.5 }, dims.y, 2, table.x, 1);
+        let z = Tap::new(if axis == 2 { exact } else { position.z * scale - 0.5 }, dims.z, 1, table.y, 2);
+        let (across, u, v) = if axis == 0 {
+            (x, y, z)
+        } else if axis == 1 {
+            (y, z, x)
+        } else {
+            (z, x, y)
+        };
         let mut sum = Vec4::ZERO;
-        for corner in 0..8u32 {
-            let (x1, y1, z1) = (corner & 1 == 1, corner & 2 == 2, corner & 4 == 4);
-            let weight = if x1 { x.weight1 } else { x.weight0 }
-                * if y1 { y.weight1 } else { y.weight0 }
-                * if z1 { z.weight1 } else { z.weight0 };
-            let cell = table.z
-                + if x1 { x.cell1 } else { x.cell0 }
-                + if y1 { y.cell1 } else { y.cell0 }
-                + if z1 { z.cell1 } else { z.cell0 };
-            let bit =
-                if x1 { x.bit1 } else { x.bit0 } | if y1 { y.bit1 } else { y.bit0 } | if z1 { z.bit1 } else { z.bit0 };
-            let word = self.cells[(2 * cell) as usize];
-            if weight > 0.0 && word >> bit & 1 == 1 {
-                sum += self.voxel(grid, level, cell, bit, word, looking) * weight;
+        for corner in 0..4u32 {
+            let (u1, v1) = (corner & 1 == 1, corner & 2 == 2);
+            let weight = if u1 { u.weight1 } else { u.weight0 } * if v1 { v.weight1 } else { v.weight0 };
+            let at = Place {
+                cell: table.z + across.cell0 + if u1 { u.cell1 } else { u.cell0 } + if v1 { v.cell1 } else { v.cell0 },
+                bit: across.bit0 | if u1 { u.bit1 } else { u.bit0 } | if v1 { v.bit1 } else { v.bit0 },
+            };
+            let word = self.cells[(2 * at.cell) as usize];
+            if weight > 0.0 && word >> at.bit & 1 == 1 {
+                sum += self.voxel(grid, level, at, word, axis, down) * weight;
             }
         }
         sum
-    }
-
-    /// Quadrilinear sample for a footprint of `size` voxels of level 0 (at least 1): premultiplied radiance and coverage per
-    /// length of a voxel of level 0. Between the levels around log₂ `size` linearly in `size`.
-    #[inline(always)]
-    pub fn sample<G: Grid>(&self, grid: &G, position: Vec3, size: f32, looking: Vec3) -> Vec4 {
-        // The exponent of a float is the floor of its base-2 logarithm, exactly and on every target.
-        let exponent = (size.to_bits() >> 23) as i32 - 127;
-        let coarsest = grid.dims_levels().w - 1;
-        let level = if exponent > 0 { (exponent as u32).min(coarsest) } else { 0 };
-        let unit = 1.0 / (1u32 << level) as f32;
-        let fraction = size * unit - 1.0;
-        if level == coarsest || fraction <= 0.0 {
-            return self.sample_level(grid, level, position, looking) * unit;
-        }
-        // Where the coarser level is empty around the position, so is the finer one: its voxels lie below the coarser's.
-        let coarse = self.sample_level(grid, level + 1, position, looking);
-        if coarse.w <= 0.0 {
-            return Vec4::ZERO;
-        }
-        let fine = self.sample_level(grid, level, position, looking);
-        fine * ((1.0 - fraction) * unit) + coarse * (fraction * 0.5 * unit)
     }
 }

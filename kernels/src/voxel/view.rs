@@ -5,6 +5,23 @@ use crate::math::vector::length;
 use glam::{Vec3, Vec4};
 use interreflect_shared::voxel::{FACET_KINDS, VoxelFacet};
 
+/// Unit vector along an axis, or against it.
+#[inline(always)]
+pub fn axis_direction(axis: u32, down: bool) -> Vec3 {
+    let sign = if down { -1.0 } else { 1.0 };
+    Vec3::new(
+        if axis == 0 { sign } else { 0.0 },
+        if axis == 1 { sign } else { 0.0 },
+        if axis == 2 { sign } else { 0.0 },
+    )
+}
+
+/// Premultiplied radiance and coverage with the coverage cut at 1.
+#[inline(always)]
+pub fn at_most_covered(seen: Vec4) -> Vec4 {
+    if seen.w > 1.0 { (seen.truncate() / seen.w).extend(1.0) } else { seen }
+}
+
 /// Number of facets of a voxel of level 0.
 #[inline(always)]
 pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
@@ -18,7 +35,7 @@ pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
 }
 
 /// Facets `first ..` of one voxel, looked at along a unit direction: radiance times coverage, and coverage, the facets'
-/// projected area in voxel faces (not cut at 1: it is also the coverage per voxel's length of a beam's way).
+/// projected area in voxel faces (not cut at 1).
 ///
 /// Fronts and backs that the viewer sees hide each other: the larger of the two sums covers, fronts first. A facet seen
 /// from behind whose wall has its other sheet in the same voxel adds nothing; a single sheet shows its back.
