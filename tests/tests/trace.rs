@@ -34,7 +34,7 @@ impl Numbers {
         (self.bits() >> 8) as f32 / 16_777_216.0
     }
     fn below(&mut self, count: usize) -> usize {
-        (u64::from(self.bits()) * count as u64 >> 32) as usize
+        ((u64::from(self.bits()) * count as u64) >> 32) as usize
     }
     fn in_cube(&mut self) -> Vec3 {
         Vec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
@@ -433,8 +433,7 @@ fn facing_up(position: Vec3) -> Receiver {
 
 #[test]
 fn lights_without_extent_follow_their_laws_and_cast_shadows() {
-    let mut scene = Scene::default();
-    scene.materials = vec![material(Vec3::ONE)];
+    let mut scene = Scene { materials: vec![material(Vec3::ONE)], ..Scene::default() };
     quad(&mut scene, 1.0, 1.0, 0); // a shade over |x|, |y| < 1
     let intensity = Vec3::new(4.0, 2.0, 1.0);
     let at = Vec3::new(0.0, 0.0, 2.0);

@@ -39,7 +39,7 @@ pub fn surfel(input: &mut CaseInput, pyramid: &CasePyramid) -> Surfel {
     let normal = input.direction().to_array();
     Surfel {
         position: (p.origin_size.truncate() + at).to_array(),
-        triangle: if input.bits() % 16 == 0 { NO_SURFACE } else { 0 },
+        triangle: if input.bits().is_multiple_of(16) { NO_SURFACE } else { 0 },
         normal,
         geometric_normal: normal,
         ..crate::trace::surface::no_surface()

@@ -28,7 +28,7 @@ pub struct BaseColour {
 pub fn material(surfaces: &[u32], index: u32) -> SceneMaterial {
     let w = (SRGB_TABLE_WORDS + index * MATERIAL_WORDS) as usize;
     SceneMaterial {
-        albedo: [float(surfaces, w + 0), float(surfaces, w + 1), float(surfaces, w + 2)],
+        albedo: [float(surfaces, w), float(surfaces, w + 1), float(surfaces, w + 2)],
         texture_first: surfaces[w + 3],
         emission: [float(surfaces, w + 4), float(surfaces, w + 5), float(surfaces, w + 6)],
         texture_size: surfaces[w + 7],

@@ -65,7 +65,7 @@ pub fn accumulate(
     let normal = normalize(triangle.normal);
     let m = material(surfaces, source.material);
     let mut walk = TileWalk::new(triangle, i - tile_first[owner as usize]);
-    while walk.next() {
+    while walk.advance() {
         let voxel = walk.voxel();
         let corner = walk.corner();
         let piece = clip(triangle.a - corner, triangle.b - corner, triangle.c - corner);

@@ -44,7 +44,7 @@ pub fn mark(
     let triangle = GridTriangle::new(p, &triangles[owner as usize]);
     let kind = facet_kind(triangle.normal);
     let mut walk = TileWalk::new(triangle, i - tile_first[owner as usize]);
-    while walk.next() {
+    while walk.advance() {
         let voxel = walk.voxel();
         let at = place(p.levels[0], voxel.x, voxel.y, voxel.z);
         facet_bits.or(at.cell * FACET_KINDS + kind, 1 << at.bit);

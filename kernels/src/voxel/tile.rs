@@ -130,7 +130,7 @@ impl TileWalk {
 
     /// Goes to the next voxel; false after the last.
     #[inline(always)]
-    pub fn next(&mut self) -> bool {
+    pub fn advance(&mut self) -> bool {
         while self.v < self.v_end {
             while self.w < self.column_w_last {
                 self.w += 1;
