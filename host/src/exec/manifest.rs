@@ -68,7 +68,7 @@ pub struct Manifest {
     pub source_sha256: String,
     /// What compiled them.
     pub compilers: Compilers,
-    /// Workgroups along x before a dispatch folds into y (see [`KernelEntry::workgroups`]).
+    /// Workgroups along x before a dispatch folds into y (see [`Manifest::workgroups`]).
     pub fold_width: u32,
     /// Every entry point, sorted by name.
     pub kernels: Vec<KernelEntry>,

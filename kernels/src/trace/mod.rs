@@ -1,7 +1,7 @@
 //! Scene access of kernels: the BVH walk, the surface fetch, the lights; and the passes that every method shares.
 //!
 //! - [`closest_hit`], [`any_hit`]: rays against the scene ([`SceneRef`]), watertight.
-//! - [`surface`]: position, normals, reflectance and emission at a hit; [`leave_surface`]: where the next ray starts.
+//! - [`surface()`]: position, normals, reflectance and emission at a hit; [`leave_surface`]: where the next ray starts.
 //! - [`light_irradiance`], [`direct_irradiance`]: direct light at a receiver, with shadow rays.
 //! - Kernels: [`gbuffer`] (primary rays), [`direct`] (direct light per pixel), [`rays`] (raw rays in, hits out) and
 //!   [`compose`] (radiance towards the camera).
