@@ -1,6 +1,7 @@
 //! Outputs of two executors, word by word: integers exactly, floats within the kernel's tolerance.
 
 use crate::failure::{Difference, Failure, Place};
+use crate::run::POISON;
 use interreflect_kernels::kernel::{Binding, Kernel, Tolerance};
 use interreflect_shared::{Field, Word};
 
@@ -99,7 +100,9 @@ pub fn compare(expected: &[Output], got: &[Output], allowed: Allowed) -> Result<
             });
         }
         for i in 0..a.words.len() {
-            if !allowed.accepts(a.kind(i), a.words[i], b.words[i]) {
+            // What no invocation owns holds the pattern on both sides, as `run_case` has made sure: a NaN that is right.
+            let untouched = a.words[i] == POISON[0] && b.words[i] == POISON[0];
+            if !untouched && !allowed.accepts(a.kind(i), a.words[i], b.words[i]) {
                 return Err(Failure::Differs(Box::new(Difference {
                     place: b.place(i),
                     expected: a.text(i),

@@ -201,7 +201,7 @@ fn wrong_use_says_what_is_right() {
         2,
         &["0,0,0,0,0,0,40"],
     );
-    for size in ["0x10", "10x0", "99999x10", "10", "ax10", "-1x4"] {
+    for size in ["0x10", "10x0", "99999x10", "10", "ax10", "1x-4"] {
         fails(&["render", "cornell-box", "--method", "direct", "--size", size, "--out", o], 2, &["--size"]);
     }
     for env in ["1,2", "1,2,x", "-1,0,0", "nan,0,0"] {
