@@ -203,12 +203,22 @@ mod host {
         Exact,
         /// `|a − b| ≤ rel·max(|a|, |b|) + abs`; integers still exactly.
         RelAbs(f32, f32),
+        /// Words are fixed-point sums of what were floats: at most this many units apart, as two's complement. Floats
+        /// exactly.
+        FixedPoint(u32),
     }
     impl Tolerance {
+        /// Whether two integer words are close enough.
+        pub fn accepts_words(self, a: u32, b: u32) -> bool {
+            match self {
+                Tolerance::FixedPoint(units) => (a.wrapping_sub(b) as i32).unsigned_abs() <= units,
+                Tolerance::Exact | Tolerance::RelAbs(..) => a == b,
+            }
+        }
         /// Whether two floats are close enough. NaN is close to nothing, infinity to itself alone.
         pub fn accepts(self, a: f32, b: f32) -> bool {
             match self {
-                Tolerance::Exact => a.to_bits() == b.to_bits() && !a.is_nan(),
+                Tolerance::Exact | Tolerance::FixedPoint(_) => a.to_bits() == b.to_bits() && !a.is_nan(),
                 Tolerance::RelAbs(rel, abs) => {
                     a == b || ((a - b).is_finite() && (a - b).abs() <= rel * a.abs().max(b.abs()) + abs)
                 }

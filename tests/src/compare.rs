@@ -72,13 +72,17 @@ impl Allowed {
             (Allowed::Declared(tolerance, _), Word::F32) => {
                 tolerance.accepts(f32::from_bits(expected), f32::from_bits(got))
             }
-            _ => expected == got,
+            (Allowed::Declared(tolerance, _), Word::U32 | Word::I32) => tolerance.accepts_words(expected, got),
+            (Allowed::SameBits, _) => expected == got,
         }
     }
 
     fn text(self, kind: Word) -> String {
         match (self, kind) {
-            (Allowed::Declared(tolerance, reason), Word::F32) => format!("{tolerance:?}: {reason}"),
+            (Allowed::Declared(tolerance, reason), Word::F32)
+            | (Allowed::Declared(tolerance @ Tolerance::FixedPoint(_), reason), _) => {
+                format!("{tolerance:?}: {reason}")
+            }
             _ => "must be equal".into(),
         }
     }

@@ -121,6 +121,13 @@ fn a_float_beyond_the_tolerance() {
 }
 
 #[test]
+fn fixed_point_words_too_far_apart() {
+    assert!(Tolerance::FixedPoint(2).accepts_words(u32::MAX, 1), "-1 and 1 are two units apart");
+    assert!(!Tolerance::FixedPoint(2).accepts_words(u32::MAX, 2));
+    assert!(!Tolerance::RelAbs(1.0, 10.0).accepts_words(5, 6), "other integers exactly");
+}
+
+#[test]
 fn a_float_that_is_infinite_on_one_side() {
     let failure = tampered(&smoke_axpy::KERNEL, |words| change_last(words, |_| f32::INFINITY.to_bits()));
     assert!(matches!(failure, Failure::Differs(_)), "{failure}");

@@ -56,8 +56,11 @@ pub fn coarsen(i: u32, p: &VoxelParams, finer: &[u32]) -> u32 {
     bits
 }
 
-/// Facets of one cell of level 0.
-pub fn facet_count(i: u32, _p: &VoxelParams, facet_bits: &[u32]) -> u32 {
+/// Facets of one cell of level 0; nothing beyond the last one.
+pub fn facet_count(i: u32, p: &VoxelParams, facet_bits: &[u32]) -> u32 {
+    if i >= p.levels[0].w {
+        return 0;
+    }
     let first = (i * FACET_KINDS) as usize;
     let mut count = 0;
     for kind in 0..FACET_KINDS as usize {

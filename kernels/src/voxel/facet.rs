@@ -20,6 +20,7 @@ use super::grid::{Grid, below, facet_kind, from_axis, last_at_most, place, voxel
 use super::mark::{tile_items, tile_owner};
 use super::overlap::clip;
 use super::tile::{GridTriangle, TileWalk};
+use super::view::facet_total;
 use crate::kernel::AtomicWords;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -162,21 +163,17 @@ fn sum3(sums: &[u32], first: usize) -> Vec3 {
 /// Bit of the voxel that holds facet `n` of a cell.
 #[inline(always)]
 fn facet_bit(occupied: u32, cell: u32, facet_bits: &[u32], n: u32) -> u32 {
-    let first = (cell * FACET_KINDS) as usize;
     let mut rest = n;
     let mut voxels = occupied;
-    loop {
-        let bit = voxels.trailing_zeros() & 31;
-        let mut here = 0;
-        for k in 0..FACET_KINDS as usize {
-            here += facet_bits[first + k] >> bit & 1;
-        }
-        if rest < here || voxels == 0 {
-            return bit;
-        }
+    let mut bit = voxels.trailing_zeros() & 31;
+    let mut here = facet_total(facet_bits, cell, bit);
+    while rest >= here && voxels != 0 {
         rest -= here;
         voxels &= voxels.wrapping_sub(1);
+        bit = voxels.trailing_zeros() & 31;
+        here = facet_total(facet_bits, cell, bit);
     }
+    bit
 }
 
 /// Unit normal of a facet's front; up where its normals cancel.
@@ -223,7 +220,7 @@ scatter! {
     read 5 cells: u32;
     read 6 facet_bits: u32;
     atomic 7 sums;
-    case super::accumulate_case; tolerance Tolerance::Exact, "fixed point from the same float operations";
+    case super::accumulate_case; tolerance Tolerance::FixedPoint(64), "a device may reassociate: each piece of a sum, of at most 2^20 units, may round the other way";
 }
 
 kernel! {
