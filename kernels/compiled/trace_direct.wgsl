@@ -150,466 +150,466 @@ fn function_() {
     var local_18: array<u32, 64>;
     var local_19: array<f32, 3>;
     var local_20: array<f32, 3>;
-    var phi_16283_: bool;
-    var phi_4962_: type_8;
-    var phi_4965_: vec3<f32>;
-    var phi_4963_: type_8;
-    var phi_4988_: type_8;
+    var phi_16276_: bool;
+    var phi_4959_: type_8;
+    var phi_4962_: vec3<f32>;
+    var phi_4960_: type_8;
+    var phi_4985_: type_8;
+    var phi_4999_: u32;
     var phi_5002_: u32;
-    var phi_5005_: u32;
-    var phi_5029_: u32;
+    var phi_5026_: u32;
+    var phi_5000_: u32;
     var phi_5003_: u32;
-    var phi_5006_: u32;
-    var phi_16279_: bool;
+    var phi_16272_: bool;
     var local_21: u32;
     var local_22: u32;
-    var phi_8208_: f32;
-    var phi_8226_: f32;
-    var phi_8252_: bool;
-    var phi_8262_: u32;
-    var phi_8265_: bool;
-    var phi_8276_: u32;
-    var phi_8406_: f32;
-    var phi_8414_: f32;
-    var phi_8422_: f32;
-    var phi_16289_: bool;
-    var phi_8425_: u32;
-    var phi_8428_: u32;
-    var phi_8853_: type_8;
-    var phi_8854_: type_8;
-    var phi_8877_: type_8;
-    var phi_8993_: f32;
-    var phi_9004_: f32;
-    var phi_9015_: f32;
-    var phi_9030_: f32;
-    var phi_9031_: f32;
-    var phi_9032_: bool;
-    var phi_9033_: f32;
-    var phi_9034_: bool;
-    var phi_9053_: f32;
-    var phi_9054_: bool;
-    var phi_9055_: f32;
-    var phi_9056_: bool;
-    var phi_9057_: bool;
-    var phi_9062_: f32;
-    var phi_9063_: bool;
+    var phi_8203_: f32;
+    var phi_8221_: f32;
+    var phi_8247_: bool;
+    var phi_8257_: u32;
+    var phi_8260_: bool;
+    var phi_8271_: u32;
+    var phi_8401_: f32;
+    var phi_8409_: f32;
+    var phi_8417_: f32;
+    var phi_16282_: bool;
+    var phi_8420_: u32;
+    var phi_8423_: u32;
+    var phi_8848_: type_8;
+    var phi_8849_: type_8;
+    var phi_8872_: type_8;
+    var phi_8988_: f32;
+    var phi_8999_: f32;
+    var phi_9010_: f32;
+    var phi_9025_: f32;
+    var phi_9026_: f32;
+    var phi_9027_: bool;
+    var phi_9028_: f32;
+    var phi_9029_: bool;
+    var phi_9048_: f32;
+    var phi_9049_: bool;
+    var phi_9050_: f32;
+    var phi_9051_: bool;
+    var phi_9052_: bool;
+    var phi_9057_: f32;
+    var phi_9058_: bool;
+    var phi_9144_: array<f32, 3>;
+    var phi_9145_: array<f32, 3>;
+    var phi_9146_: array<f32, 3>;
+    var phi_9147_: array<f32, 3>;
+    var phi_9148_: bool;
     var phi_9149_: array<f32, 3>;
     var phi_9150_: array<f32, 3>;
-    var phi_9151_: array<f32, 3>;
-    var phi_9152_: array<f32, 3>;
-    var phi_9153_: bool;
-    var phi_9154_: array<f32, 3>;
-    var phi_9155_: array<f32, 3>;
-    var phi_9156_: bool;
-    var phi_9157_: bool;
+    var phi_9151_: bool;
+    var phi_9152_: bool;
+    var phi_9157_: array<f32, 3>;
     var phi_9162_: array<f32, 3>;
-    var phi_9167_: array<f32, 3>;
+    var phi_9372_: u32;
     var phi_9378_: u32;
-    var phi_9384_: u32;
+    var phi_9408_: u32;
     var phi_9414_: u32;
-    var phi_9420_: u32;
-    var phi_9495_: bool;
-    var phi_9500_: bool;
-    var phi_9505_: type_44;
-    var phi_9507_: type_44;
+    var phi_9489_: bool;
+    var phi_9494_: bool;
+    var phi_9499_: type_44;
+    var phi_9501_: type_44;
+    var phi_9503_: bool;
+    var phi_9504_: type_44;
+    var phi_9506_: bool;
+    var phi_9507_: bool;
+    var phi_9508_: type_44;
     var phi_9509_: bool;
-    var phi_9510_: type_44;
-    var phi_9512_: bool;
-    var phi_9513_: bool;
-    var phi_9514_: type_44;
-    var phi_9515_: bool;
-    var phi_9516_: bool;
-    var phi_9517_: bool;
-    var phi_9530_: type_44;
+    var phi_9510_: bool;
+    var phi_9511_: bool;
+    var phi_9524_: type_44;
+    var phi_9531_: bool;
+    var phi_16278_: bool;
+    var phi_12417_: bool;
+    var phi_8808_: u32;
+    var phi_8820_: u32;
+    var phi_8832_: u32;
+    var phi_8844_: u32;
+    var phi_16346_: bool;
+    var phi_9536_: u32;
     var phi_9537_: bool;
-    var phi_16285_: bool;
-    var phi_12424_: bool;
-    var phi_8813_: u32;
-    var phi_8825_: u32;
-    var phi_8837_: u32;
-    var phi_8849_: u32;
-    var phi_16353_: bool;
-    var phi_9542_: u32;
-    var phi_9543_: bool;
-    var phi_9559_: u32;
-    var phi_9560_: u32;
-    var phi_8426_: u32;
-    var phi_8429_: u32;
-    var phi_9562_: bool;
-    var phi_9563_: bool;
-    var phi_16351_: bool;
-    var phi_12425_: bool;
-    var phi_9580_: vec3<f32>;
-    var phi_16678_: bool;
-    var phi_9582_: vec3<f32>;
-    var phi_9583_: bool;
-    var phi_6782_: f32;
-    var phi_6808_: bool;
-    var phi_6818_: u32;
-    var phi_6821_: bool;
-    var phi_6832_: u32;
-    var phi_6962_: f32;
-    var phi_6970_: f32;
-    var phi_6978_: f32;
-    var phi_16415_: bool;
-    var phi_6981_: u32;
-    var phi_6984_: u32;
-    var phi_7409_: type_8;
-    var phi_7410_: type_8;
-    var phi_7433_: type_8;
-    var phi_7549_: f32;
-    var phi_7560_: f32;
-    var phi_7571_: f32;
-    var phi_7586_: f32;
-    var phi_7587_: f32;
-    var phi_7588_: bool;
-    var phi_7589_: f32;
-    var phi_7590_: bool;
-    var phi_7609_: f32;
-    var phi_7610_: bool;
-    var phi_7611_: f32;
-    var phi_7612_: bool;
-    var phi_7613_: bool;
-    var phi_7618_: f32;
-    var phi_7619_: bool;
-    var phi_7705_: array<f32, 3>;
+    var phi_9553_: u32;
+    var phi_9554_: u32;
+    var phi_8421_: u32;
+    var phi_8424_: u32;
+    var phi_9556_: bool;
+    var phi_9557_: bool;
+    var phi_16344_: bool;
+    var phi_12418_: bool;
+    var phi_9574_: vec3<f32>;
+    var phi_16671_: bool;
+    var phi_9576_: vec3<f32>;
+    var phi_9577_: bool;
+    var phi_6778_: f32;
+    var phi_6804_: bool;
+    var phi_6814_: u32;
+    var phi_6817_: bool;
+    var phi_6828_: u32;
+    var phi_6958_: f32;
+    var phi_6966_: f32;
+    var phi_6974_: f32;
+    var phi_16408_: bool;
+    var phi_6977_: u32;
+    var phi_6980_: u32;
+    var phi_7405_: type_8;
+    var phi_7406_: type_8;
+    var phi_7429_: type_8;
+    var phi_7545_: f32;
+    var phi_7556_: f32;
+    var phi_7567_: f32;
+    var phi_7582_: f32;
+    var phi_7583_: f32;
+    var phi_7584_: bool;
+    var phi_7585_: f32;
+    var phi_7586_: bool;
+    var phi_7605_: f32;
+    var phi_7606_: bool;
+    var phi_7607_: f32;
+    var phi_7608_: bool;
+    var phi_7609_: bool;
+    var phi_7614_: f32;
+    var phi_7615_: bool;
+    var phi_7701_: array<f32, 3>;
+    var phi_7702_: array<f32, 3>;
+    var phi_7703_: array<f32, 3>;
+    var phi_7704_: array<f32, 3>;
+    var phi_7705_: bool;
     var phi_7706_: array<f32, 3>;
     var phi_7707_: array<f32, 3>;
-    var phi_7708_: array<f32, 3>;
+    var phi_7708_: bool;
     var phi_7709_: bool;
-    var phi_7710_: array<f32, 3>;
-    var phi_7711_: array<f32, 3>;
-    var phi_7712_: bool;
-    var phi_7713_: bool;
-    var phi_7718_: array<f32, 3>;
-    var phi_7723_: array<f32, 3>;
-    var phi_7934_: u32;
-    var phi_7940_: u32;
-    var phi_7970_: u32;
-    var phi_7976_: u32;
+    var phi_7714_: array<f32, 3>;
+    var phi_7719_: array<f32, 3>;
+    var phi_7929_: u32;
+    var phi_7935_: u32;
+    var phi_7965_: u32;
+    var phi_7971_: u32;
+    var phi_8046_: bool;
     var phi_8051_: bool;
-    var phi_8056_: bool;
+    var phi_8056_: type_44;
+    var phi_8058_: type_44;
+    var phi_8060_: bool;
     var phi_8061_: type_44;
-    var phi_8063_: type_44;
-    var phi_8065_: bool;
-    var phi_8066_: type_44;
+    var phi_8063_: bool;
+    var phi_8064_: bool;
+    var phi_8065_: type_44;
+    var phi_8066_: bool;
+    var phi_8067_: bool;
     var phi_8068_: bool;
-    var phi_8069_: bool;
-    var phi_8070_: type_44;
-    var phi_8071_: bool;
-    var phi_8072_: bool;
-    var phi_8073_: bool;
-    var phi_8086_: type_44;
-    var phi_8093_: bool;
-    var phi_16411_: bool;
-    var phi_12426_: bool;
-    var phi_7369_: u32;
-    var phi_7381_: u32;
-    var phi_7393_: u32;
-    var phi_7405_: u32;
-    var phi_16473_: bool;
-    var phi_8098_: u32;
-    var phi_8099_: bool;
-    var phi_8115_: u32;
-    var phi_8116_: u32;
-    var phi_6982_: u32;
-    var phi_6985_: u32;
-    var phi_8118_: bool;
-    var phi_8119_: bool;
-    var phi_16471_: bool;
-    var phi_12427_: bool;
-    var phi_8135_: vec3<f32>;
-    var phi_16683_: bool;
-    var phi_8136_: vec3<f32>;
-    var phi_8137_: bool;
+    var phi_8081_: type_44;
+    var phi_8088_: bool;
+    var phi_16404_: bool;
+    var phi_12419_: bool;
+    var phi_7365_: u32;
+    var phi_7377_: u32;
+    var phi_7389_: u32;
+    var phi_7401_: u32;
+    var phi_16466_: bool;
+    var phi_8093_: u32;
+    var phi_8094_: bool;
+    var phi_8110_: u32;
+    var phi_8111_: u32;
+    var phi_6978_: u32;
+    var phi_6981_: u32;
+    var phi_8113_: bool;
+    var phi_8114_: bool;
+    var phi_16464_: bool;
+    var phi_12420_: bool;
+    var phi_8130_: vec3<f32>;
     var phi_16676_: bool;
-    var phi_9588_: vec3<f32>;
-    var phi_9589_: vec3<f32>;
-    var phi_5136_: vec3<f32>;
-    var phi_5138_: vec3<f32>;
-    var phi_5139_: bool;
-    var phi_16557_: bool;
-    var phi_5161_: type_8;
-    var phi_5166_: f32;
-    var phi_5162_: type_8;
-    var phi_5191_: type_8;
-    var phi_12931_: f32;
-    var phi_12939_: f32;
-    var phi_5252_: vec2<f32>;
-    var phi_5349_: f32;
-    var phi_5375_: bool;
-    var phi_5385_: u32;
-    var phi_5388_: bool;
-    var phi_5399_: u32;
-    var phi_5529_: f32;
-    var phi_5537_: f32;
-    var phi_5545_: f32;
-    var phi_16535_: bool;
+    var phi_8131_: vec3<f32>;
+    var phi_8132_: bool;
+    var phi_16669_: bool;
+    var phi_9582_: vec3<f32>;
+    var phi_9583_: vec3<f32>;
+    var phi_5133_: vec3<f32>;
+    var phi_5135_: vec3<f32>;
+    var phi_5136_: bool;
+    var phi_16550_: bool;
+    var phi_5158_: type_8;
+    var phi_5163_: f32;
+    var phi_5159_: type_8;
+    var phi_5188_: type_8;
+    var phi_12924_: f32;
+    var phi_12932_: f32;
+    var phi_5249_: vec2<f32>;
+    var phi_5346_: f32;
+    var phi_5372_: bool;
+    var phi_5382_: u32;
+    var phi_5385_: bool;
+    var phi_5396_: u32;
+    var phi_5526_: f32;
+    var phi_5534_: f32;
+    var phi_5542_: f32;
+    var phi_16528_: bool;
+    var phi_5545_: u32;
     var phi_5548_: u32;
-    var phi_5551_: u32;
-    var phi_5976_: type_8;
-    var phi_5977_: type_8;
-    var phi_6000_: type_8;
-    var phi_6116_: f32;
-    var phi_6127_: f32;
-    var phi_6138_: f32;
+    var phi_5973_: type_8;
+    var phi_5974_: type_8;
+    var phi_5997_: type_8;
+    var phi_6113_: f32;
+    var phi_6124_: f32;
+    var phi_6135_: f32;
+    var phi_6150_: f32;
+    var phi_6151_: f32;
+    var phi_6152_: bool;
     var phi_6153_: f32;
-    var phi_6154_: f32;
-    var phi_6155_: bool;
-    var phi_6156_: f32;
-    var phi_6157_: bool;
-    var phi_6176_: f32;
+    var phi_6154_: bool;
+    var phi_6173_: f32;
+    var phi_6174_: bool;
+    var phi_6175_: f32;
+    var phi_6176_: bool;
     var phi_6177_: bool;
-    var phi_6178_: f32;
-    var phi_6179_: bool;
-    var phi_6180_: bool;
-    var phi_6185_: f32;
-    var phi_6186_: bool;
+    var phi_6182_: f32;
+    var phi_6183_: bool;
+    var phi_6269_: array<f32, 3>;
+    var phi_6270_: array<f32, 3>;
+    var phi_6271_: array<f32, 3>;
     var phi_6272_: array<f32, 3>;
-    var phi_6273_: array<f32, 3>;
+    var phi_6273_: bool;
     var phi_6274_: array<f32, 3>;
     var phi_6275_: array<f32, 3>;
     var phi_6276_: bool;
-    var phi_6277_: array<f32, 3>;
-    var phi_6278_: array<f32, 3>;
-    var phi_6279_: bool;
-    var phi_6280_: bool;
-    var phi_6285_: array<f32, 3>;
-    var phi_6290_: array<f32, 3>;
-    var phi_6501_: u32;
-    var phi_6507_: u32;
-    var phi_6537_: u32;
-    var phi_6543_: u32;
-    var phi_6618_: bool;
-    var phi_6623_: bool;
-    var phi_6628_: type_44;
-    var phi_6630_: type_44;
+    var phi_6277_: bool;
+    var phi_6282_: array<f32, 3>;
+    var phi_6287_: array<f32, 3>;
+    var phi_6497_: u32;
+    var phi_6503_: u32;
+    var phi_6533_: u32;
+    var phi_6539_: u32;
+    var phi_6614_: bool;
+    var phi_6619_: bool;
+    var phi_6624_: type_44;
+    var phi_6626_: type_44;
+    var phi_6628_: bool;
+    var phi_6629_: type_44;
+    var phi_6631_: bool;
     var phi_6632_: bool;
     var phi_6633_: type_44;
+    var phi_6634_: bool;
     var phi_6635_: bool;
     var phi_6636_: bool;
-    var phi_6637_: type_44;
-    var phi_6638_: bool;
-    var phi_6639_: bool;
-    var phi_6640_: bool;
-    var phi_6653_: type_44;
-    var phi_6660_: bool;
-    var phi_16531_: bool;
-    var phi_12428_: bool;
-    var phi_5936_: u32;
-    var phi_5948_: u32;
-    var phi_5960_: u32;
-    var phi_5972_: u32;
-    var phi_16607_: bool;
-    var phi_6665_: u32;
-    var phi_6666_: bool;
-    var phi_6682_: u32;
-    var phi_6683_: u32;
+    var phi_6649_: type_44;
+    var phi_6656_: bool;
+    var phi_16524_: bool;
+    var phi_12421_: bool;
+    var phi_5933_: u32;
+    var phi_5945_: u32;
+    var phi_5957_: u32;
+    var phi_5969_: u32;
+    var phi_16600_: bool;
+    var phi_6661_: u32;
+    var phi_6662_: bool;
+    var phi_6678_: u32;
+    var phi_6679_: u32;
+    var phi_5546_: u32;
     var phi_5549_: u32;
-    var phi_5552_: u32;
-    var phi_6685_: bool;
-    var phi_6686_: bool;
-    var phi_16605_: bool;
-    var phi_12429_: bool;
-    var phi_6700_: f32;
-    var phi_16667_: bool;
-    var phi_6701_: f32;
-    var phi_16666_: bool;
-    var phi_5167_: f32;
-    var phi_16665_: bool;
+    var phi_6681_: bool;
+    var phi_6682_: bool;
+    var phi_16598_: bool;
+    var phi_12422_: bool;
+    var phi_6696_: f32;
+    var phi_16660_: bool;
+    var phi_6697_: f32;
+    var phi_16659_: bool;
+    var phi_5164_: f32;
+    var phi_16658_: bool;
     var local_23: f32;
     var local_24: f32;
-    var phi_6730_: f32;
-    var phi_16688_: bool;
-    var phi_6736_: f32;
-    var phi_16675_: bool;
-    var phi_9590_: vec3<f32>;
-    var phi_9591_: vec3<f32>;
-    var phi_9592_: bool;
-    var phi_16673_: bool;
-    var phi_9612_: vec3<f32>;
-    var phi_16672_: bool;
-    var phi_4966_: vec3<f32>;
-    var phi_16671_: bool;
-    var phi_16800_: bool;
+    var phi_6726_: f32;
+    var phi_16681_: bool;
+    var phi_6732_: f32;
+    var phi_16668_: bool;
+    var phi_9584_: vec3<f32>;
+    var phi_9585_: vec3<f32>;
+    var phi_9586_: bool;
+    var phi_16666_: bool;
+    var phi_9606_: vec3<f32>;
+    var phi_16665_: bool;
+    var phi_4963_: vec3<f32>;
+    var phi_16664_: bool;
+    var phi_16793_: bool;
     var phi_337_: type_8;
     var phi_340_: vec3<f32>;
     var phi_338_: type_8;
     var phi_363_: type_8;
-    var phi_3548_: f32;
-    var phi_3566_: f32;
-    var phi_3592_: bool;
-    var phi_3602_: u32;
-    var phi_3605_: bool;
-    var phi_3616_: u32;
-    var phi_3746_: f32;
-    var phi_3754_: f32;
-    var phi_3762_: f32;
-    var phi_16783_: bool;
-    var phi_3765_: u32;
-    var phi_3768_: u32;
-    var phi_4193_: type_8;
-    var phi_4194_: type_8;
-    var phi_4217_: type_8;
-    var phi_4333_: f32;
-    var phi_4344_: f32;
-    var phi_4355_: f32;
-    var phi_4370_: f32;
+    var phi_3546_: f32;
+    var phi_3564_: f32;
+    var phi_3590_: bool;
+    var phi_3600_: u32;
+    var phi_3603_: bool;
+    var phi_3614_: u32;
+    var phi_3744_: f32;
+    var phi_3752_: f32;
+    var phi_3760_: f32;
+    var phi_16776_: bool;
+    var phi_3763_: u32;
+    var phi_3766_: u32;
+    var phi_4191_: type_8;
+    var phi_4192_: type_8;
+    var phi_4215_: type_8;
+    var phi_4331_: f32;
+    var phi_4342_: f32;
+    var phi_4353_: f32;
+    var phi_4368_: f32;
+    var phi_4369_: f32;
+    var phi_4370_: bool;
     var phi_4371_: f32;
     var phi_4372_: bool;
-    var phi_4373_: f32;
-    var phi_4374_: bool;
+    var phi_4391_: f32;
+    var phi_4392_: bool;
     var phi_4393_: f32;
     var phi_4394_: bool;
-    var phi_4395_: f32;
-    var phi_4396_: bool;
-    var phi_4397_: bool;
-    var phi_4402_: f32;
-    var phi_4403_: bool;
+    var phi_4395_: bool;
+    var phi_4400_: f32;
+    var phi_4401_: bool;
+    var phi_4487_: array<f32, 3>;
+    var phi_4488_: array<f32, 3>;
     var phi_4489_: array<f32, 3>;
     var phi_4490_: array<f32, 3>;
-    var phi_4491_: array<f32, 3>;
+    var phi_4491_: bool;
     var phi_4492_: array<f32, 3>;
-    var phi_4493_: bool;
-    var phi_4494_: array<f32, 3>;
-    var phi_4495_: array<f32, 3>;
-    var phi_4496_: bool;
-    var phi_4497_: bool;
-    var phi_4502_: array<f32, 3>;
-    var phi_4507_: array<f32, 3>;
-    var phi_4718_: u32;
-    var phi_4724_: u32;
-    var phi_4754_: u32;
-    var phi_4760_: u32;
-    var phi_4835_: bool;
-    var phi_4840_: bool;
-    var phi_4845_: type_44;
+    var phi_4493_: array<f32, 3>;
+    var phi_4494_: bool;
+    var phi_4495_: bool;
+    var phi_4500_: array<f32, 3>;
+    var phi_4505_: array<f32, 3>;
+    var phi_4715_: u32;
+    var phi_4721_: u32;
+    var phi_4751_: u32;
+    var phi_4757_: u32;
+    var phi_4832_: bool;
+    var phi_4837_: bool;
+    var phi_4842_: type_44;
+    var phi_4844_: type_44;
+    var phi_4846_: bool;
     var phi_4847_: type_44;
     var phi_4849_: bool;
-    var phi_4850_: type_44;
+    var phi_4850_: bool;
+    var phi_4851_: type_44;
     var phi_4852_: bool;
     var phi_4853_: bool;
-    var phi_4854_: type_44;
-    var phi_4855_: bool;
-    var phi_4856_: bool;
-    var phi_4857_: bool;
-    var phi_4870_: type_44;
-    var phi_4877_: bool;
-    var phi_16779_: bool;
-    var phi_12430_: bool;
-    var phi_4153_: u32;
-    var phi_4165_: u32;
-    var phi_4177_: u32;
-    var phi_4189_: u32;
-    var phi_16849_: bool;
-    var phi_4882_: u32;
-    var phi_4883_: bool;
-    var phi_4899_: u32;
-    var phi_4900_: u32;
-    var phi_3766_: u32;
-    var phi_3769_: u32;
-    var phi_4902_: bool;
-    var phi_4903_: bool;
-    var phi_16847_: bool;
-    var phi_12431_: bool;
-    var phi_4920_: vec3<f32>;
-    var phi_17173_: bool;
-    var phi_4922_: vec3<f32>;
-    var phi_4923_: bool;
-    var phi_2122_: f32;
-    var phi_2148_: bool;
-    var phi_2158_: u32;
-    var phi_2161_: bool;
-    var phi_2172_: u32;
-    var phi_2302_: f32;
-    var phi_2310_: f32;
-    var phi_2318_: f32;
-    var phi_16911_: bool;
-    var phi_2321_: u32;
-    var phi_2324_: u32;
+    var phi_4854_: bool;
+    var phi_4867_: type_44;
+    var phi_4874_: bool;
+    var phi_16772_: bool;
+    var phi_12423_: bool;
+    var phi_4151_: u32;
+    var phi_4163_: u32;
+    var phi_4175_: u32;
+    var phi_4187_: u32;
+    var phi_16842_: bool;
+    var phi_4879_: u32;
+    var phi_4880_: bool;
+    var phi_4896_: u32;
+    var phi_4897_: u32;
+    var phi_3764_: u32;
+    var phi_3767_: u32;
+    var phi_4899_: bool;
+    var phi_4900_: bool;
+    var phi_16840_: bool;
+    var phi_12424_: bool;
+    var phi_4917_: vec3<f32>;
+    var phi_17166_: bool;
+    var phi_4919_: vec3<f32>;
+    var phi_4920_: bool;
+    var phi_2121_: f32;
+    var phi_2147_: bool;
+    var phi_2157_: u32;
+    var phi_2160_: bool;
+    var phi_2171_: u32;
+    var phi_2301_: f32;
+    var phi_2309_: f32;
+    var phi_2317_: f32;
+    var phi_16904_: bool;
+    var phi_2320_: u32;
+    var phi_2323_: u32;
+    var phi_2748_: type_8;
     var phi_2749_: type_8;
-    var phi_2750_: type_8;
-    var phi_2773_: type_8;
-    var phi_2889_: f32;
-    var phi_2900_: f32;
-    var phi_2911_: f32;
+    var phi_2772_: type_8;
+    var phi_2888_: f32;
+    var phi_2899_: f32;
+    var phi_2910_: f32;
+    var phi_2925_: f32;
     var phi_2926_: f32;
-    var phi_2927_: f32;
-    var phi_2928_: bool;
-    var phi_2929_: f32;
-    var phi_2930_: bool;
-    var phi_2949_: f32;
-    var phi_2950_: bool;
-    var phi_2951_: f32;
+    var phi_2927_: bool;
+    var phi_2928_: f32;
+    var phi_2929_: bool;
+    var phi_2948_: f32;
+    var phi_2949_: bool;
+    var phi_2950_: f32;
+    var phi_2951_: bool;
     var phi_2952_: bool;
-    var phi_2953_: bool;
-    var phi_2958_: f32;
-    var phi_2959_: bool;
+    var phi_2957_: f32;
+    var phi_2958_: bool;
+    var phi_3044_: array<f32, 3>;
     var phi_3045_: array<f32, 3>;
     var phi_3046_: array<f32, 3>;
     var phi_3047_: array<f32, 3>;
-    var phi_3048_: array<f32, 3>;
-    var phi_3049_: bool;
+    var phi_3048_: bool;
+    var phi_3049_: array<f32, 3>;
     var phi_3050_: array<f32, 3>;
-    var phi_3051_: array<f32, 3>;
+    var phi_3051_: bool;
     var phi_3052_: bool;
-    var phi_3053_: bool;
-    var phi_3058_: array<f32, 3>;
-    var phi_3063_: array<f32, 3>;
-    var phi_3274_: u32;
-    var phi_3280_: u32;
-    var phi_3310_: u32;
-    var phi_3316_: u32;
-    var phi_3391_: bool;
-    var phi_3396_: bool;
+    var phi_3057_: array<f32, 3>;
+    var phi_3062_: array<f32, 3>;
+    var phi_3272_: u32;
+    var phi_3278_: u32;
+    var phi_3308_: u32;
+    var phi_3314_: u32;
+    var phi_3389_: bool;
+    var phi_3394_: bool;
+    var phi_3399_: type_44;
     var phi_3401_: type_44;
-    var phi_3403_: type_44;
-    var phi_3405_: bool;
-    var phi_3406_: type_44;
-    var phi_3408_: bool;
+    var phi_3403_: bool;
+    var phi_3404_: type_44;
+    var phi_3406_: bool;
+    var phi_3407_: bool;
+    var phi_3408_: type_44;
     var phi_3409_: bool;
-    var phi_3410_: type_44;
+    var phi_3410_: bool;
     var phi_3411_: bool;
-    var phi_3412_: bool;
-    var phi_3413_: bool;
-    var phi_3426_: type_44;
-    var phi_3433_: bool;
-    var phi_16907_: bool;
-    var phi_12432_: bool;
-    var phi_2709_: u32;
-    var phi_2721_: u32;
-    var phi_2733_: u32;
-    var phi_2745_: u32;
-    var phi_16969_: bool;
-    var phi_3438_: u32;
-    var phi_3439_: bool;
-    var phi_3455_: u32;
-    var phi_3456_: u32;
-    var phi_2322_: u32;
-    var phi_2325_: u32;
-    var phi_3458_: bool;
-    var phi_3459_: bool;
-    var phi_16967_: bool;
-    var phi_12433_: bool;
-    var phi_3475_: vec3<f32>;
-    var phi_17178_: bool;
-    var phi_3476_: vec3<f32>;
-    var phi_3477_: bool;
+    var phi_3424_: type_44;
+    var phi_3431_: bool;
+    var phi_16900_: bool;
+    var phi_12425_: bool;
+    var phi_2708_: u32;
+    var phi_2720_: u32;
+    var phi_2732_: u32;
+    var phi_2744_: u32;
+    var phi_16962_: bool;
+    var phi_3436_: u32;
+    var phi_3437_: bool;
+    var phi_3453_: u32;
+    var phi_3454_: u32;
+    var phi_2321_: u32;
+    var phi_2324_: u32;
+    var phi_3456_: bool;
+    var phi_3457_: bool;
+    var phi_16960_: bool;
+    var phi_12426_: bool;
+    var phi_3473_: vec3<f32>;
     var phi_17171_: bool;
-    var phi_4928_: vec3<f32>;
-    var phi_4929_: vec3<f32>;
+    var phi_3474_: vec3<f32>;
+    var phi_3475_: bool;
+    var phi_17164_: bool;
+    var phi_4925_: vec3<f32>;
+    var phi_4926_: vec3<f32>;
     var phi_476_: vec3<f32>;
     var phi_478_: vec3<f32>;
     var phi_479_: bool;
-    var phi_17053_: bool;
+    var phi_17046_: bool;
     var phi_501_: type_8;
     var phi_504_: f32;
     var phi_506_: f32;
     var phi_508_: f32;
     var phi_502_: type_8;
     var phi_531_: type_8;
-    var phi_14722_: f32;
-    var phi_14730_: f32;
+    var phi_14715_: f32;
+    var phi_14723_: f32;
     var phi_592_: vec2<f32>;
     var phi_689_: f32;
     var phi_715_: bool;
@@ -619,7 +619,7 @@ fn function_() {
     var phi_869_: f32;
     var phi_877_: f32;
     var phi_885_: f32;
-    var phi_17031_: bool;
+    var phi_17024_: bool;
     var phi_888_: u32;
     var phi_891_: u32;
     var phi_1316_: type_8;
@@ -651,239 +651,239 @@ fn function_() {
     var phi_1620_: bool;
     var phi_1625_: array<f32, 3>;
     var phi_1630_: array<f32, 3>;
-    var phi_1841_: u32;
-    var phi_1847_: u32;
-    var phi_1877_: u32;
-    var phi_1883_: u32;
-    var phi_1958_: bool;
-    var phi_1963_: bool;
-    var phi_1968_: type_44;
-    var phi_1970_: type_44;
-    var phi_1972_: bool;
-    var phi_1973_: type_44;
+    var phi_1840_: u32;
+    var phi_1846_: u32;
+    var phi_1876_: u32;
+    var phi_1882_: u32;
+    var phi_1957_: bool;
+    var phi_1962_: bool;
+    var phi_1967_: type_44;
+    var phi_1969_: type_44;
+    var phi_1971_: bool;
+    var phi_1972_: type_44;
+    var phi_1974_: bool;
     var phi_1975_: bool;
-    var phi_1976_: bool;
-    var phi_1977_: type_44;
+    var phi_1976_: type_44;
+    var phi_1977_: bool;
     var phi_1978_: bool;
     var phi_1979_: bool;
-    var phi_1980_: bool;
-    var phi_1993_: type_44;
-    var phi_2000_: bool;
-    var phi_17027_: bool;
-    var phi_12434_: bool;
+    var phi_1992_: type_44;
+    var phi_1999_: bool;
+    var phi_17020_: bool;
+    var phi_12427_: bool;
     var phi_1276_: u32;
     var phi_1288_: u32;
     var phi_1300_: u32;
     var phi_1312_: u32;
-    var phi_17103_: bool;
-    var phi_2005_: u32;
-    var phi_2006_: bool;
+    var phi_17096_: bool;
+    var phi_2004_: u32;
+    var phi_2005_: bool;
+    var phi_2021_: u32;
     var phi_2022_: u32;
-    var phi_2023_: u32;
     var phi_889_: u32;
     var phi_892_: u32;
+    var phi_2024_: bool;
     var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_17101_: bool;
-    var phi_12435_: bool;
+    var phi_17094_: bool;
+    var phi_12428_: bool;
+    var phi_2039_: f32;
+    var phi_17156_: bool;
     var phi_2040_: f32;
-    var phi_17163_: bool;
-    var phi_2041_: f32;
-    var phi_17162_: bool;
+    var phi_17155_: bool;
     var phi_505_: f32;
     var phi_507_: f32;
     var phi_509_: f32;
-    var phi_17161_: bool;
+    var phi_17154_: bool;
     var local_25: f32;
     var local_26: f32;
-    var phi_15040_: bool;
-    var phi_15051_: bool;
-    var phi_15072_: type_60;
-    var phi_15076_: type_60;
-    var phi_15077_: vec3<f32>;
-    var phi_15078_: vec3<f32>;
-    var phi_15118_: vec3<f32>;
-    var phi_15121_: vec3<f32>;
-    var phi_15122_: bool;
-    var phi_15166_: vec3<f32>;
-    var phi_15169_: vec3<f32>;
-    var phi_15170_: bool;
-    var phi_15237_: f32;
-    var phi_15245_: f32;
-    var phi_15260_: f32;
-    var phi_15266_: f32;
-    var phi_15274_: f32;
-    var phi_15284_: f32;
-    var phi_15289_: type_60;
-    var phi_15299_: bool;
-    var phi_15310_: bool;
-    var phi_15331_: type_60;
-    var phi_15335_: type_60;
-    var phi_15336_: vec3<f32>;
-    var phi_15337_: vec3<f32>;
-    var phi_15377_: vec3<f32>;
-    var phi_15380_: vec3<f32>;
-    var phi_15381_: bool;
-    var phi_15425_: vec3<f32>;
-    var phi_15428_: vec3<f32>;
-    var phi_15429_: bool;
-    var phi_15496_: f32;
-    var phi_15504_: f32;
-    var phi_15519_: f32;
-    var phi_15525_: f32;
-    var phi_15533_: f32;
-    var phi_15543_: f32;
-    var phi_15548_: type_60;
-    var phi_15558_: bool;
-    var phi_15590_: type_60;
-    var phi_15594_: type_60;
-    var phi_15595_: vec3<f32>;
-    var phi_15596_: vec3<f32>;
-    var phi_15636_: vec3<f32>;
-    var phi_15639_: vec3<f32>;
-    var phi_15640_: bool;
-    var phi_15684_: vec3<f32>;
-    var phi_15687_: vec3<f32>;
-    var phi_15688_: bool;
-    var phi_15755_: f32;
-    var phi_15763_: f32;
-    var phi_15778_: f32;
-    var phi_15784_: f32;
-    var phi_15792_: f32;
-    var phi_15802_: f32;
-    var phi_15807_: type_60;
-    var phi_15849_: vec3<f32>;
-    var phi_15852_: vec3<f32>;
-    var phi_15853_: bool;
-    var phi_15897_: vec3<f32>;
-    var phi_15900_: vec3<f32>;
-    var phi_15901_: bool;
-    var phi_15968_: f32;
-    var phi_15976_: f32;
-    var phi_15991_: f32;
-    var phi_15997_: f32;
-    var phi_16005_: f32;
-    var phi_16015_: f32;
+    var phi_15033_: bool;
+    var phi_15044_: bool;
+    var phi_15065_: type_60;
+    var phi_15069_: type_60;
+    var phi_15070_: vec3<f32>;
+    var phi_15071_: vec3<f32>;
+    var phi_15111_: vec3<f32>;
+    var phi_15114_: vec3<f32>;
+    var phi_15115_: bool;
+    var phi_15159_: vec3<f32>;
+    var phi_15162_: vec3<f32>;
+    var phi_15163_: bool;
+    var phi_15230_: f32;
+    var phi_15238_: f32;
+    var phi_15253_: f32;
+    var phi_15259_: f32;
+    var phi_15267_: f32;
+    var phi_15277_: f32;
+    var phi_15282_: type_60;
+    var phi_15292_: bool;
+    var phi_15303_: bool;
+    var phi_15324_: type_60;
+    var phi_15328_: type_60;
+    var phi_15329_: vec3<f32>;
+    var phi_15330_: vec3<f32>;
+    var phi_15370_: vec3<f32>;
+    var phi_15373_: vec3<f32>;
+    var phi_15374_: bool;
+    var phi_15418_: vec3<f32>;
+    var phi_15421_: vec3<f32>;
+    var phi_15422_: bool;
+    var phi_15489_: f32;
+    var phi_15497_: f32;
+    var phi_15512_: f32;
+    var phi_15518_: f32;
+    var phi_15526_: f32;
+    var phi_15536_: f32;
+    var phi_15541_: type_60;
+    var phi_15551_: bool;
+    var phi_15583_: type_60;
+    var phi_15587_: type_60;
+    var phi_15588_: vec3<f32>;
+    var phi_15589_: vec3<f32>;
+    var phi_15629_: vec3<f32>;
+    var phi_15632_: vec3<f32>;
+    var phi_15633_: bool;
+    var phi_15677_: vec3<f32>;
+    var phi_15680_: vec3<f32>;
+    var phi_15681_: bool;
+    var phi_15748_: f32;
+    var phi_15756_: f32;
+    var phi_15771_: f32;
+    var phi_15777_: f32;
+    var phi_15785_: f32;
+    var phi_15795_: f32;
+    var phi_15800_: type_60;
+    var phi_15842_: vec3<f32>;
+    var phi_15845_: vec3<f32>;
+    var phi_15846_: bool;
+    var phi_15890_: vec3<f32>;
+    var phi_15893_: vec3<f32>;
+    var phi_15894_: bool;
+    var phi_15961_: f32;
+    var phi_15969_: f32;
+    var phi_15984_: f32;
+    var phi_15990_: f32;
+    var phi_15998_: f32;
+    var phi_16008_: f32;
     var local_27: f32;
     var local_28: f32;
+    var phi_2058_: f32;
     var phi_2059_: f32;
-    var phi_2060_: f32;
-    var phi_2061_: bool;
+    var phi_2060_: bool;
     var local_29: f32;
+    var phi_2068_: f32;
     var phi_2069_: f32;
     var phi_2070_: f32;
-    var phi_2071_: f32;
-    var phi_2072_: bool;
-    var phi_17183_: bool;
+    var phi_2071_: bool;
+    var phi_17176_: bool;
+    var phi_2075_: f32;
     var phi_2076_: f32;
-    var phi_2077_: f32;
-    var phi_2078_: bool;
-    var phi_17170_: bool;
-    var phi_4930_: vec3<f32>;
-    var phi_4931_: vec3<f32>;
-    var phi_4932_: bool;
-    var phi_17168_: bool;
+    var phi_2077_: bool;
+    var phi_17163_: bool;
+    var phi_4927_: vec3<f32>;
+    var phi_4928_: vec3<f32>;
+    var phi_4929_: bool;
+    var phi_17161_: bool;
     var phi_341_: vec3<f32>;
-    var phi_17167_: bool;
-    var phi_17298_: bool;
-    var phi_9613_: vec3<f32>;
-    var phi_17297_: bool;
-    var phi_9653_: type_8;
-    var phi_9656_: i32;
-    var phi_9654_: type_8;
-    var phi_9679_: type_8;
-    var phi_16027_: f32;
-    var phi_16035_: f32;
-    var phi_9743_: vec2<f32>;
-    var phi_9744_: bool;
-    var phi_9874_: f32;
-    var phi_9882_: f32;
-    var phi_9808_: f32;
-    var phi_9816_: f32;
-    var phi_9886_: vec2<f32>;
-    var phi_9887_: vec2<f32>;
-    var phi_9925_: f32;
-    var phi_9948_: bool;
-    var phi_9958_: u32;
-    var phi_9961_: bool;
-    var phi_9972_: u32;
-    var phi_10102_: f32;
-    var phi_10110_: f32;
-    var phi_10118_: f32;
-    var phi_17278_: bool;
-    var phi_10121_: u32;
-    var phi_10124_: u32;
-    var phi_10549_: type_8;
-    var phi_10550_: type_8;
-    var phi_10573_: type_8;
-    var phi_10689_: f32;
-    var phi_10700_: f32;
-    var phi_10711_: f32;
-    var phi_10726_: f32;
-    var phi_10727_: f32;
-    var phi_10728_: bool;
-    var phi_10729_: f32;
-    var phi_10730_: bool;
-    var phi_10749_: f32;
-    var phi_10750_: bool;
-    var phi_10751_: f32;
-    var phi_10752_: bool;
+    var phi_17160_: bool;
+    var phi_17291_: bool;
+    var phi_9607_: vec3<f32>;
+    var phi_17290_: bool;
+    var phi_9647_: type_8;
+    var phi_9650_: i32;
+    var phi_9648_: type_8;
+    var phi_9673_: type_8;
+    var phi_16020_: f32;
+    var phi_16028_: f32;
+    var phi_9737_: vec2<f32>;
+    var phi_9738_: bool;
+    var phi_9868_: f32;
+    var phi_9876_: f32;
+    var phi_9802_: f32;
+    var phi_9810_: f32;
+    var phi_9880_: vec2<f32>;
+    var phi_9881_: vec2<f32>;
+    var phi_9919_: f32;
+    var phi_9942_: bool;
+    var phi_9952_: u32;
+    var phi_9955_: bool;
+    var phi_9966_: u32;
+    var phi_10096_: f32;
+    var phi_10104_: f32;
+    var phi_10112_: f32;
+    var phi_17271_: bool;
+    var phi_10115_: u32;
+    var phi_10118_: u32;
+    var phi_10543_: type_8;
+    var phi_10544_: type_8;
+    var phi_10567_: type_8;
+    var phi_10683_: f32;
+    var phi_10694_: f32;
+    var phi_10705_: f32;
+    var phi_10720_: f32;
+    var phi_10721_: f32;
+    var phi_10722_: bool;
+    var phi_10723_: f32;
+    var phi_10724_: bool;
+    var phi_10743_: f32;
+    var phi_10744_: bool;
+    var phi_10745_: f32;
+    var phi_10746_: bool;
+    var phi_10747_: bool;
+    var phi_10752_: f32;
     var phi_10753_: bool;
-    var phi_10758_: f32;
-    var phi_10759_: bool;
+    var phi_10839_: array<f32, 3>;
+    var phi_10840_: array<f32, 3>;
+    var phi_10841_: array<f32, 3>;
+    var phi_10842_: array<f32, 3>;
+    var phi_10843_: bool;
+    var phi_10844_: array<f32, 3>;
     var phi_10845_: array<f32, 3>;
-    var phi_10846_: array<f32, 3>;
-    var phi_10847_: array<f32, 3>;
-    var phi_10848_: array<f32, 3>;
-    var phi_10849_: bool;
-    var phi_10850_: array<f32, 3>;
-    var phi_10851_: array<f32, 3>;
-    var phi_10852_: bool;
-    var phi_10853_: bool;
-    var phi_10858_: array<f32, 3>;
-    var phi_10863_: array<f32, 3>;
-    var phi_11074_: u32;
-    var phi_11080_: u32;
-    var phi_11110_: u32;
-    var phi_11116_: u32;
-    var phi_11191_: bool;
-    var phi_11196_: bool;
-    var phi_11201_: type_44;
+    var phi_10846_: bool;
+    var phi_10847_: bool;
+    var phi_10852_: array<f32, 3>;
+    var phi_10857_: array<f32, 3>;
+    var phi_11067_: u32;
+    var phi_11073_: u32;
+    var phi_11103_: u32;
+    var phi_11109_: u32;
+    var phi_11184_: bool;
+    var phi_11189_: bool;
+    var phi_11194_: type_44;
+    var phi_11196_: type_44;
+    var phi_11198_: bool;
+    var phi_11199_: type_44;
+    var phi_11201_: bool;
+    var phi_11202_: bool;
     var phi_11203_: type_44;
+    var phi_11204_: bool;
     var phi_11205_: bool;
-    var phi_11206_: type_44;
-    var phi_11208_: bool;
-    var phi_11209_: bool;
-    var phi_11210_: type_44;
-    var phi_11211_: bool;
-    var phi_11212_: bool;
-    var phi_11213_: bool;
-    var phi_11226_: type_44;
-    var phi_11233_: bool;
-    var phi_17274_: bool;
-    var phi_12436_: bool;
-    var phi_10509_: u32;
-    var phi_10521_: u32;
-    var phi_10533_: u32;
-    var phi_10545_: u32;
-    var phi_17351_: bool;
-    var phi_11238_: u32;
-    var phi_11239_: bool;
-    var phi_11255_: u32;
-    var phi_11256_: u32;
-    var phi_10122_: u32;
-    var phi_10125_: u32;
-    var phi_11258_: bool;
-    var phi_11259_: bool;
-    var phi_17349_: bool;
-    var phi_12437_: bool;
-    var phi_11272_: i32;
-    var phi_17410_: bool;
-    var phi_9657_: i32;
-    var phi_17409_: bool;
+    var phi_11206_: bool;
+    var phi_11219_: type_44;
+    var phi_11226_: bool;
+    var phi_17267_: bool;
+    var phi_12429_: bool;
+    var phi_10503_: u32;
+    var phi_10515_: u32;
+    var phi_10527_: u32;
+    var phi_10539_: u32;
+    var phi_17344_: bool;
+    var phi_11231_: u32;
+    var phi_11232_: bool;
+    var phi_11248_: u32;
+    var phi_11249_: u32;
+    var phi_10116_: u32;
+    var phi_10119_: u32;
+    var phi_11251_: bool;
+    var phi_11252_: bool;
+    var phi_17342_: bool;
+    var phi_12430_: bool;
+    var phi_11265_: i32;
+    var phi_17403_: bool;
+    var phi_9651_: i32;
+    var phi_17402_: bool;
     var local_30: i32;
-    var phi_11299_: vec3<f32>;
-    var phi_11304_: vec4<f32>;
+    var phi_11292_: vec3<f32>;
+    var phi_11297_: vec4<f32>;
     var local_31: vec3<f32>;
     var local_32: vec3<f32>;
 
@@ -904,7 +904,7 @@ fn function_() {
                 }
                 let _e162 = surfels.member[_e157];
                 if (_e162.member_1 == 4294967295u) {
-                    phi_11304_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_11297_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e169 = vec3<f32>(_e162.member[0], _e162.member[1], _e162.member[2]);
                     let _e181 = params.member.member_2;
@@ -918,11 +918,11 @@ fn function_() {
                     let _e210 = ((_e206 ^ (_e206 >> bitcast<u32>(15i))) * 2221713035u);
                     let _e213 = (_e210 ^ (_e210 >> bitcast<u32>(16i)));
                     if (_e181 <= _e187) {
-                        phi_16800_ = false;
+                        phi_16793_ = false;
                         phi_337_ = type_8(0u, _e181);
                         phi_340_ = vec3<f32>(0f, 0f, 0f);
                         loop {
-                            let _e3768 = phi_16800_;
+                            let _e3768 = phi_16793_;
                             let _e3770 = phi_337_;
                             let _e3772 = phi_340_;
                             local_31 = _e3772;
@@ -939,7 +939,7 @@ fn function_() {
                             if _e3791 {
                                 if (_e3787.member_1 < _e146) {
                                 } else {
-                                    phi_17167_ = true;
+                                    phi_17160_ = true;
                                     break;
                                 }
                                 let _e3795 = lights.member[_e3787.member_1];
@@ -987,18 +987,18 @@ fn function_() {
                                     let _e6033 = select(_e6029, vec3<f32>(0f, 0f, 0f), vec3(_e6031));
                                     let _e6044 = (((_e6033.x * (_e162.member[0] - _e3795.member[0])) + (_e6033.y * (_e162.member[1] - _e3795.member[1]))) + (_e6033.z * (_e162.member[2] - _e3795.member[2])));
                                     if (_e6044 <= 0f) {
-                                        phi_17183_ = _e3768;
-                                        phi_2076_ = 0f;
-                                        phi_2077_ = f32();
-                                        phi_2078_ = true;
+                                        phi_17176_ = _e3768;
+                                        phi_2075_ = 0f;
+                                        phi_2076_ = f32();
+                                        phi_2077_ = true;
                                     } else {
-                                        phi_17053_ = _e3768;
+                                        phi_17046_ = _e3768;
                                         phi_501_ = type_8(0u, _e184);
                                         phi_504_ = 340282350000000000000000000000000000000f;
                                         phi_506_ = 0f;
                                         phi_508_ = 0f;
                                         loop {
-                                            let _e6048 = phi_17053_;
+                                            let _e6048 = phi_17046_;
                                             let _e6050 = phi_501_;
                                             let _e6052 = phi_504_;
                                             let _e6054 = phi_506_;
@@ -1026,18 +1026,18 @@ fn function_() {
                                                 let _e6098 = ((_e6094 ^ (_e6094 >> bitcast<u32>(15i))) * 2221713035u);
                                                 let _e6116 = (0.000000059604645f * (f32(((2147483648u + (_e6071.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e6083 ^ (_e6083 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                 if (_e6116 >= 1f) {
-                                                    phi_14722_ = (_e6116 - 1f);
+                                                    phi_14715_ = (_e6116 - 1f);
                                                 } else {
-                                                    phi_14722_ = _e6116;
+                                                    phi_14715_ = _e6116;
                                                 }
-                                                let _e6120 = phi_14722_;
+                                                let _e6120 = phi_14715_;
                                                 let _e6122 = (0.000000059604645f * (f32(((2147483648u + (_e6071.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e6098 ^ (_e6098 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                 if (_e6122 >= 1f) {
-                                                    phi_14730_ = (_e6122 - 1f);
+                                                    phi_14723_ = (_e6122 - 1f);
                                                 } else {
-                                                    phi_14730_ = _e6122;
+                                                    phi_14723_ = _e6122;
                                                 }
-                                                let _e6126 = phi_14730_;
+                                                let _e6126 = phi_14723_;
                                                 if (_e6120 < _e6126) {
                                                     let _e6131 = (0.5f * _e6120);
                                                     phi_592_ = vec2<f32>(_e6131, (_e6126 - _e6131));
@@ -1114,7 +1114,7 @@ fn function_() {
                                                     let _e6239 = (_e6236 < 3u);
                                                     if _e6239 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6241 = local_19[_e6236];
@@ -1122,7 +1122,7 @@ fn function_() {
                                                     let _e6243 = (_e6235 < 3u);
                                                     if _e6243 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6245 = local_19[_e6235];
@@ -1130,32 +1130,32 @@ fn function_() {
                                                     let _e6247 = (_e6234 < 3u);
                                                     if _e6247 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6249 = local_19[_e6234];
                                                     let _e6250 = (_e6249 * _e6242);
                                                     if _e6243 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6252 = local_20[_e6235];
                                                     if _e6247 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6254 = local_20[_e6234];
                                                     if _e6239 {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6256 = local_20[_e6236];
                                                     if (0u < _e135) {
                                                     } else {
-                                                        phi_17161_ = true;
+                                                        phi_17154_ = true;
                                                         break;
                                                     }
                                                     let _e6261 = nodes.member[0u].member_7[0u];
@@ -1198,11 +1198,11 @@ fn function_() {
                                                     }
                                                     let _e6319 = phi_885_;
                                                     local_18 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                                    phi_17031_ = _e6048;
+                                                    phi_17024_ = _e6048;
                                                     phi_888_ = 0u;
                                                     phi_891_ = 0u;
                                                     loop {
-                                                        let _e6321 = phi_17031_;
+                                                        let _e6321 = phi_17024_;
                                                         let _e6323 = phi_888_;
                                                         let _e6325 = phi_891_;
                                                         let _e6326 = (_e6323 & 15u);
@@ -1210,8 +1210,8 @@ fn function_() {
                                                         if (_e6326 == 0u) {
                                                             if (_e6328 < _e135) {
                                                             } else {
-                                                                phi_17101_ = true;
-                                                                phi_12435_ = bool();
+                                                                phi_17094_ = true;
+                                                                phi_12428_ = bool();
                                                                 break;
                                                             }
                                                             let _e6958 = nodes.member[_e6328].member;
@@ -1295,8 +1295,8 @@ fn function_() {
                                                             if (select(340282350000000000000000000000000000000f, _e7093, (_e7093 <= select(0.9999995f, _e7133, (_e7133 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                 if (_e6325 < 64u) {
                                                                 } else {
-                                                                    phi_17101_ = true;
-                                                                    phi_12435_ = bool();
+                                                                    phi_17094_ = true;
+                                                                    phi_12428_ = bool();
                                                                     break;
                                                                 }
                                                                 local_18[_e6325] = _e7165;
@@ -1308,8 +1308,8 @@ fn function_() {
                                                             if (select(340282350000000000000000000000000000000f, _e7091, (_e7091 <= select(0.9999995f, _e7131, (_e7131 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                 if (_e7171 < 64u) {
                                                                 } else {
-                                                                    phi_17101_ = true;
-                                                                    phi_12435_ = bool();
+                                                                    phi_17094_ = true;
+                                                                    phi_12428_ = bool();
                                                                     break;
                                                                 }
                                                                 local_18[_e7171] = _e7161;
@@ -1321,8 +1321,8 @@ fn function_() {
                                                             if (select(340282350000000000000000000000000000000f, _e7089, (_e7089 <= select(0.9999995f, _e7129, (_e7129 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                 if (_e7177 < 64u) {
                                                                 } else {
-                                                                    phi_17101_ = true;
-                                                                    phi_12435_ = bool();
+                                                                    phi_17094_ = true;
+                                                                    phi_12428_ = bool();
                                                                     break;
                                                                 }
                                                                 local_18[_e7177] = _e7157;
@@ -1334,8 +1334,8 @@ fn function_() {
                                                             if (select(340282350000000000000000000000000000000f, _e7087, (_e7087 <= select(0.9999995f, _e7127, (_e7127 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                 if (_e7183 < 64u) {
                                                                 } else {
-                                                                    phi_17101_ = true;
-                                                                    phi_12435_ = bool();
+                                                                    phi_17094_ = true;
+                                                                    phi_12428_ = bool();
                                                                     break;
                                                                 }
                                                                 local_18[_e7183] = _e7153;
@@ -1344,9 +1344,9 @@ fn function_() {
                                                                 phi_1312_ = _e7183;
                                                             }
                                                             let _e7189 = phi_1312_;
-                                                            phi_17103_ = _e6321;
-                                                            phi_2005_ = _e7189;
-                                                            phi_2006_ = true;
+                                                            phi_17096_ = _e6321;
+                                                            phi_2004_ = _e7189;
+                                                            phi_2005_ = true;
                                                         } else {
                                                             phi_1316_ = type_8(_e6328, (_e6328 + _e6326));
                                                             loop {
@@ -1365,78 +1365,78 @@ fn function_() {
                                                                     let _e6353 = (_e6348.member_1 < _e138);
                                                                     if _e6353 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     if _e6239 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6357 = triangles.member[_e6348.member_1].member[_e6236];
                                                                     let _e6358 = (_e6357 - _e6256);
                                                                     if _e6239 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6362 = triangles.member[_e6348.member_1].member_2[_e6236];
                                                                     let _e6363 = (_e6362 - _e6256);
                                                                     if _e6239 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6367 = triangles.member[_e6348.member_1].member_4[_e6236];
                                                                     let _e6368 = (_e6367 - _e6256);
                                                                     if _e6243 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6372 = triangles.member[_e6348.member_1].member[_e6235];
                                                                     let _e6375 = ((_e6372 - _e6252) - (_e6246 * _e6358));
                                                                     if _e6247 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6379 = triangles.member[_e6348.member_1].member[_e6234];
                                                                     let _e6382 = ((_e6379 - _e6254) - (_e6250 * _e6358));
                                                                     if _e6243 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6386 = triangles.member[_e6348.member_1].member_2[_e6235];
                                                                     let _e6389 = ((_e6386 - _e6252) - (_e6246 * _e6363));
                                                                     if _e6247 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6393 = triangles.member[_e6348.member_1].member_2[_e6234];
                                                                     let _e6396 = ((_e6393 - _e6254) - (_e6250 * _e6363));
                                                                     if _e6243 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6400 = triangles.member[_e6348.member_1].member_4[_e6235];
                                                                     let _e6403 = ((_e6400 - _e6252) - (_e6246 * _e6368));
                                                                     if _e6247 {
                                                                     } else {
-                                                                        phi_17027_ = true;
-                                                                        phi_12434_ = bool();
+                                                                        phi_17020_ = true;
+                                                                        phi_12427_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e6407 = triangles.member[_e6348.member_1].member_4[_e6234];
@@ -1657,79 +1657,79 @@ fn function_() {
                                                                             if _e6726 {
                                                                                 if _e6353 {
                                                                                 } else {
-                                                                                    phi_17027_ = true;
-                                                                                    phi_12434_ = bool();
+                                                                                    phi_17020_ = true;
+                                                                                    phi_12427_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e6730 = triangles.member[_e6348.member_1].member_3;
                                                                                 if ((_e6730 & 1u) == 0u) {
-                                                                                    phi_1963_ = true;
+                                                                                    phi_1962_ = true;
                                                                                 } else {
                                                                                     if _e6353 {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6735 = triangles.member[_e6348.member_1].member_1;
                                                                                     let _e6736 = (_e6735 * 12u);
                                                                                     if ((256u + _e6736) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if ((_e6736 + 257u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if ((_e6736 + 258u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6743 = (_e6736 + 259u);
                                                                                     if (_e6743 < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6746 = surfaces.member[_e6743];
                                                                                     if ((_e6736 + 260u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if ((_e6736 + 261u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if ((_e6736 + 262u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6753 = (_e6736 + 263u);
                                                                                     if (_e6753 < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6756 = surfaces.member[_e6753];
                                                                                     let _e6757 = (_e6736 + 264u);
                                                                                     if (_e6757 < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6760 = surfaces.member[_e6757];
@@ -1737,31 +1737,31 @@ fn function_() {
                                                                                     let _e6762 = (_e6736 + 265u);
                                                                                     if (_e6762 < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e6765 = surfaces.member[_e6762];
                                                                                     let _e6766 = bitcast<f32>(_e6765);
                                                                                     if ((_e6736 + 266u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if ((_e6736 + 267u) < _e144) {
                                                                                     } else {
-                                                                                        phi_17027_ = true;
-                                                                                        phi_12434_ = bool();
+                                                                                        phi_17020_ = true;
+                                                                                        phi_12427_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     if (_e6746 == 4294967295u) {
-                                                                                        phi_1958_ = (_e6761 < _e6766);
+                                                                                        phi_1957_ = (_e6761 < _e6766);
                                                                                     } else {
                                                                                         if (_e6348.member_1 < _e141) {
                                                                                         } else {
-                                                                                            phi_17027_ = true;
-                                                                                            phi_12434_ = bool();
+                                                                                            phi_17020_ = true;
+                                                                                            phi_12427_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e6774 = ((1f - _e6722[1]) - _e6722[2]);
@@ -1781,36 +1781,36 @@ fn function_() {
                                                                                         let _e6820 = (_e6818 - _e6819);
                                                                                         let _e6821 = (_e6809 - 1u);
                                                                                         if (_e6819 < 0f) {
-                                                                                            phi_1841_ = _e6821;
+                                                                                            phi_1840_ = _e6821;
                                                                                         } else {
                                                                                             let _e6827 = select(select(u32(_e6819), 0u, (_e6819 < 0f)), 4294967295u, (_e6819 > 4294967000f));
-                                                                                            phi_1841_ = select(_e6827, _e6821, (_e6821 < _e6827));
+                                                                                            phi_1840_ = select(_e6827, _e6821, (_e6821 < _e6827));
                                                                                         }
-                                                                                        let _e6831 = phi_1841_;
+                                                                                        let _e6831 = phi_1840_;
                                                                                         if (_e6831 == _e6821) {
-                                                                                            phi_1847_ = 0u;
+                                                                                            phi_1846_ = 0u;
                                                                                         } else {
-                                                                                            phi_1847_ = (_e6831 + 1u);
+                                                                                            phi_1846_ = (_e6831 + 1u);
                                                                                         }
-                                                                                        let _e6835 = phi_1847_;
+                                                                                        let _e6835 = phi_1846_;
                                                                                         let _e6837 = (_e6808 - floor(_e6808));
                                                                                         let _e6842 = ((select(0f, _e6837, (_e6837 <= 1f)) * f32(_e6811)) - 0.5f);
                                                                                         let _e6843 = floor(_e6842);
                                                                                         let _e6844 = (_e6842 - _e6843);
                                                                                         let _e6845 = (_e6811 - 1u);
                                                                                         if (_e6843 < 0f) {
-                                                                                            phi_1877_ = _e6845;
+                                                                                            phi_1876_ = _e6845;
                                                                                         } else {
                                                                                             let _e6851 = select(select(u32(_e6843), 0u, (_e6843 < 0f)), 4294967295u, (_e6843 > 4294967000f));
-                                                                                            phi_1877_ = select(_e6851, _e6845, (_e6845 < _e6851));
+                                                                                            phi_1876_ = select(_e6851, _e6845, (_e6845 < _e6851));
                                                                                         }
-                                                                                        let _e6855 = phi_1877_;
+                                                                                        let _e6855 = phi_1876_;
                                                                                         if (_e6855 == _e6845) {
-                                                                                            phi_1883_ = 0u;
+                                                                                            phi_1882_ = 0u;
                                                                                         } else {
-                                                                                            phi_1883_ = (_e6855 + 1u);
+                                                                                            phi_1882_ = (_e6855 + 1u);
                                                                                         }
-                                                                                        let _e6859 = phi_1883_;
+                                                                                        let _e6859 = phi_1882_;
                                                                                         let _e6861 = (_e6746 + (_e6855 * _e6809));
                                                                                         let _e6863 = (_e6746 + (_e6859 * _e6809));
                                                                                         let _e6864 = (_e6861 + _e6831);
@@ -1819,218 +1819,218 @@ fn function_() {
                                                                                         let _e6867 = (_e6863 + _e6835);
                                                                                         if (_e6864 < _e144) {
                                                                                         } else {
-                                                                                            phi_17027_ = true;
-                                                                                            phi_12434_ = bool();
+                                                                                            phi_17020_ = true;
+                                                                                            phi_12427_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e6870 = surfaces.member[_e6864];
                                                                                         if (_e6865 < _e144) {
                                                                                         } else {
-                                                                                            phi_17027_ = true;
-                                                                                            phi_12434_ = bool();
+                                                                                            phi_17020_ = true;
+                                                                                            phi_12427_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e6873 = surfaces.member[_e6865];
                                                                                         if (_e6866 < _e144) {
                                                                                         } else {
-                                                                                            phi_17027_ = true;
-                                                                                            phi_12434_ = bool();
+                                                                                            phi_17020_ = true;
+                                                                                            phi_12427_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e6876 = surfaces.member[_e6866];
                                                                                         if (_e6867 < _e144) {
                                                                                         } else {
-                                                                                            phi_17027_ = true;
-                                                                                            phi_12434_ = bool();
+                                                                                            phi_17020_ = true;
+                                                                                            phi_12427_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e6879 = surfaces.member[_e6867];
                                                                                         let _e6896 = (1f - _e6820);
-                                                                                        phi_1958_ = ((_e6761 * (((((f32((_e6870 >> bitcast<u32>(24i))) * 0.003921569f) * _e6896) + ((f32((_e6873 >> bitcast<u32>(24i))) * 0.003921569f) * _e6820)) * (1f - _e6844)) + ((((f32((_e6876 >> bitcast<u32>(24i))) * 0.003921569f) * _e6896) + ((f32((_e6879 >> bitcast<u32>(24i))) * 0.003921569f) * _e6820)) * _e6844))) < _e6766);
+                                                                                        phi_1957_ = ((_e6761 * (((((f32((_e6870 >> bitcast<u32>(24i))) * 0.003921569f) * _e6896) + ((f32((_e6873 >> bitcast<u32>(24i))) * 0.003921569f) * _e6820)) * (1f - _e6844)) + ((((f32((_e6876 >> bitcast<u32>(24i))) * 0.003921569f) * _e6896) + ((f32((_e6879 >> bitcast<u32>(24i))) * 0.003921569f) * _e6820)) * _e6844))) < _e6766);
                                                                                     }
-                                                                                    let _e6911 = phi_1958_;
-                                                                                    phi_1963_ = select(true, false, _e6911);
+                                                                                    let _e6911 = phi_1957_;
+                                                                                    phi_1962_ = select(true, false, _e6911);
                                                                                 }
-                                                                                let _e6914 = phi_1963_;
+                                                                                let _e6914 = phi_1962_;
                                                                                 if _e6914 {
-                                                                                    phi_1968_ = type_44(_e6722[0], _e6348.member_1, _e6722[1], _e6722[2]);
+                                                                                    phi_1967_ = type_44(_e6722[0], _e6348.member_1, _e6722[1], _e6722[2]);
                                                                                 } else {
-                                                                                    phi_1968_ = type_44();
+                                                                                    phi_1967_ = type_44();
                                                                                 }
-                                                                                let _e6917 = phi_1968_;
-                                                                                phi_1970_ = _e6917;
-                                                                                phi_1972_ = select(true, false, _e6914);
+                                                                                let _e6917 = phi_1967_;
+                                                                                phi_1969_ = _e6917;
+                                                                                phi_1971_ = select(true, false, _e6914);
                                                                             } else {
-                                                                                phi_1970_ = type_44();
-                                                                                phi_1972_ = false;
+                                                                                phi_1969_ = type_44();
+                                                                                phi_1971_ = false;
                                                                             }
-                                                                            let _e6920 = phi_1970_;
-                                                                            let _e6922 = phi_1972_;
-                                                                            phi_1973_ = _e6920;
-                                                                            phi_1975_ = select(true, false, _e6726);
-                                                                            phi_1976_ = _e6922;
+                                                                            let _e6920 = phi_1969_;
+                                                                            let _e6922 = phi_1971_;
+                                                                            phi_1972_ = _e6920;
+                                                                            phi_1974_ = select(true, false, _e6726);
+                                                                            phi_1975_ = _e6922;
                                                                         } else {
-                                                                            phi_1973_ = type_44();
+                                                                            phi_1972_ = type_44();
+                                                                            phi_1974_ = false;
                                                                             phi_1975_ = false;
-                                                                            phi_1976_ = false;
                                                                         }
-                                                                        let _e6925 = phi_1973_;
-                                                                        let _e6927 = phi_1975_;
-                                                                        let _e6929 = phi_1976_;
-                                                                        phi_1977_ = _e6925;
-                                                                        phi_1978_ = select(true, false, _e6727);
-                                                                        phi_1979_ = _e6927;
-                                                                        phi_1980_ = _e6929;
+                                                                        let _e6925 = phi_1972_;
+                                                                        let _e6927 = phi_1974_;
+                                                                        let _e6929 = phi_1975_;
+                                                                        phi_1976_ = _e6925;
+                                                                        phi_1977_ = select(true, false, _e6727);
+                                                                        phi_1978_ = _e6927;
+                                                                        phi_1979_ = _e6929;
                                                                     } else {
-                                                                        phi_1977_ = type_44();
-                                                                        phi_1978_ = true;
+                                                                        phi_1976_ = type_44();
+                                                                        phi_1977_ = true;
+                                                                        phi_1978_ = false;
                                                                         phi_1979_ = false;
-                                                                        phi_1980_ = false;
                                                                     }
-                                                                    let _e6932 = phi_1977_;
-                                                                    let _e6934 = phi_1978_;
-                                                                    let _e6936 = phi_1979_;
-                                                                    let _e6938 = phi_1980_;
+                                                                    let _e6932 = phi_1976_;
+                                                                    let _e6934 = phi_1977_;
+                                                                    let _e6936 = phi_1978_;
+                                                                    let _e6938 = phi_1979_;
                                                                     if select(select(_e6938, false, _e6934), true, select(_e6936, true, _e6934)) {
-                                                                        phi_1993_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
+                                                                        phi_1992_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
                                                                     } else {
-                                                                        phi_1993_ = _e6932;
+                                                                        phi_1992_ = _e6932;
                                                                     }
-                                                                    let _e6943 = phi_1993_;
-                                                                    phi_2000_ = select(true, false, (_e6943.member_1 != 4294967295u));
+                                                                    let _e6943 = phi_1992_;
+                                                                    phi_1999_ = select(true, false, (_e6943.member_1 != 4294967295u));
                                                                 } else {
-                                                                    phi_2000_ = false;
+                                                                    phi_1999_ = false;
                                                                 }
-                                                                let _e6948 = phi_2000_;
+                                                                let _e6948 = phi_1999_;
                                                                 continue;
                                                                 continuing {
                                                                     phi_1316_ = _e6346;
-                                                                    phi_17027_ = _e6321;
-                                                                    phi_12434_ = select(true, false, _e6352);
+                                                                    phi_17020_ = _e6321;
+                                                                    phi_12427_ = select(true, false, _e6352);
                                                                     break if !(_e6948);
                                                                 }
                                                             }
-                                                            let _e6952 = phi_17027_;
-                                                            let _e6954 = phi_12434_;
-                                                            phi_17101_ = _e6952;
-                                                            phi_12435_ = bool();
+                                                            let _e6952 = phi_17020_;
+                                                            let _e6954 = phi_12427_;
+                                                            phi_17094_ = _e6952;
+                                                            phi_12428_ = bool();
                                                             if _e6952 {
                                                                 break;
                                                             }
-                                                            phi_17103_ = _e6952;
-                                                            phi_2005_ = _e6325;
-                                                            phi_2006_ = _e6954;
+                                                            phi_17096_ = _e6952;
+                                                            phi_2004_ = _e6325;
+                                                            phi_2005_ = _e6954;
                                                         }
-                                                        let _e7191 = phi_17103_;
-                                                        let _e7193 = phi_2005_;
-                                                        let _e7195 = phi_2006_;
+                                                        let _e7191 = phi_17096_;
+                                                        let _e7193 = phi_2004_;
+                                                        let _e7195 = phi_2005_;
                                                         if _e7195 {
                                                             let _e7196 = (_e7193 == 0u);
                                                             if _e7196 {
+                                                                phi_2021_ = u32();
                                                                 phi_2022_ = u32();
-                                                                phi_2023_ = u32();
                                                             } else {
                                                                 let _e7197 = (_e7193 - 1u);
                                                                 if (_e7197 < 64u) {
                                                                 } else {
-                                                                    phi_17101_ = true;
-                                                                    phi_12435_ = bool();
+                                                                    phi_17094_ = true;
+                                                                    phi_12428_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e7200 = local_18[_e7197];
-                                                                phi_2022_ = _e7200;
-                                                                phi_2023_ = _e7197;
+                                                                phi_2021_ = _e7200;
+                                                                phi_2022_ = _e7197;
                                                             }
-                                                            let _e7202 = phi_2022_;
-                                                            let _e7204 = phi_2023_;
+                                                            let _e7202 = phi_2021_;
+                                                            let _e7204 = phi_2022_;
                                                             phi_889_ = _e7202;
                                                             phi_892_ = _e7204;
-                                                            phi_2025_ = select(true, false, _e7196);
-                                                            phi_2026_ = _e7196;
+                                                            phi_2024_ = select(true, false, _e7196);
+                                                            phi_2025_ = _e7196;
                                                         } else {
                                                             phi_889_ = u32();
                                                             phi_892_ = u32();
+                                                            phi_2024_ = false;
                                                             phi_2025_ = false;
-                                                            phi_2026_ = false;
                                                         }
                                                         let _e7207 = phi_889_;
                                                         let _e7209 = phi_892_;
-                                                        let _e7211 = phi_2025_;
-                                                        let _e7213 = phi_2026_;
+                                                        let _e7211 = phi_2024_;
+                                                        let _e7213 = phi_2025_;
                                                         continue;
                                                         continuing {
-                                                            phi_17031_ = _e7191;
+                                                            phi_17024_ = _e7191;
                                                             phi_888_ = _e7207;
                                                             phi_891_ = _e7209;
-                                                            phi_17101_ = _e7191;
-                                                            phi_12435_ = _e7213;
+                                                            phi_17094_ = _e7191;
+                                                            phi_12428_ = _e7213;
                                                             break if !(_e7211);
                                                         }
                                                     }
-                                                    let _e7216 = phi_17101_;
-                                                    let _e7218 = phi_12435_;
-                                                    phi_17161_ = _e7216;
+                                                    let _e7216 = phi_17094_;
+                                                    let _e7218 = phi_12428_;
+                                                    phi_17154_ = _e7216;
                                                     if _e7216 {
                                                         break;
                                                     }
                                                     if !(select(false, true, select(true, false, _e7218))) {
-                                                        phi_2040_ = (_e6054 + _e6171);
+                                                        phi_2039_ = (_e6054 + _e6171);
                                                     } else {
-                                                        phi_2040_ = _e6054;
+                                                        phi_2039_ = _e6054;
                                                     }
-                                                    let _e7224 = phi_2040_;
-                                                    phi_17163_ = _e7216;
-                                                    phi_2041_ = _e7224;
+                                                    let _e7224 = phi_2039_;
+                                                    phi_17156_ = _e7216;
+                                                    phi_2040_ = _e7224;
                                                 } else {
-                                                    phi_17163_ = _e6048;
-                                                    phi_2041_ = _e6054;
+                                                    phi_17156_ = _e6048;
+                                                    phi_2040_ = _e6054;
                                                 }
-                                                let _e7226 = phi_17163_;
-                                                let _e7228 = phi_2041_;
-                                                phi_17162_ = _e7226;
+                                                let _e7226 = phi_17156_;
+                                                let _e7228 = phi_2040_;
+                                                phi_17155_ = _e7226;
                                                 phi_505_ = select(_e6157, _e6052, (_e6052 < _e6157));
                                                 phi_507_ = _e7228;
                                                 phi_509_ = (_e6056 + _e6171);
                                             } else {
-                                                phi_17162_ = _e6048;
+                                                phi_17155_ = _e6048;
                                                 phi_505_ = f32();
                                                 phi_507_ = f32();
                                                 phi_509_ = f32();
                                             }
-                                            let _e7230 = phi_17162_;
+                                            let _e7230 = phi_17155_;
                                             let _e7232 = phi_505_;
                                             let _e7234 = phi_507_;
                                             let _e7236 = phi_509_;
                                             continue;
                                             continuing {
-                                                phi_17053_ = _e7230;
+                                                phi_17046_ = _e7230;
                                                 phi_501_ = _e6069;
                                                 phi_504_ = _e7232;
                                                 phi_506_ = _e7234;
                                                 phi_508_ = _e7236;
-                                                phi_17161_ = _e7230;
+                                                phi_17154_ = _e7230;
                                                 break if !(_e6075);
                                             }
                                         }
-                                        let _e7239 = phi_17161_;
-                                        phi_17167_ = _e7239;
+                                        let _e7239 = phi_17154_;
+                                        phi_17160_ = _e7239;
                                         if _e7239 {
                                             break;
                                         }
                                         let _e7241 = local_25;
                                         if (_e7241 <= 0f) {
-                                            phi_2070_ = 0f;
-                                            phi_2071_ = f32();
-                                            phi_2072_ = true;
+                                            phi_2069_ = 0f;
+                                            phi_2070_ = f32();
+                                            phi_2071_ = true;
                                         } else {
                                             if (_e184 == 1u) {
-                                                phi_2060_ = f32();
-                                                phi_2061_ = true;
+                                                phi_2059_ = f32();
+                                                phi_2060_ = true;
                                             } else {
                                                 let _e7246 = local_26;
                                                 let _e7248 = (_e3795.member_3 < (0.01f * _e7246));
                                                 if _e7248 {
-                                                    phi_2059_ = f32();
+                                                    phi_2058_ = f32();
                                                 } else {
                                                     let _e7249 = (_e3795.member[0] - _e162.member[0]);
                                                     let _e7250 = (_e3795.member[1] - _e162.member[1]);
@@ -2049,39 +2049,39 @@ fn function_() {
                                                     let _e7275 = (((_e162.member_2[0] * _e7257) + (_e162.member_2[1] * _e7258)) + (_e162.member_2[2] * _e7259));
                                                     let _e7276 = (_e7265 <= 0f);
                                                     if _e7276 {
-                                                        phi_15040_ = select(true, false, (_e7270 <= 0f));
+                                                        phi_15033_ = select(true, false, (_e7270 <= 0f));
                                                     } else {
-                                                        phi_15040_ = true;
+                                                        phi_15033_ = true;
                                                     }
-                                                    let _e7280 = phi_15040_;
+                                                    let _e7280 = phi_15033_;
                                                     if _e7280 {
                                                         if _e7276 {
-                                                            phi_15051_ = true;
+                                                            phi_15044_ = true;
                                                         } else {
-                                                            phi_15051_ = (_e7270 <= 0f);
+                                                            phi_15044_ = (_e7270 <= 0f);
                                                         }
-                                                        let _e7283 = phi_15051_;
+                                                        let _e7283 = phi_15044_;
                                                         if _e7283 {
                                                             let _e7288 = (_e7265 / (_e7265 - _e7270));
                                                             let _e7295 = vec3<f32>((_e7249 + ((_e7253 - _e7249) * _e7288)), (_e7250 + ((_e7254 - _e7250) * _e7288)), (_e7251 + ((_e7255 - _e7251) * _e7288)));
                                                             if _e7276 {
-                                                                phi_15072_ = type_60(0f, vec3<f32>(0f, 0f, 0f), _e7295);
+                                                                phi_15065_ = type_60(0f, vec3<f32>(0f, 0f, 0f), _e7295);
                                                             } else {
-                                                                phi_15072_ = type_60(0f, _e7295, vec3<f32>(0f, 0f, 0f));
+                                                                phi_15065_ = type_60(0f, _e7295, vec3<f32>(0f, 0f, 0f));
                                                             }
-                                                            let _e7299 = phi_15072_;
+                                                            let _e7299 = phi_15065_;
                                                             let _e7300 = vec3(_e7276);
-                                                            phi_15076_ = _e7299;
-                                                            phi_15077_ = select(_e7295, _e7256, _e7300);
-                                                            phi_15078_ = select(_e7252, _e7295, _e7300);
+                                                            phi_15069_ = _e7299;
+                                                            phi_15070_ = select(_e7295, _e7256, _e7300);
+                                                            phi_15071_ = select(_e7252, _e7295, _e7300);
                                                         } else {
-                                                            phi_15076_ = type_60(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                                                            phi_15077_ = _e7256;
-                                                            phi_15078_ = _e7252;
+                                                            phi_15069_ = type_60(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                            phi_15070_ = _e7256;
+                                                            phi_15071_ = _e7252;
                                                         }
-                                                        let _e7304 = phi_15076_;
-                                                        let _e7306 = phi_15077_;
-                                                        let _e7308 = phi_15078_;
+                                                        let _e7304 = phi_15069_;
+                                                        let _e7306 = phi_15070_;
+                                                        let _e7308 = phi_15071_;
                                                         let _e7310 = abs(_e7308.x);
                                                         let _e7312 = abs(_e7308.y);
                                                         let _e7314 = select(_e7312, _e7310, (_e7310 > _e7312));
@@ -2094,19 +2094,19 @@ fn function_() {
                                                                 let _e7322 = (_e7308.y / _e7318);
                                                                 let _e7323 = (_e7308.z / _e7318);
                                                                 let _e7329 = sqrt((((_e7321 * _e7321) + (_e7322 * _e7322)) + (_e7323 * _e7323)));
-                                                                phi_15118_ = vec3<f32>((_e7321 / _e7329), (_e7322 / _e7329), (_e7323 / _e7329));
+                                                                phi_15111_ = vec3<f32>((_e7321 / _e7329), (_e7322 / _e7329), (_e7323 / _e7329));
                                                             } else {
-                                                                phi_15118_ = vec3<f32>();
+                                                                phi_15111_ = vec3<f32>();
                                                             }
-                                                            let _e7335 = phi_15118_;
-                                                            phi_15121_ = _e7335;
-                                                            phi_15122_ = select(true, false, _e7320);
+                                                            let _e7335 = phi_15111_;
+                                                            phi_15114_ = _e7335;
+                                                            phi_15115_ = select(true, false, _e7320);
                                                         } else {
-                                                            phi_15121_ = vec3<f32>();
-                                                            phi_15122_ = true;
+                                                            phi_15114_ = vec3<f32>();
+                                                            phi_15115_ = true;
                                                         }
-                                                        let _e7338 = phi_15121_;
-                                                        let _e7340 = phi_15122_;
+                                                        let _e7338 = phi_15114_;
+                                                        let _e7340 = phi_15115_;
                                                         let _e7342 = select(_e7338, vec3<f32>(0f, 0f, 0f), vec3(_e7340));
                                                         let _e7344 = abs(_e7306.x);
                                                         let _e7346 = abs(_e7306.y);
@@ -2120,26 +2120,26 @@ fn function_() {
                                                                 let _e7356 = (_e7306.y / _e7352);
                                                                 let _e7357 = (_e7306.z / _e7352);
                                                                 let _e7363 = sqrt((((_e7355 * _e7355) + (_e7356 * _e7356)) + (_e7357 * _e7357)));
-                                                                phi_15166_ = vec3<f32>((_e7355 / _e7363), (_e7356 / _e7363), (_e7357 / _e7363));
+                                                                phi_15159_ = vec3<f32>((_e7355 / _e7363), (_e7356 / _e7363), (_e7357 / _e7363));
                                                             } else {
-                                                                phi_15166_ = vec3<f32>();
+                                                                phi_15159_ = vec3<f32>();
                                                             }
-                                                            let _e7369 = phi_15166_;
-                                                            phi_15169_ = _e7369;
-                                                            phi_15170_ = select(true, false, _e7354);
+                                                            let _e7369 = phi_15159_;
+                                                            phi_15162_ = _e7369;
+                                                            phi_15163_ = select(true, false, _e7354);
                                                         } else {
-                                                            phi_15169_ = vec3<f32>();
-                                                            phi_15170_ = true;
+                                                            phi_15162_ = vec3<f32>();
+                                                            phi_15163_ = true;
                                                         }
-                                                        let _e7372 = phi_15169_;
-                                                        let _e7374 = phi_15170_;
+                                                        let _e7372 = phi_15162_;
+                                                        let _e7374 = phi_15163_;
                                                         let _e7376 = select(_e7372, vec3<f32>(0f, 0f, 0f), vec3(_e7374));
                                                         let _e7383 = ((_e7342.y * _e7376.z) - (_e7376.y * _e7342.z));
                                                         let _e7388 = ((_e7342.z * _e7376.x) - (_e7376.z * _e7342.x));
                                                         let _e7391 = ((_e7342.x * _e7376.y) - (_e7376.x * _e7342.y));
                                                         let _e7397 = sqrt((((_e7383 * _e7383) + (_e7388 * _e7388)) + (_e7391 * _e7391)));
                                                         if (_e7397 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_15284_ = 0f;
+                                                            phi_15277_ = 0f;
                                                         } else {
                                                             let _e7409 = (((_e7342.x * _e7376.x) + (_e7342.y * _e7376.y)) + (_e7342.z * _e7376.z));
                                                             let _e7410 = abs(_e7409);
@@ -2147,81 +2147,81 @@ fn function_() {
                                                             let _e7412 = (_e7411 > _e7410);
                                                             let _e7413 = select(_e7410, _e7411, _e7412);
                                                             if (_e7413 > 0f) {
-                                                                phi_15237_ = (select(_e7411, _e7410, _e7412) / _e7413);
+                                                                phi_15230_ = (select(_e7411, _e7410, _e7412) / _e7413);
                                                             } else {
-                                                                phi_15237_ = 0f;
+                                                                phi_15230_ = 0f;
                                                             }
-                                                            let _e7418 = phi_15237_;
+                                                            let _e7418 = phi_15230_;
                                                             let _e7419 = (_e7418 > 0.41421357f);
                                                             if _e7419 {
-                                                                phi_15245_ = ((_e7418 - 1f) / (_e7418 + 1f));
+                                                                phi_15238_ = ((_e7418 - 1f) / (_e7418 + 1f));
                                                             } else {
-                                                                phi_15245_ = _e7418;
+                                                                phi_15238_ = _e7418;
                                                             }
-                                                            let _e7424 = phi_15245_;
+                                                            let _e7424 = phi_15238_;
                                                             let _e7425 = (_e7424 * _e7424);
                                                             let _e7434 = (_e7424 + ((_e7424 * _e7425) * (-0.3333295f + (_e7425 * (0.19977711f + (_e7425 * (-0.13877685f + (_e7425 * 0.080537446f))))))));
                                                             if _e7419 {
-                                                                phi_15260_ = (_e7434 + 0.7853982f);
+                                                                phi_15253_ = (_e7434 + 0.7853982f);
                                                             } else {
-                                                                phi_15260_ = _e7434;
+                                                                phi_15253_ = _e7434;
                                                             }
-                                                            let _e7437 = phi_15260_;
+                                                            let _e7437 = phi_15253_;
                                                             if _e7412 {
-                                                                phi_15266_ = (1.5707964f - _e7437);
+                                                                phi_15259_ = (1.5707964f - _e7437);
                                                             } else {
-                                                                phi_15266_ = _e7437;
+                                                                phi_15259_ = _e7437;
                                                             }
-                                                            let _e7440 = phi_15266_;
+                                                            let _e7440 = phi_15259_;
                                                             if ((bitcast<u32>(_e7409) & 2147483648u) == 0u) {
-                                                                phi_15274_ = _e7440;
+                                                                phi_15267_ = _e7440;
                                                             } else {
-                                                                phi_15274_ = (3.1415927f - _e7440);
+                                                                phi_15267_ = (3.1415927f - _e7440);
                                                             }
-                                                            let _e7446 = phi_15274_;
-                                                            phi_15284_ = (((((_e162.member_2[0] * _e7383) + (_e162.member_2[1] * _e7388)) + (_e162.member_2[2] * _e7391)) / _e7397) * bitcast<f32>(((bitcast<u32>(_e7446) & 2147483647u) | (bitcast<u32>(_e7397) & 2147483648u))));
+                                                            let _e7446 = phi_15267_;
+                                                            phi_15277_ = (((((_e162.member_2[0] * _e7383) + (_e162.member_2[1] * _e7388)) + (_e162.member_2[2] * _e7391)) / _e7397) * bitcast<f32>(((bitcast<u32>(_e7446) & 2147483647u) | (bitcast<u32>(_e7397) & 2147483648u))));
                                                         }
-                                                        let _e7455 = phi_15284_;
-                                                        phi_15289_ = type_60((_e7304.member + _e7455), _e7304.member_1, _e7304.member_2);
+                                                        let _e7455 = phi_15277_;
+                                                        phi_15282_ = type_60((_e7304.member + _e7455), _e7304.member_1, _e7304.member_2);
                                                     } else {
-                                                        phi_15289_ = type_60(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                        phi_15282_ = type_60(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                                                     }
-                                                    let _e7463 = phi_15289_;
+                                                    let _e7463 = phi_15282_;
                                                     let _e7464 = (_e7270 <= 0f);
                                                     if _e7464 {
-                                                        phi_15299_ = select(true, false, (_e7275 <= 0f));
+                                                        phi_15292_ = select(true, false, (_e7275 <= 0f));
                                                     } else {
-                                                        phi_15299_ = true;
+                                                        phi_15292_ = true;
                                                     }
-                                                    let _e7468 = phi_15299_;
+                                                    let _e7468 = phi_15292_;
                                                     if _e7468 {
                                                         if _e7464 {
-                                                            phi_15310_ = true;
+                                                            phi_15303_ = true;
                                                         } else {
-                                                            phi_15310_ = (_e7275 <= 0f);
+                                                            phi_15303_ = (_e7275 <= 0f);
                                                         }
-                                                        let _e7471 = phi_15310_;
+                                                        let _e7471 = phi_15303_;
                                                         if _e7471 {
                                                             let _e7476 = (_e7270 / (_e7270 - _e7275));
                                                             let _e7483 = vec3<f32>((_e7253 + ((_e7257 - _e7253) * _e7476)), (_e7254 + ((_e7258 - _e7254) * _e7476)), (_e7255 + ((_e7259 - _e7255) * _e7476)));
                                                             if _e7464 {
-                                                                phi_15331_ = type_60(_e7463.member, _e7463.member_1, _e7483);
+                                                                phi_15324_ = type_60(_e7463.member, _e7463.member_1, _e7483);
                                                             } else {
-                                                                phi_15331_ = type_60(_e7463.member, _e7483, _e7463.member_2);
+                                                                phi_15324_ = type_60(_e7463.member, _e7483, _e7463.member_2);
                                                             }
-                                                            let _e7493 = phi_15331_;
+                                                            let _e7493 = phi_15324_;
                                                             let _e7494 = vec3(_e7464);
-                                                            phi_15335_ = _e7493;
-                                                            phi_15336_ = select(_e7483, _e7260, _e7494);
-                                                            phi_15337_ = select(_e7256, _e7483, _e7494);
+                                                            phi_15328_ = _e7493;
+                                                            phi_15329_ = select(_e7483, _e7260, _e7494);
+                                                            phi_15330_ = select(_e7256, _e7483, _e7494);
                                                         } else {
-                                                            phi_15335_ = _e7463;
-                                                            phi_15336_ = _e7260;
-                                                            phi_15337_ = _e7256;
+                                                            phi_15328_ = _e7463;
+                                                            phi_15329_ = _e7260;
+                                                            phi_15330_ = _e7256;
                                                         }
-                                                        let _e7498 = phi_15335_;
-                                                        let _e7500 = phi_15336_;
-                                                        let _e7502 = phi_15337_;
+                                                        let _e7498 = phi_15328_;
+                                                        let _e7500 = phi_15329_;
+                                                        let _e7502 = phi_15330_;
                                                         let _e7504 = abs(_e7502.x);
                                                         let _e7506 = abs(_e7502.y);
                                                         let _e7508 = select(_e7506, _e7504, (_e7504 > _e7506));
@@ -2234,19 +2234,19 @@ fn function_() {
                                                                 let _e7516 = (_e7502.y / _e7512);
                                                                 let _e7517 = (_e7502.z / _e7512);
                                                                 let _e7523 = sqrt((((_e7515 * _e7515) + (_e7516 * _e7516)) + (_e7517 * _e7517)));
-                                                                phi_15377_ = vec3<f32>((_e7515 / _e7523), (_e7516 / _e7523), (_e7517 / _e7523));
+                                                                phi_15370_ = vec3<f32>((_e7515 / _e7523), (_e7516 / _e7523), (_e7517 / _e7523));
                                                             } else {
-                                                                phi_15377_ = vec3<f32>();
+                                                                phi_15370_ = vec3<f32>();
                                                             }
-                                                            let _e7529 = phi_15377_;
-                                                            phi_15380_ = _e7529;
-                                                            phi_15381_ = select(true, false, _e7514);
+                                                            let _e7529 = phi_15370_;
+                                                            phi_15373_ = _e7529;
+                                                            phi_15374_ = select(true, false, _e7514);
                                                         } else {
-                                                            phi_15380_ = vec3<f32>();
-                                                            phi_15381_ = true;
+                                                            phi_15373_ = vec3<f32>();
+                                                            phi_15374_ = true;
                                                         }
-                                                        let _e7532 = phi_15380_;
-                                                        let _e7534 = phi_15381_;
+                                                        let _e7532 = phi_15373_;
+                                                        let _e7534 = phi_15374_;
                                                         let _e7536 = select(_e7532, vec3<f32>(0f, 0f, 0f), vec3(_e7534));
                                                         let _e7538 = abs(_e7500.x);
                                                         let _e7540 = abs(_e7500.y);
@@ -2260,26 +2260,26 @@ fn function_() {
                                                                 let _e7550 = (_e7500.y / _e7546);
                                                                 let _e7551 = (_e7500.z / _e7546);
                                                                 let _e7557 = sqrt((((_e7549 * _e7549) + (_e7550 * _e7550)) + (_e7551 * _e7551)));
-                                                                phi_15425_ = vec3<f32>((_e7549 / _e7557), (_e7550 / _e7557), (_e7551 / _e7557));
+                                                                phi_15418_ = vec3<f32>((_e7549 / _e7557), (_e7550 / _e7557), (_e7551 / _e7557));
                                                             } else {
-                                                                phi_15425_ = vec3<f32>();
+                                                                phi_15418_ = vec3<f32>();
                                                             }
-                                                            let _e7563 = phi_15425_;
-                                                            phi_15428_ = _e7563;
-                                                            phi_15429_ = select(true, false, _e7548);
+                                                            let _e7563 = phi_15418_;
+                                                            phi_15421_ = _e7563;
+                                                            phi_15422_ = select(true, false, _e7548);
                                                         } else {
-                                                            phi_15428_ = vec3<f32>();
-                                                            phi_15429_ = true;
+                                                            phi_15421_ = vec3<f32>();
+                                                            phi_15422_ = true;
                                                         }
-                                                        let _e7566 = phi_15428_;
-                                                        let _e7568 = phi_15429_;
+                                                        let _e7566 = phi_15421_;
+                                                        let _e7568 = phi_15422_;
                                                         let _e7570 = select(_e7566, vec3<f32>(0f, 0f, 0f), vec3(_e7568));
                                                         let _e7577 = ((_e7536.y * _e7570.z) - (_e7570.y * _e7536.z));
                                                         let _e7582 = ((_e7536.z * _e7570.x) - (_e7570.z * _e7536.x));
                                                         let _e7585 = ((_e7536.x * _e7570.y) - (_e7570.x * _e7536.y));
                                                         let _e7591 = sqrt((((_e7577 * _e7577) + (_e7582 * _e7582)) + (_e7585 * _e7585)));
                                                         if (_e7591 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_15543_ = 0f;
+                                                            phi_15536_ = 0f;
                                                         } else {
                                                             let _e7603 = (((_e7536.x * _e7570.x) + (_e7536.y * _e7570.y)) + (_e7536.z * _e7570.z));
                                                             let _e7604 = abs(_e7603);
@@ -2287,75 +2287,75 @@ fn function_() {
                                                             let _e7606 = (_e7605 > _e7604);
                                                             let _e7607 = select(_e7604, _e7605, _e7606);
                                                             if (_e7607 > 0f) {
-                                                                phi_15496_ = (select(_e7605, _e7604, _e7606) / _e7607);
+                                                                phi_15489_ = (select(_e7605, _e7604, _e7606) / _e7607);
                                                             } else {
-                                                                phi_15496_ = 0f;
+                                                                phi_15489_ = 0f;
                                                             }
-                                                            let _e7612 = phi_15496_;
+                                                            let _e7612 = phi_15489_;
                                                             let _e7613 = (_e7612 > 0.41421357f);
                                                             if _e7613 {
-                                                                phi_15504_ = ((_e7612 - 1f) / (_e7612 + 1f));
+                                                                phi_15497_ = ((_e7612 - 1f) / (_e7612 + 1f));
                                                             } else {
-                                                                phi_15504_ = _e7612;
+                                                                phi_15497_ = _e7612;
                                                             }
-                                                            let _e7618 = phi_15504_;
+                                                            let _e7618 = phi_15497_;
                                                             let _e7619 = (_e7618 * _e7618);
                                                             let _e7628 = (_e7618 + ((_e7618 * _e7619) * (-0.3333295f + (_e7619 * (0.19977711f + (_e7619 * (-0.13877685f + (_e7619 * 0.080537446f))))))));
                                                             if _e7613 {
-                                                                phi_15519_ = (_e7628 + 0.7853982f);
+                                                                phi_15512_ = (_e7628 + 0.7853982f);
                                                             } else {
-                                                                phi_15519_ = _e7628;
+                                                                phi_15512_ = _e7628;
                                                             }
-                                                            let _e7631 = phi_15519_;
+                                                            let _e7631 = phi_15512_;
                                                             if _e7606 {
-                                                                phi_15525_ = (1.5707964f - _e7631);
+                                                                phi_15518_ = (1.5707964f - _e7631);
                                                             } else {
-                                                                phi_15525_ = _e7631;
+                                                                phi_15518_ = _e7631;
                                                             }
-                                                            let _e7634 = phi_15525_;
+                                                            let _e7634 = phi_15518_;
                                                             if ((bitcast<u32>(_e7603) & 2147483648u) == 0u) {
-                                                                phi_15533_ = _e7634;
+                                                                phi_15526_ = _e7634;
                                                             } else {
-                                                                phi_15533_ = (3.1415927f - _e7634);
+                                                                phi_15526_ = (3.1415927f - _e7634);
                                                             }
-                                                            let _e7640 = phi_15533_;
-                                                            phi_15543_ = (((((_e162.member_2[0] * _e7577) + (_e162.member_2[1] * _e7582)) + (_e162.member_2[2] * _e7585)) / _e7591) * bitcast<f32>(((bitcast<u32>(_e7640) & 2147483647u) | (bitcast<u32>(_e7591) & 2147483648u))));
+                                                            let _e7640 = phi_15526_;
+                                                            phi_15536_ = (((((_e162.member_2[0] * _e7577) + (_e162.member_2[1] * _e7582)) + (_e162.member_2[2] * _e7585)) / _e7591) * bitcast<f32>(((bitcast<u32>(_e7640) & 2147483647u) | (bitcast<u32>(_e7591) & 2147483648u))));
                                                         }
-                                                        let _e7649 = phi_15543_;
-                                                        phi_15548_ = type_60((_e7498.member + _e7649), _e7498.member_1, _e7498.member_2);
+                                                        let _e7649 = phi_15536_;
+                                                        phi_15541_ = type_60((_e7498.member + _e7649), _e7498.member_1, _e7498.member_2);
                                                     } else {
-                                                        phi_15548_ = _e7463;
+                                                        phi_15541_ = _e7463;
                                                     }
-                                                    let _e7657 = phi_15548_;
+                                                    let _e7657 = phi_15541_;
                                                     let _e7658 = (_e7275 <= 0f);
                                                     if _e7658 {
-                                                        phi_15558_ = select(true, false, _e7276);
+                                                        phi_15551_ = select(true, false, _e7276);
                                                     } else {
-                                                        phi_15558_ = true;
+                                                        phi_15551_ = true;
                                                     }
-                                                    let _e7661 = phi_15558_;
+                                                    let _e7661 = phi_15551_;
                                                     if _e7661 {
                                                         if select(_e7276, true, _e7658) {
                                                             let _e7667 = (_e7275 / (_e7275 - _e7265));
                                                             let _e7674 = vec3<f32>((_e7257 + ((_e7249 - _e7257) * _e7667)), (_e7258 + ((_e7250 - _e7258) * _e7667)), (_e7259 + ((_e7251 - _e7259) * _e7667)));
                                                             if _e7658 {
-                                                                phi_15590_ = type_60(_e7657.member, _e7657.member_1, _e7674);
+                                                                phi_15583_ = type_60(_e7657.member, _e7657.member_1, _e7674);
                                                             } else {
-                                                                phi_15590_ = type_60(_e7657.member, _e7674, _e7657.member_2);
+                                                                phi_15583_ = type_60(_e7657.member, _e7674, _e7657.member_2);
                                                             }
-                                                            let _e7684 = phi_15590_;
+                                                            let _e7684 = phi_15583_;
                                                             let _e7685 = vec3(_e7658);
-                                                            phi_15594_ = _e7684;
-                                                            phi_15595_ = select(_e7674, _e7252, _e7685);
-                                                            phi_15596_ = select(_e7260, _e7674, _e7685);
+                                                            phi_15587_ = _e7684;
+                                                            phi_15588_ = select(_e7674, _e7252, _e7685);
+                                                            phi_15589_ = select(_e7260, _e7674, _e7685);
                                                         } else {
-                                                            phi_15594_ = _e7657;
-                                                            phi_15595_ = _e7252;
-                                                            phi_15596_ = _e7260;
+                                                            phi_15587_ = _e7657;
+                                                            phi_15588_ = _e7252;
+                                                            phi_15589_ = _e7260;
                                                         }
-                                                        let _e7689 = phi_15594_;
-                                                        let _e7691 = phi_15595_;
-                                                        let _e7693 = phi_15596_;
+                                                        let _e7689 = phi_15587_;
+                                                        let _e7691 = phi_15588_;
+                                                        let _e7693 = phi_15589_;
                                                         let _e7695 = abs(_e7693.x);
                                                         let _e7697 = abs(_e7693.y);
                                                         let _e7699 = select(_e7697, _e7695, (_e7695 > _e7697));
@@ -2368,19 +2368,19 @@ fn function_() {
                                                                 let _e7707 = (_e7693.y / _e7703);
                                                                 let _e7708 = (_e7693.z / _e7703);
                                                                 let _e7714 = sqrt((((_e7706 * _e7706) + (_e7707 * _e7707)) + (_e7708 * _e7708)));
-                                                                phi_15636_ = vec3<f32>((_e7706 / _e7714), (_e7707 / _e7714), (_e7708 / _e7714));
+                                                                phi_15629_ = vec3<f32>((_e7706 / _e7714), (_e7707 / _e7714), (_e7708 / _e7714));
                                                             } else {
-                                                                phi_15636_ = vec3<f32>();
+                                                                phi_15629_ = vec3<f32>();
                                                             }
-                                                            let _e7720 = phi_15636_;
-                                                            phi_15639_ = _e7720;
-                                                            phi_15640_ = select(true, false, _e7705);
+                                                            let _e7720 = phi_15629_;
+                                                            phi_15632_ = _e7720;
+                                                            phi_15633_ = select(true, false, _e7705);
                                                         } else {
-                                                            phi_15639_ = vec3<f32>();
-                                                            phi_15640_ = true;
+                                                            phi_15632_ = vec3<f32>();
+                                                            phi_15633_ = true;
                                                         }
-                                                        let _e7723 = phi_15639_;
-                                                        let _e7725 = phi_15640_;
+                                                        let _e7723 = phi_15632_;
+                                                        let _e7725 = phi_15633_;
                                                         let _e7727 = select(_e7723, vec3<f32>(0f, 0f, 0f), vec3(_e7725));
                                                         let _e7729 = abs(_e7691.x);
                                                         let _e7731 = abs(_e7691.y);
@@ -2394,26 +2394,26 @@ fn function_() {
                                                                 let _e7741 = (_e7691.y / _e7737);
                                                                 let _e7742 = (_e7691.z / _e7737);
                                                                 let _e7748 = sqrt((((_e7740 * _e7740) + (_e7741 * _e7741)) + (_e7742 * _e7742)));
-                                                                phi_15684_ = vec3<f32>((_e7740 / _e7748), (_e7741 / _e7748), (_e7742 / _e7748));
+                                                                phi_15677_ = vec3<f32>((_e7740 / _e7748), (_e7741 / _e7748), (_e7742 / _e7748));
                                                             } else {
-                                                                phi_15684_ = vec3<f32>();
+                                                                phi_15677_ = vec3<f32>();
                                                             }
-                                                            let _e7754 = phi_15684_;
-                                                            phi_15687_ = _e7754;
-                                                            phi_15688_ = select(true, false, _e7739);
+                                                            let _e7754 = phi_15677_;
+                                                            phi_15680_ = _e7754;
+                                                            phi_15681_ = select(true, false, _e7739);
                                                         } else {
-                                                            phi_15687_ = vec3<f32>();
-                                                            phi_15688_ = true;
+                                                            phi_15680_ = vec3<f32>();
+                                                            phi_15681_ = true;
                                                         }
-                                                        let _e7757 = phi_15687_;
-                                                        let _e7759 = phi_15688_;
+                                                        let _e7757 = phi_15680_;
+                                                        let _e7759 = phi_15681_;
                                                         let _e7761 = select(_e7757, vec3<f32>(0f, 0f, 0f), vec3(_e7759));
                                                         let _e7768 = ((_e7727.y * _e7761.z) - (_e7761.y * _e7727.z));
                                                         let _e7773 = ((_e7727.z * _e7761.x) - (_e7761.z * _e7727.x));
                                                         let _e7776 = ((_e7727.x * _e7761.y) - (_e7761.x * _e7727.y));
                                                         let _e7782 = sqrt((((_e7768 * _e7768) + (_e7773 * _e7773)) + (_e7776 * _e7776)));
                                                         if (_e7782 <= 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_15802_ = 0f;
+                                                            phi_15795_ = 0f;
                                                         } else {
                                                             let _e7794 = (((_e7727.x * _e7761.x) + (_e7727.y * _e7761.y)) + (_e7727.z * _e7761.z));
                                                             let _e7795 = abs(_e7794);
@@ -2421,46 +2421,46 @@ fn function_() {
                                                             let _e7797 = (_e7796 > _e7795);
                                                             let _e7798 = select(_e7795, _e7796, _e7797);
                                                             if (_e7798 > 0f) {
-                                                                phi_15755_ = (select(_e7796, _e7795, _e7797) / _e7798);
+                                                                phi_15748_ = (select(_e7796, _e7795, _e7797) / _e7798);
                                                             } else {
-                                                                phi_15755_ = 0f;
+                                                                phi_15748_ = 0f;
                                                             }
-                                                            let _e7803 = phi_15755_;
+                                                            let _e7803 = phi_15748_;
                                                             let _e7804 = (_e7803 > 0.41421357f);
                                                             if _e7804 {
-                                                                phi_15763_ = ((_e7803 - 1f) / (_e7803 + 1f));
+                                                                phi_15756_ = ((_e7803 - 1f) / (_e7803 + 1f));
                                                             } else {
-                                                                phi_15763_ = _e7803;
+                                                                phi_15756_ = _e7803;
                                                             }
-                                                            let _e7809 = phi_15763_;
+                                                            let _e7809 = phi_15756_;
                                                             let _e7810 = (_e7809 * _e7809);
                                                             let _e7819 = (_e7809 + ((_e7809 * _e7810) * (-0.3333295f + (_e7810 * (0.19977711f + (_e7810 * (-0.13877685f + (_e7810 * 0.080537446f))))))));
                                                             if _e7804 {
-                                                                phi_15778_ = (_e7819 + 0.7853982f);
+                                                                phi_15771_ = (_e7819 + 0.7853982f);
                                                             } else {
-                                                                phi_15778_ = _e7819;
+                                                                phi_15771_ = _e7819;
                                                             }
-                                                            let _e7822 = phi_15778_;
+                                                            let _e7822 = phi_15771_;
                                                             if _e7797 {
-                                                                phi_15784_ = (1.5707964f - _e7822);
+                                                                phi_15777_ = (1.5707964f - _e7822);
                                                             } else {
-                                                                phi_15784_ = _e7822;
+                                                                phi_15777_ = _e7822;
                                                             }
-                                                            let _e7825 = phi_15784_;
+                                                            let _e7825 = phi_15777_;
                                                             if ((bitcast<u32>(_e7794) & 2147483648u) == 0u) {
-                                                                phi_15792_ = _e7825;
+                                                                phi_15785_ = _e7825;
                                                             } else {
-                                                                phi_15792_ = (3.1415927f - _e7825);
+                                                                phi_15785_ = (3.1415927f - _e7825);
                                                             }
-                                                            let _e7831 = phi_15792_;
-                                                            phi_15802_ = (((((_e162.member_2[0] * _e7768) + (_e162.member_2[1] * _e7773)) + (_e162.member_2[2] * _e7776)) / _e7782) * bitcast<f32>(((bitcast<u32>(_e7831) & 2147483647u) | (bitcast<u32>(_e7782) & 2147483648u))));
+                                                            let _e7831 = phi_15785_;
+                                                            phi_15795_ = (((((_e162.member_2[0] * _e7768) + (_e162.member_2[1] * _e7773)) + (_e162.member_2[2] * _e7776)) / _e7782) * bitcast<f32>(((bitcast<u32>(_e7831) & 2147483647u) | (bitcast<u32>(_e7782) & 2147483648u))));
                                                         }
-                                                        let _e7840 = phi_15802_;
-                                                        phi_15807_ = type_60((_e7689.member + _e7840), _e7689.member_1, _e7689.member_2);
+                                                        let _e7840 = phi_15795_;
+                                                        phi_15800_ = type_60((_e7689.member + _e7840), _e7689.member_1, _e7689.member_2);
                                                     } else {
-                                                        phi_15807_ = _e7657;
+                                                        phi_15800_ = _e7657;
                                                     }
-                                                    let _e7848 = phi_15807_;
+                                                    let _e7848 = phi_15800_;
                                                     let _e7852 = abs(_e7848.member_1.x);
                                                     let _e7854 = abs(_e7848.member_1.y);
                                                     let _e7856 = select(_e7854, _e7852, (_e7852 > _e7854));
@@ -2473,19 +2473,19 @@ fn function_() {
                                                             let _e7864 = (_e7848.member_1.y / _e7860);
                                                             let _e7865 = (_e7848.member_1.z / _e7860);
                                                             let _e7871 = sqrt((((_e7863 * _e7863) + (_e7864 * _e7864)) + (_e7865 * _e7865)));
-                                                            phi_15849_ = vec3<f32>((_e7863 / _e7871), (_e7864 / _e7871), (_e7865 / _e7871));
+                                                            phi_15842_ = vec3<f32>((_e7863 / _e7871), (_e7864 / _e7871), (_e7865 / _e7871));
                                                         } else {
-                                                            phi_15849_ = vec3<f32>();
+                                                            phi_15842_ = vec3<f32>();
                                                         }
-                                                        let _e7877 = phi_15849_;
-                                                        phi_15852_ = _e7877;
-                                                        phi_15853_ = select(true, false, _e7862);
+                                                        let _e7877 = phi_15842_;
+                                                        phi_15845_ = _e7877;
+                                                        phi_15846_ = select(true, false, _e7862);
                                                     } else {
-                                                        phi_15852_ = vec3<f32>();
-                                                        phi_15853_ = true;
+                                                        phi_15845_ = vec3<f32>();
+                                                        phi_15846_ = true;
                                                     }
-                                                    let _e7880 = phi_15852_;
-                                                    let _e7882 = phi_15853_;
+                                                    let _e7880 = phi_15845_;
+                                                    let _e7882 = phi_15846_;
                                                     let _e7884 = select(_e7880, vec3<f32>(0f, 0f, 0f), vec3(_e7882));
                                                     let _e7886 = abs(_e7848.member_2.x);
                                                     let _e7888 = abs(_e7848.member_2.y);
@@ -2499,26 +2499,26 @@ fn function_() {
                                                             let _e7898 = (_e7848.member_2.y / _e7894);
                                                             let _e7899 = (_e7848.member_2.z / _e7894);
                                                             let _e7905 = sqrt((((_e7897 * _e7897) + (_e7898 * _e7898)) + (_e7899 * _e7899)));
-                                                            phi_15897_ = vec3<f32>((_e7897 / _e7905), (_e7898 / _e7905), (_e7899 / _e7905));
+                                                            phi_15890_ = vec3<f32>((_e7897 / _e7905), (_e7898 / _e7905), (_e7899 / _e7905));
                                                         } else {
-                                                            phi_15897_ = vec3<f32>();
+                                                            phi_15890_ = vec3<f32>();
                                                         }
-                                                        let _e7911 = phi_15897_;
-                                                        phi_15900_ = _e7911;
-                                                        phi_15901_ = select(true, false, _e7896);
+                                                        let _e7911 = phi_15890_;
+                                                        phi_15893_ = _e7911;
+                                                        phi_15894_ = select(true, false, _e7896);
                                                     } else {
-                                                        phi_15900_ = vec3<f32>();
-                                                        phi_15901_ = true;
+                                                        phi_15893_ = vec3<f32>();
+                                                        phi_15894_ = true;
                                                     }
-                                                    let _e7914 = phi_15900_;
-                                                    let _e7916 = phi_15901_;
+                                                    let _e7914 = phi_15893_;
+                                                    let _e7916 = phi_15894_;
                                                     let _e7918 = select(_e7914, vec3<f32>(0f, 0f, 0f), vec3(_e7916));
                                                     let _e7925 = ((_e7884.y * _e7918.z) - (_e7918.y * _e7884.z));
                                                     let _e7930 = ((_e7884.z * _e7918.x) - (_e7918.z * _e7884.x));
                                                     let _e7933 = ((_e7884.x * _e7918.y) - (_e7918.x * _e7884.y));
                                                     let _e7939 = sqrt((((_e7925 * _e7925) + (_e7930 * _e7930)) + (_e7933 * _e7933)));
                                                     if (_e7939 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_16015_ = 0f;
+                                                        phi_16008_ = 0f;
                                                     } else {
                                                         let _e7951 = (((_e7884.x * _e7918.x) + (_e7884.y * _e7918.y)) + (_e7884.z * _e7918.z));
                                                         let _e7952 = abs(_e7951);
@@ -2526,79 +2526,79 @@ fn function_() {
                                                         let _e7954 = (_e7953 > _e7952);
                                                         let _e7955 = select(_e7952, _e7953, _e7954);
                                                         if (_e7955 > 0f) {
-                                                            phi_15968_ = (select(_e7953, _e7952, _e7954) / _e7955);
+                                                            phi_15961_ = (select(_e7953, _e7952, _e7954) / _e7955);
                                                         } else {
-                                                            phi_15968_ = 0f;
+                                                            phi_15961_ = 0f;
                                                         }
-                                                        let _e7960 = phi_15968_;
+                                                        let _e7960 = phi_15961_;
                                                         let _e7961 = (_e7960 > 0.41421357f);
                                                         if _e7961 {
-                                                            phi_15976_ = ((_e7960 - 1f) / (_e7960 + 1f));
+                                                            phi_15969_ = ((_e7960 - 1f) / (_e7960 + 1f));
                                                         } else {
-                                                            phi_15976_ = _e7960;
+                                                            phi_15969_ = _e7960;
                                                         }
-                                                        let _e7966 = phi_15976_;
+                                                        let _e7966 = phi_15969_;
                                                         let _e7967 = (_e7966 * _e7966);
                                                         let _e7976 = (_e7966 + ((_e7966 * _e7967) * (-0.3333295f + (_e7967 * (0.19977711f + (_e7967 * (-0.13877685f + (_e7967 * 0.080537446f))))))));
                                                         if _e7961 {
-                                                            phi_15991_ = (_e7976 + 0.7853982f);
+                                                            phi_15984_ = (_e7976 + 0.7853982f);
                                                         } else {
-                                                            phi_15991_ = _e7976;
+                                                            phi_15984_ = _e7976;
                                                         }
-                                                        let _e7979 = phi_15991_;
+                                                        let _e7979 = phi_15984_;
                                                         if _e7954 {
-                                                            phi_15997_ = (1.5707964f - _e7979);
+                                                            phi_15990_ = (1.5707964f - _e7979);
                                                         } else {
-                                                            phi_15997_ = _e7979;
+                                                            phi_15990_ = _e7979;
                                                         }
-                                                        let _e7982 = phi_15997_;
+                                                        let _e7982 = phi_15990_;
                                                         if ((bitcast<u32>(_e7951) & 2147483648u) == 0u) {
-                                                            phi_16005_ = _e7982;
+                                                            phi_15998_ = _e7982;
                                                         } else {
-                                                            phi_16005_ = (3.1415927f - _e7982);
+                                                            phi_15998_ = (3.1415927f - _e7982);
                                                         }
-                                                        let _e7988 = phi_16005_;
-                                                        phi_16015_ = (((((_e162.member_2[0] * _e7925) + (_e162.member_2[1] * _e7930)) + (_e162.member_2[2] * _e7933)) / _e7939) * bitcast<f32>(((bitcast<u32>(_e7988) & 2147483647u) | (bitcast<u32>(_e7939) & 2147483648u))));
+                                                        let _e7988 = phi_15998_;
+                                                        phi_16008_ = (((((_e162.member_2[0] * _e7925) + (_e162.member_2[1] * _e7930)) + (_e162.member_2[2] * _e7933)) / _e7939) * bitcast<f32>(((bitcast<u32>(_e7988) & 2147483647u) | (bitcast<u32>(_e7939) & 2147483648u))));
                                                     }
-                                                    let _e7997 = phi_16015_;
+                                                    let _e7997 = phi_16008_;
                                                     let _e8003 = local_27;
                                                     let _e8005 = local_28;
-                                                    phi_2059_ = ((abs((_e7848.member + _e7997)) * 0.5f) * (_e8003 / _e8005));
+                                                    phi_2058_ = ((abs((_e7848.member + _e7997)) * 0.5f) * (_e8003 / _e8005));
                                                 }
-                                                let _e8009 = phi_2059_;
-                                                phi_2060_ = _e8009;
-                                                phi_2061_ = _e7248;
+                                                let _e8009 = phi_2058_;
+                                                phi_2059_ = _e8009;
+                                                phi_2060_ = _e7248;
                                             }
-                                            let _e8011 = phi_2060_;
-                                            let _e8013 = phi_2061_;
+                                            let _e8011 = phi_2059_;
+                                            let _e8013 = phi_2060_;
                                             if _e8013 {
                                                 let _e8016 = local_29;
-                                                phi_2069_ = ((_e8016 * _e3795.member_3) / f32(_e184));
+                                                phi_2068_ = ((_e8016 * _e3795.member_3) / f32(_e184));
                                             } else {
-                                                phi_2069_ = f32();
+                                                phi_2068_ = f32();
                                             }
-                                            let _e8021 = phi_2069_;
-                                            phi_2070_ = _e8021;
-                                            phi_2071_ = _e8011;
-                                            phi_2072_ = _e8013;
+                                            let _e8021 = phi_2068_;
+                                            phi_2069_ = _e8021;
+                                            phi_2070_ = _e8011;
+                                            phi_2071_ = _e8013;
                                         }
-                                        let _e8023 = phi_2070_;
-                                        let _e8025 = phi_2071_;
-                                        let _e8027 = phi_2072_;
-                                        phi_17183_ = _e7239;
-                                        phi_2076_ = _e8023;
-                                        phi_2077_ = _e8025;
-                                        phi_2078_ = _e8027;
+                                        let _e8023 = phi_2069_;
+                                        let _e8025 = phi_2070_;
+                                        let _e8027 = phi_2071_;
+                                        phi_17176_ = _e7239;
+                                        phi_2075_ = _e8023;
+                                        phi_2076_ = _e8025;
+                                        phi_2077_ = _e8027;
                                     }
-                                    let _e8029 = phi_17183_;
-                                    let _e8031 = phi_2076_;
-                                    let _e8033 = phi_2077_;
-                                    let _e8035 = phi_2078_;
+                                    let _e8029 = phi_17176_;
+                                    let _e8031 = phi_2075_;
+                                    let _e8033 = phi_2076_;
+                                    let _e8035 = phi_2077_;
                                     let _e8036 = select(_e8033, _e8031, _e8035);
-                                    phi_17170_ = _e8029;
-                                    phi_4930_ = vec3<f32>((_e3795.member_6[0] * _e8036), (_e3795.member_6[1] * _e8036), (_e3795.member_6[2] * _e8036));
-                                    phi_4931_ = vec3<f32>();
-                                    phi_4932_ = true;
+                                    phi_17163_ = _e8029;
+                                    phi_4927_ = vec3<f32>((_e3795.member_6[0] * _e8036), (_e3795.member_6[1] * _e8036), (_e3795.member_6[2] * _e8036));
+                                    phi_4928_ = vec3<f32>();
+                                    phi_4929_ = true;
                                 } else {
                                     let _e3833 = (_e3795.member_1 == 2u);
                                     if _e3833 {
@@ -2609,11 +2609,11 @@ fn function_() {
                                         let _e4935 = select(0f, _e4933, (_e4933 > 0f));
                                         if (_e4935 > 0f) {
                                             if ((((_e162.member_4[0] * _e4926) + (_e162.member_4[1] * _e4927)) + (_e162.member_4[2] * _e4928)) < 0f) {
-                                                phi_2122_ = -(_e162.member_9);
+                                                phi_2121_ = -(_e162.member_9);
                                             } else {
-                                                phi_2122_ = _e162.member_9;
+                                                phi_2121_ = _e162.member_9;
                                             }
-                                            let _e4945 = phi_2122_;
+                                            let _e4945 = phi_2121_;
                                             let _e4949 = (_e162.member[0] + (_e162.member_4[0] * _e4945));
                                             let _e4950 = (_e162.member[1] + (_e162.member_4[1] * _e4945));
                                             let _e4951 = (_e162.member[2] + (_e162.member_4[2] * _e4945));
@@ -2622,31 +2622,31 @@ fn function_() {
                                             let _e4954 = abs(_e4928);
                                             let _e4955 = (_e4952 > _e4953);
                                             if _e4955 {
-                                                phi_2148_ = (_e4952 > _e4954);
+                                                phi_2147_ = (_e4952 > _e4954);
                                             } else {
-                                                phi_2148_ = (_e4953 > _e4954);
+                                                phi_2147_ = (_e4953 > _e4954);
                                             }
-                                            let _e4959 = phi_2148_;
+                                            let _e4959 = phi_2147_;
                                             let _e4960 = select(1u, 0u, _e4955);
                                             if _e4959 {
                                                 let _e4961 = (_e4960 + 1u);
-                                                phi_2158_ = _e4961;
-                                                phi_2161_ = select(true, false, (_e4961 == 2u));
+                                                phi_2157_ = _e4961;
+                                                phi_2160_ = select(true, false, (_e4961 == 2u));
                                             } else {
-                                                phi_2158_ = u32();
-                                                phi_2161_ = false;
+                                                phi_2157_ = u32();
+                                                phi_2160_ = false;
                                             }
-                                            let _e4965 = phi_2158_;
-                                            let _e4967 = phi_2161_;
+                                            let _e4965 = phi_2157_;
+                                            let _e4967 = phi_2160_;
                                             let _e4968 = select(true, false, _e4959);
                                             let _e4969 = select(_e4965, 0u, _e4968);
                                             let _e4971 = select(_e4967, true, _e4968);
                                             if _e4971 {
-                                                phi_2172_ = (_e4969 + 1u);
+                                                phi_2171_ = (_e4969 + 1u);
                                             } else {
-                                                phi_2172_ = 0u;
+                                                phi_2171_ = 0u;
                                             }
-                                            let _e4974 = phi_2172_;
+                                            let _e4974 = phi_2171_;
                                             let _e4975 = select(_e4965, _e4969, _e4971);
                                             let _e4976 = select(_e4960, select(_e4960, 2u, _e4968), _e4971);
                                             local_16 = array<f32, 3>(_e4926, _e4927, _e4928);
@@ -2654,7 +2654,7 @@ fn function_() {
                                             let _e4979 = (_e4976 < 3u);
                                             if _e4979 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4981 = local_16[_e4976];
@@ -2662,7 +2662,7 @@ fn function_() {
                                             let _e4983 = (_e4975 < 3u);
                                             if _e4983 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4985 = local_16[_e4975];
@@ -2670,32 +2670,32 @@ fn function_() {
                                             let _e4987 = (_e4974 < 3u);
                                             if _e4987 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4989 = local_16[_e4974];
                                             let _e4990 = (_e4989 * _e4982);
                                             if _e4983 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4992 = local_17[_e4975];
                                             if _e4987 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4994 = local_17[_e4974];
                                             if _e4979 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e4996 = local_17[_e4976];
                                             if (0u < _e135) {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e5001 = nodes.member[0u].member_7[0u];
@@ -2720,38 +2720,38 @@ fn function_() {
                                             let _e5043 = (_e4950 - _e5033);
                                             let _e5044 = (_e4951 - _e5034);
                                             if (_e4952 > _e5038) {
-                                                phi_2302_ = (-1f / _e3795.member_2[0]);
+                                                phi_2301_ = (-1f / _e3795.member_2[0]);
                                             } else {
-                                                phi_2302_ = (1000000000000f / _e5037);
+                                                phi_2301_ = (1000000000000f / _e5037);
                                             }
-                                            let _e5049 = phi_2302_;
+                                            let _e5049 = phi_2301_;
                                             if (_e4953 > _e5038) {
-                                                phi_2310_ = (-1f / _e3795.member_2[1]);
+                                                phi_2309_ = (-1f / _e3795.member_2[1]);
                                             } else {
-                                                phi_2310_ = (1000000000000f / _e5037);
+                                                phi_2309_ = (1000000000000f / _e5037);
                                             }
-                                            let _e5054 = phi_2310_;
+                                            let _e5054 = phi_2309_;
                                             if (_e4954 > _e5038) {
-                                                phi_2318_ = (-1f / _e3795.member_2[2]);
+                                                phi_2317_ = (-1f / _e3795.member_2[2]);
                                             } else {
-                                                phi_2318_ = (1000000000000f / _e5037);
+                                                phi_2317_ = (1000000000000f / _e5037);
                                             }
-                                            let _e5059 = phi_2318_;
+                                            let _e5059 = phi_2317_;
                                             local_15 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                            phi_16911_ = _e3768;
-                                            phi_2321_ = 0u;
-                                            phi_2324_ = 0u;
+                                            phi_16904_ = _e3768;
+                                            phi_2320_ = 0u;
+                                            phi_2323_ = 0u;
                                             loop {
-                                                let _e5061 = phi_16911_;
-                                                let _e5063 = phi_2321_;
-                                                let _e5065 = phi_2324_;
+                                                let _e5061 = phi_16904_;
+                                                let _e5063 = phi_2320_;
+                                                let _e5065 = phi_2323_;
                                                 let _e5066 = (_e5063 & 15u);
                                                 let _e5068 = (_e5063 >> bitcast<u32>(4u));
                                                 if (_e5066 == 0u) {
                                                     if (_e5068 < _e135) {
                                                     } else {
-                                                        phi_16967_ = true;
-                                                        phi_12433_ = bool();
+                                                        phi_16960_ = true;
+                                                        phi_12426_ = bool();
                                                         break;
                                                     }
                                                     let _e5698 = nodes.member[_e5068].member;
@@ -2835,148 +2835,148 @@ fn function_() {
                                                     if (select(340282350000000000000000000000000000000f, _e5833, (_e5833 <= select(340282350000000000000000000000000000000f, _e5873, (_e5873 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e5065 < 64u) {
                                                         } else {
-                                                            phi_16967_ = true;
-                                                            phi_12433_ = bool();
+                                                            phi_16960_ = true;
+                                                            phi_12426_ = bool();
                                                             break;
                                                         }
                                                         local_15[_e5065] = _e5905;
-                                                        phi_2709_ = (_e5065 + 1u);
+                                                        phi_2708_ = (_e5065 + 1u);
                                                     } else {
-                                                        phi_2709_ = _e5065;
+                                                        phi_2708_ = _e5065;
                                                     }
-                                                    let _e5911 = phi_2709_;
+                                                    let _e5911 = phi_2708_;
                                                     if (select(340282350000000000000000000000000000000f, _e5831, (_e5831 <= select(340282350000000000000000000000000000000f, _e5871, (_e5871 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e5911 < 64u) {
                                                         } else {
-                                                            phi_16967_ = true;
-                                                            phi_12433_ = bool();
+                                                            phi_16960_ = true;
+                                                            phi_12426_ = bool();
                                                             break;
                                                         }
                                                         local_15[_e5911] = _e5901;
-                                                        phi_2721_ = (_e5911 + 1u);
+                                                        phi_2720_ = (_e5911 + 1u);
                                                     } else {
-                                                        phi_2721_ = _e5911;
+                                                        phi_2720_ = _e5911;
                                                     }
-                                                    let _e5917 = phi_2721_;
+                                                    let _e5917 = phi_2720_;
                                                     if (select(340282350000000000000000000000000000000f, _e5829, (_e5829 <= select(340282350000000000000000000000000000000f, _e5869, (_e5869 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e5917 < 64u) {
                                                         } else {
-                                                            phi_16967_ = true;
-                                                            phi_12433_ = bool();
+                                                            phi_16960_ = true;
+                                                            phi_12426_ = bool();
                                                             break;
                                                         }
                                                         local_15[_e5917] = _e5897;
-                                                        phi_2733_ = (_e5917 + 1u);
+                                                        phi_2732_ = (_e5917 + 1u);
                                                     } else {
-                                                        phi_2733_ = _e5917;
+                                                        phi_2732_ = _e5917;
                                                     }
-                                                    let _e5923 = phi_2733_;
+                                                    let _e5923 = phi_2732_;
                                                     if (select(340282350000000000000000000000000000000f, _e5827, (_e5827 <= select(340282350000000000000000000000000000000f, _e5867, (_e5867 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e5923 < 64u) {
                                                         } else {
-                                                            phi_16967_ = true;
-                                                            phi_12433_ = bool();
+                                                            phi_16960_ = true;
+                                                            phi_12426_ = bool();
                                                             break;
                                                         }
                                                         local_15[_e5923] = _e5893;
-                                                        phi_2745_ = (_e5923 + 1u);
+                                                        phi_2744_ = (_e5923 + 1u);
                                                     } else {
-                                                        phi_2745_ = _e5923;
+                                                        phi_2744_ = _e5923;
                                                     }
-                                                    let _e5929 = phi_2745_;
-                                                    phi_16969_ = _e5061;
-                                                    phi_3438_ = _e5929;
-                                                    phi_3439_ = true;
+                                                    let _e5929 = phi_2744_;
+                                                    phi_16962_ = _e5061;
+                                                    phi_3436_ = _e5929;
+                                                    phi_3437_ = true;
                                                 } else {
-                                                    phi_2749_ = type_8(_e5068, (_e5068 + _e5066));
+                                                    phi_2748_ = type_8(_e5068, (_e5068 + _e5066));
                                                     loop {
-                                                        let _e5073 = phi_2749_;
+                                                        let _e5073 = phi_2748_;
                                                         if (_e5073.member < _e5073.member_1) {
-                                                            phi_2750_ = type_8((_e5073.member + 1u), _e5073.member_1);
-                                                            phi_2773_ = type_8(1u, _e5073.member);
+                                                            phi_2749_ = type_8((_e5073.member + 1u), _e5073.member_1);
+                                                            phi_2772_ = type_8(1u, _e5073.member);
                                                         } else {
-                                                            phi_2750_ = _e5073;
-                                                            phi_2773_ = type_8(0u, type_8().member_1);
+                                                            phi_2749_ = _e5073;
+                                                            phi_2772_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e5086 = phi_2750_;
-                                                        let _e5088 = phi_2773_;
+                                                        let _e5086 = phi_2749_;
+                                                        let _e5088 = phi_2772_;
                                                         let _e5092 = (bitcast<i32>(_e5088.member) != 0i);
                                                         if _e5092 {
                                                             let _e5093 = (_e5088.member_1 < _e138);
                                                             if _e5093 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             if _e4979 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5097 = triangles.member[_e5088.member_1].member[_e4976];
                                                             let _e5098 = (_e5097 - _e4996);
                                                             if _e4979 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5102 = triangles.member[_e5088.member_1].member_2[_e4976];
                                                             let _e5103 = (_e5102 - _e4996);
                                                             if _e4979 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5107 = triangles.member[_e5088.member_1].member_4[_e4976];
                                                             let _e5108 = (_e5107 - _e4996);
                                                             if _e4983 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5112 = triangles.member[_e5088.member_1].member[_e4975];
                                                             let _e5115 = ((_e5112 - _e4992) - (_e4986 * _e5098));
                                                             if _e4987 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5119 = triangles.member[_e5088.member_1].member[_e4974];
                                                             let _e5122 = ((_e5119 - _e4994) - (_e4990 * _e5098));
                                                             if _e4983 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5126 = triangles.member[_e5088.member_1].member_2[_e4975];
                                                             let _e5129 = ((_e5126 - _e4992) - (_e4986 * _e5103));
                                                             if _e4987 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5133 = triangles.member[_e5088.member_1].member_2[_e4974];
                                                             let _e5136 = ((_e5133 - _e4994) - (_e4990 * _e5103));
                                                             if _e4983 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5140 = triangles.member[_e5088.member_1].member_4[_e4975];
                                                             let _e5143 = ((_e5140 - _e4992) - (_e4986 * _e5108));
                                                             if _e4987 {
                                                             } else {
-                                                                phi_16907_ = true;
-                                                                phi_12432_ = bool();
+                                                                phi_16900_ = true;
+                                                                phi_12425_ = bool();
                                                                 break;
                                                             }
                                                             let _e5147 = triangles.member[_e5088.member_1].member_4[_e4974];
@@ -2984,7 +2984,7 @@ fn function_() {
                                                             let _e5151 = (_e5143 * _e5136);
                                                             let _e5152 = (_e5150 * _e5129);
                                                             if (_e5151 != _e5152) {
-                                                                phi_2889_ = (_e5151 - _e5152);
+                                                                phi_2888_ = (_e5151 - _e5152);
                                                             } else {
                                                                 let _e5154 = (_e5143 * 4097f);
                                                                 let _e5156 = (_e5154 - (_e5154 - _e5143));
@@ -2998,13 +2998,13 @@ fn function_() {
                                                                 let _e5175 = (_e5173 - (_e5173 - _e5129));
                                                                 let _e5176 = (_e5150 - _e5172);
                                                                 let _e5177 = (_e5129 - _e5175);
-                                                                phi_2889_ = ((((((_e5156 * _e5159) - _e5151) + (_e5156 * _e5161)) + (_e5160 * _e5159)) + (_e5160 * _e5161)) - (((((_e5172 * _e5175) - _e5152) + (_e5172 * _e5177)) + (_e5176 * _e5175)) + (_e5176 * _e5177)));
+                                                                phi_2888_ = ((((((_e5156 * _e5159) - _e5151) + (_e5156 * _e5161)) + (_e5160 * _e5159)) + (_e5160 * _e5161)) - (((((_e5172 * _e5175) - _e5152) + (_e5172 * _e5177)) + (_e5176 * _e5175)) + (_e5176 * _e5177)));
                                                             }
-                                                            let _e5189 = phi_2889_;
+                                                            let _e5189 = phi_2888_;
                                                             let _e5190 = (_e5115 * _e5150);
                                                             let _e5191 = (_e5122 * _e5143);
                                                             if (_e5190 != _e5191) {
-                                                                phi_2900_ = (_e5190 - _e5191);
+                                                                phi_2899_ = (_e5190 - _e5191);
                                                             } else {
                                                                 let _e5193 = (_e5115 * 4097f);
                                                                 let _e5195 = (_e5193 - (_e5193 - _e5115));
@@ -3018,13 +3018,13 @@ fn function_() {
                                                                 let _e5214 = (_e5212 - (_e5212 - _e5143));
                                                                 let _e5215 = (_e5122 - _e5211);
                                                                 let _e5216 = (_e5143 - _e5214);
-                                                                phi_2900_ = ((((((_e5195 * _e5198) - _e5190) + (_e5195 * _e5200)) + (_e5199 * _e5198)) + (_e5199 * _e5200)) - (((((_e5211 * _e5214) - _e5191) + (_e5211 * _e5216)) + (_e5215 * _e5214)) + (_e5215 * _e5216)));
+                                                                phi_2899_ = ((((((_e5195 * _e5198) - _e5190) + (_e5195 * _e5200)) + (_e5199 * _e5198)) + (_e5199 * _e5200)) - (((((_e5211 * _e5214) - _e5191) + (_e5211 * _e5216)) + (_e5215 * _e5214)) + (_e5215 * _e5216)));
                                                             }
-                                                            let _e5228 = phi_2900_;
+                                                            let _e5228 = phi_2899_;
                                                             let _e5229 = (_e5129 * _e5122);
                                                             let _e5230 = (_e5136 * _e5115);
                                                             if (_e5229 != _e5230) {
-                                                                phi_2911_ = (_e5229 - _e5230);
+                                                                phi_2910_ = (_e5229 - _e5230);
                                                             } else {
                                                                 let _e5232 = (_e5129 * 4097f);
                                                                 let _e5234 = (_e5232 - (_e5232 - _e5129));
@@ -3038,71 +3038,71 @@ fn function_() {
                                                                 let _e5253 = (_e5251 - (_e5251 - _e5115));
                                                                 let _e5254 = (_e5136 - _e5250);
                                                                 let _e5255 = (_e5115 - _e5253);
-                                                                phi_2911_ = ((((((_e5234 * _e5237) - _e5229) + (_e5234 * _e5239)) + (_e5238 * _e5237)) + (_e5238 * _e5239)) - (((((_e5250 * _e5253) - _e5230) + (_e5250 * _e5255)) + (_e5254 * _e5253)) + (_e5254 * _e5255)));
+                                                                phi_2910_ = ((((((_e5234 * _e5237) - _e5229) + (_e5234 * _e5239)) + (_e5238 * _e5237)) + (_e5238 * _e5239)) - (((((_e5250 * _e5253) - _e5230) + (_e5250 * _e5255)) + (_e5254 * _e5253)) + (_e5254 * _e5255)));
                                                             }
-                                                            let _e5267 = phi_2911_;
+                                                            let _e5267 = phi_2910_;
                                                             if (_e5189 < 0f) {
-                                                                phi_2929_ = f32();
-                                                                phi_2930_ = true;
+                                                                phi_2928_ = f32();
+                                                                phi_2929_ = true;
                                                             } else {
                                                                 if (_e5228 < 0f) {
-                                                                    phi_2927_ = f32();
-                                                                    phi_2928_ = true;
+                                                                    phi_2926_ = f32();
+                                                                    phi_2927_ = true;
                                                                 } else {
                                                                     let _e5270 = (_e5267 < 0f);
                                                                     if _e5270 {
-                                                                        phi_2926_ = f32();
+                                                                        phi_2925_ = f32();
                                                                     } else {
-                                                                        phi_2926_ = ((_e5189 + _e5228) + _e5267);
+                                                                        phi_2925_ = ((_e5189 + _e5228) + _e5267);
                                                                     }
-                                                                    let _e5274 = phi_2926_;
-                                                                    phi_2927_ = _e5274;
-                                                                    phi_2928_ = _e5270;
+                                                                    let _e5274 = phi_2925_;
+                                                                    phi_2926_ = _e5274;
+                                                                    phi_2927_ = _e5270;
                                                                 }
-                                                                let _e5276 = phi_2927_;
-                                                                let _e5278 = phi_2928_;
-                                                                phi_2929_ = _e5276;
-                                                                phi_2930_ = _e5278;
+                                                                let _e5276 = phi_2926_;
+                                                                let _e5278 = phi_2927_;
+                                                                phi_2928_ = _e5276;
+                                                                phi_2929_ = _e5278;
                                                             }
-                                                            let _e5280 = phi_2929_;
-                                                            let _e5282 = phi_2930_;
+                                                            let _e5280 = phi_2928_;
+                                                            let _e5282 = phi_2929_;
                                                             if _e5282 {
                                                                 if (_e5189 > 0f) {
-                                                                    phi_2951_ = f32();
-                                                                    phi_2952_ = true;
-                                                                    phi_2953_ = false;
+                                                                    phi_2950_ = f32();
+                                                                    phi_2951_ = true;
+                                                                    phi_2952_ = false;
                                                                 } else {
                                                                     let _e5284 = (_e5228 > 0f);
                                                                     if _e5284 {
-                                                                        phi_2949_ = f32();
-                                                                        phi_2950_ = false;
+                                                                        phi_2948_ = f32();
+                                                                        phi_2949_ = false;
                                                                     } else {
-                                                                        phi_2949_ = ((_e5189 + _e5228) + _e5267);
-                                                                        phi_2950_ = select(true, false, (_e5267 > 0f));
+                                                                        phi_2948_ = ((_e5189 + _e5228) + _e5267);
+                                                                        phi_2949_ = select(true, false, (_e5267 > 0f));
                                                                     }
-                                                                    let _e5290 = phi_2949_;
-                                                                    let _e5292 = phi_2950_;
-                                                                    phi_2951_ = _e5290;
-                                                                    phi_2952_ = _e5284;
-                                                                    phi_2953_ = _e5292;
+                                                                    let _e5290 = phi_2948_;
+                                                                    let _e5292 = phi_2949_;
+                                                                    phi_2950_ = _e5290;
+                                                                    phi_2951_ = _e5284;
+                                                                    phi_2952_ = _e5292;
                                                                 }
-                                                                let _e5294 = phi_2951_;
-                                                                let _e5296 = phi_2952_;
-                                                                let _e5298 = phi_2953_;
-                                                                phi_2958_ = _e5294;
-                                                                phi_2959_ = select(_e5298, false, _e5296);
+                                                                let _e5294 = phi_2950_;
+                                                                let _e5296 = phi_2951_;
+                                                                let _e5298 = phi_2952_;
+                                                                phi_2957_ = _e5294;
+                                                                phi_2958_ = select(_e5298, false, _e5296);
                                                             } else {
-                                                                phi_2958_ = _e5280;
-                                                                phi_2959_ = true;
+                                                                phi_2957_ = _e5280;
+                                                                phi_2958_ = true;
                                                             }
-                                                            let _e5301 = phi_2958_;
-                                                            let _e5303 = phi_2959_;
+                                                            let _e5301 = phi_2957_;
+                                                            let _e5303 = phi_2958_;
                                                             if _e5303 {
                                                                 let _e5304 = (_e5301 == 0f);
                                                                 if _e5304 {
+                                                                    phi_3046_ = array<f32, 3>();
                                                                     phi_3047_ = array<f32, 3>();
-                                                                    phi_3048_ = array<f32, 3>();
-                                                                    phi_3049_ = false;
+                                                                    phi_3048_ = false;
                                                                 } else {
                                                                     let _e5305 = (_e5098 * _e4982);
                                                                     let _e5306 = (_e5103 * _e4982);
@@ -3125,8 +3125,8 @@ fn function_() {
                                                                     let _e5338 = abs(_e5307);
                                                                     let _e5345 = (((select(_e5323, _e5322, (_e5322 > _e5323)) * select(_e5330, _e5329, (_e5329 > _e5330))) * select(_e5338, _e5337, (_e5337 > _e5338))) <= (abs((_e5301 * _e5318)) * 256f));
                                                                     if _e5345 {
-                                                                        phi_3045_ = array<f32, 3>(_e5318, _e5311, _e5312);
-                                                                        phi_3046_ = array<f32, 3>();
+                                                                        phi_3044_ = array<f32, 3>(_e5318, _e5311, _e5312);
+                                                                        phi_3045_ = array<f32, 3>();
                                                                     } else {
                                                                         let _e5347 = (_e5143 * 4097f);
                                                                         let _e5349 = (_e5347 - (_e5347 - _e5143));
@@ -3152,44 +3152,44 @@ fn function_() {
                                                                         let _e5429 = (1f / ((_e5380 + _e5407) + _e5426));
                                                                         let _e5430 = (_e5407 * _e5429);
                                                                         let _e5431 = (_e5426 * _e5429);
-                                                                        phi_3045_ = array<f32, 3>();
-                                                                        phi_3046_ = array<f32, 3>(((((_e5380 * _e5429) * _e5305) + (_e5430 * _e5306)) + (_e5431 * _e5307)), _e5430, _e5431);
+                                                                        phi_3044_ = array<f32, 3>();
+                                                                        phi_3045_ = array<f32, 3>(((((_e5380 * _e5429) * _e5305) + (_e5430 * _e5306)) + (_e5431 * _e5307)), _e5430, _e5431);
                                                                     }
-                                                                    let _e5441 = phi_3045_;
-                                                                    let _e5443 = phi_3046_;
-                                                                    phi_3047_ = _e5441;
-                                                                    phi_3048_ = _e5443;
-                                                                    phi_3049_ = _e5345;
+                                                                    let _e5441 = phi_3044_;
+                                                                    let _e5443 = phi_3045_;
+                                                                    phi_3046_ = _e5441;
+                                                                    phi_3047_ = _e5443;
+                                                                    phi_3048_ = _e5345;
                                                                 }
-                                                                let _e5445 = phi_3047_;
-                                                                let _e5447 = phi_3048_;
-                                                                let _e5449 = phi_3049_;
-                                                                phi_3050_ = _e5445;
-                                                                phi_3051_ = _e5447;
-                                                                phi_3052_ = _e5304;
-                                                                phi_3053_ = _e5449;
+                                                                let _e5445 = phi_3046_;
+                                                                let _e5447 = phi_3047_;
+                                                                let _e5449 = phi_3048_;
+                                                                phi_3049_ = _e5445;
+                                                                phi_3050_ = _e5447;
+                                                                phi_3051_ = _e5304;
+                                                                phi_3052_ = _e5449;
                                                             } else {
+                                                                phi_3049_ = array<f32, 3>();
                                                                 phi_3050_ = array<f32, 3>();
-                                                                phi_3051_ = array<f32, 3>();
-                                                                phi_3052_ = true;
-                                                                phi_3053_ = false;
+                                                                phi_3051_ = true;
+                                                                phi_3052_ = false;
                                                             }
-                                                            let _e5451 = phi_3050_;
-                                                            let _e5453 = phi_3051_;
-                                                            let _e5455 = phi_3052_;
-                                                            let _e5457 = phi_3053_;
+                                                            let _e5451 = phi_3049_;
+                                                            let _e5453 = phi_3050_;
+                                                            let _e5455 = phi_3051_;
+                                                            let _e5457 = phi_3052_;
                                                             if _e5455 {
-                                                                phi_3058_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                phi_3057_ = array<f32, 3>(-1f, 0f, 0f);
                                                             } else {
-                                                                phi_3058_ = _e5451;
+                                                                phi_3057_ = _e5451;
                                                             }
-                                                            let _e5459 = phi_3058_;
+                                                            let _e5459 = phi_3057_;
                                                             if select(_e5457, true, _e5455) {
-                                                                phi_3063_ = _e5459;
+                                                                phi_3062_ = _e5459;
                                                             } else {
-                                                                phi_3063_ = _e5453;
+                                                                phi_3062_ = _e5453;
                                                             }
-                                                            let _e5462 = phi_3063_;
+                                                            let _e5462 = phi_3062_;
                                                             let _e5466 = (_e5462[0] >= 0f);
                                                             if _e5466 {
                                                                 let _e5467 = (_e5462[0] < 340282350000000000000000000000000000000f);
@@ -3197,79 +3197,79 @@ fn function_() {
                                                                     if _e5466 {
                                                                         if _e5093 {
                                                                         } else {
-                                                                            phi_16907_ = true;
-                                                                            phi_12432_ = bool();
+                                                                            phi_16900_ = true;
+                                                                            phi_12425_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e5470 = triangles.member[_e5088.member_1].member_3;
                                                                         if ((_e5470 & 1u) == 0u) {
-                                                                            phi_3396_ = true;
+                                                                            phi_3394_ = true;
                                                                         } else {
                                                                             if _e5093 {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5475 = triangles.member[_e5088.member_1].member_1;
                                                                             let _e5476 = (_e5475 * 12u);
                                                                             if ((256u + _e5476) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e5476 + 257u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e5476 + 258u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5483 = (_e5476 + 259u);
                                                                             if (_e5483 < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5486 = surfaces.member[_e5483];
                                                                             if ((_e5476 + 260u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e5476 + 261u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e5476 + 262u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5493 = (_e5476 + 263u);
                                                                             if (_e5493 < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5496 = surfaces.member[_e5493];
                                                                             let _e5497 = (_e5476 + 264u);
                                                                             if (_e5497 < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5500 = surfaces.member[_e5497];
@@ -3277,31 +3277,31 @@ fn function_() {
                                                                             let _e5502 = (_e5476 + 265u);
                                                                             if (_e5502 < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e5505 = surfaces.member[_e5502];
                                                                             let _e5506 = bitcast<f32>(_e5505);
                                                                             if ((_e5476 + 266u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e5476 + 267u) < _e144) {
                                                                             } else {
-                                                                                phi_16907_ = true;
-                                                                                phi_12432_ = bool();
+                                                                                phi_16900_ = true;
+                                                                                phi_12425_ = bool();
                                                                                 break;
                                                                             }
                                                                             if (_e5486 == 4294967295u) {
-                                                                                phi_3391_ = (_e5501 < _e5506);
+                                                                                phi_3389_ = (_e5501 < _e5506);
                                                                             } else {
                                                                                 if (_e5088.member_1 < _e141) {
                                                                                 } else {
-                                                                                    phi_16907_ = true;
-                                                                                    phi_12432_ = bool();
+                                                                                    phi_16900_ = true;
+                                                                                    phi_12425_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e5514 = ((1f - _e5462[1]) - _e5462[2]);
@@ -3321,36 +3321,36 @@ fn function_() {
                                                                                 let _e5560 = (_e5558 - _e5559);
                                                                                 let _e5561 = (_e5549 - 1u);
                                                                                 if (_e5559 < 0f) {
-                                                                                    phi_3274_ = _e5561;
+                                                                                    phi_3272_ = _e5561;
                                                                                 } else {
                                                                                     let _e5567 = select(select(u32(_e5559), 0u, (_e5559 < 0f)), 4294967295u, (_e5559 > 4294967000f));
-                                                                                    phi_3274_ = select(_e5567, _e5561, (_e5561 < _e5567));
+                                                                                    phi_3272_ = select(_e5567, _e5561, (_e5561 < _e5567));
                                                                                 }
-                                                                                let _e5571 = phi_3274_;
+                                                                                let _e5571 = phi_3272_;
                                                                                 if (_e5571 == _e5561) {
-                                                                                    phi_3280_ = 0u;
+                                                                                    phi_3278_ = 0u;
                                                                                 } else {
-                                                                                    phi_3280_ = (_e5571 + 1u);
+                                                                                    phi_3278_ = (_e5571 + 1u);
                                                                                 }
-                                                                                let _e5575 = phi_3280_;
+                                                                                let _e5575 = phi_3278_;
                                                                                 let _e5577 = (_e5548 - floor(_e5548));
                                                                                 let _e5582 = ((select(0f, _e5577, (_e5577 <= 1f)) * f32(_e5551)) - 0.5f);
                                                                                 let _e5583 = floor(_e5582);
                                                                                 let _e5584 = (_e5582 - _e5583);
                                                                                 let _e5585 = (_e5551 - 1u);
                                                                                 if (_e5583 < 0f) {
-                                                                                    phi_3310_ = _e5585;
+                                                                                    phi_3308_ = _e5585;
                                                                                 } else {
                                                                                     let _e5591 = select(select(u32(_e5583), 0u, (_e5583 < 0f)), 4294967295u, (_e5583 > 4294967000f));
-                                                                                    phi_3310_ = select(_e5591, _e5585, (_e5585 < _e5591));
+                                                                                    phi_3308_ = select(_e5591, _e5585, (_e5585 < _e5591));
                                                                                 }
-                                                                                let _e5595 = phi_3310_;
+                                                                                let _e5595 = phi_3308_;
                                                                                 if (_e5595 == _e5585) {
-                                                                                    phi_3316_ = 0u;
+                                                                                    phi_3314_ = 0u;
                                                                                 } else {
-                                                                                    phi_3316_ = (_e5595 + 1u);
+                                                                                    phi_3314_ = (_e5595 + 1u);
                                                                                 }
-                                                                                let _e5599 = phi_3316_;
+                                                                                let _e5599 = phi_3314_;
                                                                                 let _e5601 = (_e5486 + (_e5595 * _e5549));
                                                                                 let _e5603 = (_e5486 + (_e5599 * _e5549));
                                                                                 let _e5604 = (_e5601 + _e5571);
@@ -3359,181 +3359,181 @@ fn function_() {
                                                                                 let _e5607 = (_e5603 + _e5575);
                                                                                 if (_e5604 < _e144) {
                                                                                 } else {
-                                                                                    phi_16907_ = true;
-                                                                                    phi_12432_ = bool();
+                                                                                    phi_16900_ = true;
+                                                                                    phi_12425_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e5610 = surfaces.member[_e5604];
                                                                                 if (_e5605 < _e144) {
                                                                                 } else {
-                                                                                    phi_16907_ = true;
-                                                                                    phi_12432_ = bool();
+                                                                                    phi_16900_ = true;
+                                                                                    phi_12425_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e5613 = surfaces.member[_e5605];
                                                                                 if (_e5606 < _e144) {
                                                                                 } else {
-                                                                                    phi_16907_ = true;
-                                                                                    phi_12432_ = bool();
+                                                                                    phi_16900_ = true;
+                                                                                    phi_12425_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e5616 = surfaces.member[_e5606];
                                                                                 if (_e5607 < _e144) {
                                                                                 } else {
-                                                                                    phi_16907_ = true;
-                                                                                    phi_12432_ = bool();
+                                                                                    phi_16900_ = true;
+                                                                                    phi_12425_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e5619 = surfaces.member[_e5607];
                                                                                 let _e5636 = (1f - _e5560);
-                                                                                phi_3391_ = ((_e5501 * (((((f32((_e5610 >> bitcast<u32>(24i))) * 0.003921569f) * _e5636) + ((f32((_e5613 >> bitcast<u32>(24i))) * 0.003921569f) * _e5560)) * (1f - _e5584)) + ((((f32((_e5616 >> bitcast<u32>(24i))) * 0.003921569f) * _e5636) + ((f32((_e5619 >> bitcast<u32>(24i))) * 0.003921569f) * _e5560)) * _e5584))) < _e5506);
+                                                                                phi_3389_ = ((_e5501 * (((((f32((_e5610 >> bitcast<u32>(24i))) * 0.003921569f) * _e5636) + ((f32((_e5613 >> bitcast<u32>(24i))) * 0.003921569f) * _e5560)) * (1f - _e5584)) + ((((f32((_e5616 >> bitcast<u32>(24i))) * 0.003921569f) * _e5636) + ((f32((_e5619 >> bitcast<u32>(24i))) * 0.003921569f) * _e5560)) * _e5584))) < _e5506);
                                                                             }
-                                                                            let _e5651 = phi_3391_;
-                                                                            phi_3396_ = select(true, false, _e5651);
+                                                                            let _e5651 = phi_3389_;
+                                                                            phi_3394_ = select(true, false, _e5651);
                                                                         }
-                                                                        let _e5654 = phi_3396_;
+                                                                        let _e5654 = phi_3394_;
                                                                         if _e5654 {
-                                                                            phi_3401_ = type_44(_e5462[0], _e5088.member_1, _e5462[1], _e5462[2]);
+                                                                            phi_3399_ = type_44(_e5462[0], _e5088.member_1, _e5462[1], _e5462[2]);
                                                                         } else {
-                                                                            phi_3401_ = type_44();
+                                                                            phi_3399_ = type_44();
                                                                         }
-                                                                        let _e5657 = phi_3401_;
-                                                                        phi_3403_ = _e5657;
-                                                                        phi_3405_ = select(true, false, _e5654);
+                                                                        let _e5657 = phi_3399_;
+                                                                        phi_3401_ = _e5657;
+                                                                        phi_3403_ = select(true, false, _e5654);
                                                                     } else {
-                                                                        phi_3403_ = type_44();
-                                                                        phi_3405_ = false;
+                                                                        phi_3401_ = type_44();
+                                                                        phi_3403_ = false;
                                                                     }
-                                                                    let _e5660 = phi_3403_;
-                                                                    let _e5662 = phi_3405_;
-                                                                    phi_3406_ = _e5660;
-                                                                    phi_3408_ = select(true, false, _e5466);
-                                                                    phi_3409_ = _e5662;
+                                                                    let _e5660 = phi_3401_;
+                                                                    let _e5662 = phi_3403_;
+                                                                    phi_3404_ = _e5660;
+                                                                    phi_3406_ = select(true, false, _e5466);
+                                                                    phi_3407_ = _e5662;
                                                                 } else {
-                                                                    phi_3406_ = type_44();
-                                                                    phi_3408_ = false;
-                                                                    phi_3409_ = false;
+                                                                    phi_3404_ = type_44();
+                                                                    phi_3406_ = false;
+                                                                    phi_3407_ = false;
                                                                 }
-                                                                let _e5665 = phi_3406_;
-                                                                let _e5667 = phi_3408_;
-                                                                let _e5669 = phi_3409_;
-                                                                phi_3410_ = _e5665;
-                                                                phi_3411_ = select(true, false, _e5467);
-                                                                phi_3412_ = _e5667;
-                                                                phi_3413_ = _e5669;
+                                                                let _e5665 = phi_3404_;
+                                                                let _e5667 = phi_3406_;
+                                                                let _e5669 = phi_3407_;
+                                                                phi_3408_ = _e5665;
+                                                                phi_3409_ = select(true, false, _e5467);
+                                                                phi_3410_ = _e5667;
+                                                                phi_3411_ = _e5669;
                                                             } else {
-                                                                phi_3410_ = type_44();
-                                                                phi_3411_ = true;
-                                                                phi_3412_ = false;
-                                                                phi_3413_ = false;
+                                                                phi_3408_ = type_44();
+                                                                phi_3409_ = true;
+                                                                phi_3410_ = false;
+                                                                phi_3411_ = false;
                                                             }
-                                                            let _e5672 = phi_3410_;
-                                                            let _e5674 = phi_3411_;
-                                                            let _e5676 = phi_3412_;
-                                                            let _e5678 = phi_3413_;
+                                                            let _e5672 = phi_3408_;
+                                                            let _e5674 = phi_3409_;
+                                                            let _e5676 = phi_3410_;
+                                                            let _e5678 = phi_3411_;
                                                             if select(select(_e5678, false, _e5674), true, select(_e5676, true, _e5674)) {
-                                                                phi_3426_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
+                                                                phi_3424_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                                                             } else {
-                                                                phi_3426_ = _e5672;
+                                                                phi_3424_ = _e5672;
                                                             }
-                                                            let _e5683 = phi_3426_;
-                                                            phi_3433_ = select(true, false, (_e5683.member_1 != 4294967295u));
+                                                            let _e5683 = phi_3424_;
+                                                            phi_3431_ = select(true, false, (_e5683.member_1 != 4294967295u));
                                                         } else {
-                                                            phi_3433_ = false;
+                                                            phi_3431_ = false;
                                                         }
-                                                        let _e5688 = phi_3433_;
+                                                        let _e5688 = phi_3431_;
                                                         continue;
                                                         continuing {
-                                                            phi_2749_ = _e5086;
-                                                            phi_16907_ = _e5061;
-                                                            phi_12432_ = select(true, false, _e5092);
+                                                            phi_2748_ = _e5086;
+                                                            phi_16900_ = _e5061;
+                                                            phi_12425_ = select(true, false, _e5092);
                                                             break if !(_e5688);
                                                         }
                                                     }
-                                                    let _e5692 = phi_16907_;
-                                                    let _e5694 = phi_12432_;
-                                                    phi_16967_ = _e5692;
-                                                    phi_12433_ = bool();
+                                                    let _e5692 = phi_16900_;
+                                                    let _e5694 = phi_12425_;
+                                                    phi_16960_ = _e5692;
+                                                    phi_12426_ = bool();
                                                     if _e5692 {
                                                         break;
                                                     }
-                                                    phi_16969_ = _e5692;
-                                                    phi_3438_ = _e5065;
-                                                    phi_3439_ = _e5694;
+                                                    phi_16962_ = _e5692;
+                                                    phi_3436_ = _e5065;
+                                                    phi_3437_ = _e5694;
                                                 }
-                                                let _e5931 = phi_16969_;
-                                                let _e5933 = phi_3438_;
-                                                let _e5935 = phi_3439_;
+                                                let _e5931 = phi_16962_;
+                                                let _e5933 = phi_3436_;
+                                                let _e5935 = phi_3437_;
                                                 if _e5935 {
                                                     let _e5936 = (_e5933 == 0u);
                                                     if _e5936 {
-                                                        phi_3455_ = u32();
-                                                        phi_3456_ = u32();
+                                                        phi_3453_ = u32();
+                                                        phi_3454_ = u32();
                                                     } else {
                                                         let _e5937 = (_e5933 - 1u);
                                                         if (_e5937 < 64u) {
                                                         } else {
-                                                            phi_16967_ = true;
-                                                            phi_12433_ = bool();
+                                                            phi_16960_ = true;
+                                                            phi_12426_ = bool();
                                                             break;
                                                         }
                                                         let _e5940 = local_15[_e5937];
-                                                        phi_3455_ = _e5940;
-                                                        phi_3456_ = _e5937;
+                                                        phi_3453_ = _e5940;
+                                                        phi_3454_ = _e5937;
                                                     }
-                                                    let _e5942 = phi_3455_;
-                                                    let _e5944 = phi_3456_;
-                                                    phi_2322_ = _e5942;
-                                                    phi_2325_ = _e5944;
-                                                    phi_3458_ = select(true, false, _e5936);
-                                                    phi_3459_ = _e5936;
+                                                    let _e5942 = phi_3453_;
+                                                    let _e5944 = phi_3454_;
+                                                    phi_2321_ = _e5942;
+                                                    phi_2324_ = _e5944;
+                                                    phi_3456_ = select(true, false, _e5936);
+                                                    phi_3457_ = _e5936;
                                                 } else {
-                                                    phi_2322_ = u32();
-                                                    phi_2325_ = u32();
-                                                    phi_3458_ = false;
-                                                    phi_3459_ = false;
+                                                    phi_2321_ = u32();
+                                                    phi_2324_ = u32();
+                                                    phi_3456_ = false;
+                                                    phi_3457_ = false;
                                                 }
-                                                let _e5947 = phi_2322_;
-                                                let _e5949 = phi_2325_;
-                                                let _e5951 = phi_3458_;
-                                                let _e5953 = phi_3459_;
+                                                let _e5947 = phi_2321_;
+                                                let _e5949 = phi_2324_;
+                                                let _e5951 = phi_3456_;
+                                                let _e5953 = phi_3457_;
                                                 continue;
                                                 continuing {
-                                                    phi_16911_ = _e5931;
-                                                    phi_2321_ = _e5947;
-                                                    phi_2324_ = _e5949;
-                                                    phi_16967_ = _e5931;
-                                                    phi_12433_ = _e5953;
+                                                    phi_16904_ = _e5931;
+                                                    phi_2320_ = _e5947;
+                                                    phi_2323_ = _e5949;
+                                                    phi_16960_ = _e5931;
+                                                    phi_12426_ = _e5953;
                                                     break if !(_e5951);
                                                 }
                                             }
-                                            let _e5956 = phi_16967_;
-                                            let _e5958 = phi_12433_;
-                                            phi_17167_ = _e5956;
+                                            let _e5956 = phi_16960_;
+                                            let _e5958 = phi_12426_;
+                                            phi_17160_ = _e5956;
                                             if _e5956 {
                                                 break;
                                             }
                                             let _e5960 = select(false, true, select(true, false, _e5958));
                                             if _e5960 {
-                                                phi_3475_ = vec3<f32>();
+                                                phi_3473_ = vec3<f32>();
                                             } else {
-                                                phi_3475_ = vec3<f32>((_e3795.member_6[0] * _e4935), (_e3795.member_6[1] * _e4935), (_e3795.member_6[2] * _e4935));
+                                                phi_3473_ = vec3<f32>((_e3795.member_6[0] * _e4935), (_e3795.member_6[1] * _e4935), (_e3795.member_6[2] * _e4935));
                                             }
-                                            let _e5966 = phi_3475_;
-                                            phi_17178_ = _e5956;
-                                            phi_3476_ = _e5966;
-                                            phi_3477_ = _e5960;
+                                            let _e5966 = phi_3473_;
+                                            phi_17171_ = _e5956;
+                                            phi_3474_ = _e5966;
+                                            phi_3475_ = _e5960;
                                         } else {
-                                            phi_17178_ = _e3768;
-                                            phi_3476_ = vec3<f32>();
-                                            phi_3477_ = true;
+                                            phi_17171_ = _e3768;
+                                            phi_3474_ = vec3<f32>();
+                                            phi_3475_ = true;
                                         }
-                                        let _e5968 = phi_17178_;
-                                        let _e5970 = phi_3476_;
-                                        let _e5972 = phi_3477_;
-                                        phi_17171_ = _e5968;
-                                        phi_4928_ = select(_e5970, vec3<f32>(0f, 0f, 0f), vec3(_e5972));
-                                        phi_4929_ = vec3<f32>();
+                                        let _e5968 = phi_17171_;
+                                        let _e5970 = phi_3474_;
+                                        let _e5972 = phi_3475_;
+                                        phi_17164_ = _e5968;
+                                        phi_4925_ = select(_e5970, vec3<f32>(0f, 0f, 0f), vec3(_e5972));
+                                        phi_4926_ = vec3<f32>();
                                     } else {
                                         let _e3834 = (_e3795.member[0] - _e162.member[0]);
                                         let _e3835 = (_e3795.member[1] - _e162.member[1]);
@@ -3547,18 +3547,18 @@ fn function_() {
                                             let _e3873 = (((-((((_e3834 * _e3795.member_2[0]) + (_e3835 * _e3795.member_2[1])) + (_e3836 * _e3795.member_2[2]))) / select(0.000000000000000000000000000000000000011754944f, _e3842, (_e3842 > 0.000000000000000000000000000000000000011754944f))) - _e3795.member_4[1]) / select(0.001f, _e3870, (_e3870 > 0.001f)));
                                             let _e3875 = select(0f, _e3873, (_e3873 > 0f));
                                             let _e3877 = select(1f, _e3875, (_e3875 < 1f));
-                                            phi_3548_ = (_e3854 * (_e3877 * _e3877));
+                                            phi_3546_ = (_e3854 * (_e3877 * _e3877));
                                         } else {
-                                            phi_3548_ = _e3854;
+                                            phi_3546_ = _e3854;
                                         }
-                                        let _e3881 = phi_3548_;
+                                        let _e3881 = phi_3546_;
                                         if (_e3881 > 0f) {
                                             if ((((_e162.member_4[0] * _e3834) + (_e162.member_4[1] * _e3835)) + (_e162.member_4[2] * _e3836)) < 0f) {
-                                                phi_3566_ = -(_e162.member_9);
+                                                phi_3564_ = -(_e162.member_9);
                                             } else {
-                                                phi_3566_ = _e162.member_9;
+                                                phi_3564_ = _e162.member_9;
                                             }
-                                            let _e3891 = phi_3566_;
+                                            let _e3891 = phi_3564_;
                                             let _e3895 = (_e162.member[0] + (_e162.member_4[0] * _e3891));
                                             let _e3896 = (_e162.member[1] + (_e162.member_4[1] * _e3891));
                                             let _e3897 = (_e162.member[2] + (_e162.member_4[2] * _e3891));
@@ -3570,31 +3570,31 @@ fn function_() {
                                             let _e3903 = abs(_e3900);
                                             let _e3904 = (_e3901 > _e3902);
                                             if _e3904 {
-                                                phi_3592_ = (_e3901 > _e3903);
+                                                phi_3590_ = (_e3901 > _e3903);
                                             } else {
-                                                phi_3592_ = (_e3902 > _e3903);
+                                                phi_3590_ = (_e3902 > _e3903);
                                             }
-                                            let _e3908 = phi_3592_;
+                                            let _e3908 = phi_3590_;
                                             let _e3909 = select(1u, 0u, _e3904);
                                             if _e3908 {
                                                 let _e3910 = (_e3909 + 1u);
-                                                phi_3602_ = _e3910;
-                                                phi_3605_ = select(true, false, (_e3910 == 2u));
+                                                phi_3600_ = _e3910;
+                                                phi_3603_ = select(true, false, (_e3910 == 2u));
                                             } else {
-                                                phi_3602_ = u32();
-                                                phi_3605_ = false;
+                                                phi_3600_ = u32();
+                                                phi_3603_ = false;
                                             }
-                                            let _e3914 = phi_3602_;
-                                            let _e3916 = phi_3605_;
+                                            let _e3914 = phi_3600_;
+                                            let _e3916 = phi_3603_;
                                             let _e3917 = select(true, false, _e3908);
                                             let _e3918 = select(_e3914, 0u, _e3917);
                                             let _e3920 = select(_e3916, true, _e3917);
                                             if _e3920 {
-                                                phi_3616_ = (_e3918 + 1u);
+                                                phi_3614_ = (_e3918 + 1u);
                                             } else {
-                                                phi_3616_ = 0u;
+                                                phi_3614_ = 0u;
                                             }
-                                            let _e3923 = phi_3616_;
+                                            let _e3923 = phi_3614_;
                                             let _e3924 = select(_e3914, _e3918, _e3920);
                                             let _e3925 = select(_e3909, select(_e3909, 2u, _e3917), _e3920);
                                             local_13 = array<f32, 3>(_e3898, _e3899, _e3900);
@@ -3602,7 +3602,7 @@ fn function_() {
                                             let _e3928 = (_e3925 < 3u);
                                             if _e3928 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3930 = local_13[_e3925];
@@ -3610,7 +3610,7 @@ fn function_() {
                                             let _e3932 = (_e3924 < 3u);
                                             if _e3932 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3934 = local_13[_e3924];
@@ -3618,32 +3618,32 @@ fn function_() {
                                             let _e3936 = (_e3923 < 3u);
                                             if _e3936 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3938 = local_13[_e3923];
                                             let _e3939 = (_e3938 * _e3931);
                                             if _e3932 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3941 = local_14[_e3924];
                                             if _e3936 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3943 = local_14[_e3923];
                                             if _e3928 {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3945 = local_14[_e3925];
                                             if (0u < _e135) {
                                             } else {
-                                                phi_17167_ = true;
+                                                phi_17160_ = true;
                                                 break;
                                             }
                                             let _e3950 = nodes.member[0u].member_7[0u];
@@ -3668,38 +3668,38 @@ fn function_() {
                                             let _e3992 = (_e3896 - _e3982);
                                             let _e3993 = (_e3897 - _e3983);
                                             if (_e3901 > _e3987) {
-                                                phi_3746_ = (1f / _e3898);
+                                                phi_3744_ = (1f / _e3898);
                                             } else {
-                                                phi_3746_ = (1000000000000f / _e3986);
+                                                phi_3744_ = (1000000000000f / _e3986);
                                             }
-                                            let _e3998 = phi_3746_;
+                                            let _e3998 = phi_3744_;
                                             if (_e3902 > _e3987) {
-                                                phi_3754_ = (1f / _e3899);
+                                                phi_3752_ = (1f / _e3899);
                                             } else {
-                                                phi_3754_ = (1000000000000f / _e3986);
+                                                phi_3752_ = (1000000000000f / _e3986);
                                             }
-                                            let _e4003 = phi_3754_;
+                                            let _e4003 = phi_3752_;
                                             if (_e3903 > _e3987) {
-                                                phi_3762_ = (1f / _e3900);
+                                                phi_3760_ = (1f / _e3900);
                                             } else {
-                                                phi_3762_ = (1000000000000f / _e3986);
+                                                phi_3760_ = (1000000000000f / _e3986);
                                             }
-                                            let _e4008 = phi_3762_;
+                                            let _e4008 = phi_3760_;
                                             local_12 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                            phi_16783_ = _e3768;
-                                            phi_3765_ = 0u;
-                                            phi_3768_ = 0u;
+                                            phi_16776_ = _e3768;
+                                            phi_3763_ = 0u;
+                                            phi_3766_ = 0u;
                                             loop {
-                                                let _e4010 = phi_16783_;
-                                                let _e4012 = phi_3765_;
-                                                let _e4014 = phi_3768_;
+                                                let _e4010 = phi_16776_;
+                                                let _e4012 = phi_3763_;
+                                                let _e4014 = phi_3766_;
                                                 let _e4015 = (_e4012 & 15u);
                                                 let _e4017 = (_e4012 >> bitcast<u32>(4u));
                                                 if (_e4015 == 0u) {
                                                     if (_e4017 < _e135) {
                                                     } else {
-                                                        phi_16847_ = true;
-                                                        phi_12431_ = bool();
+                                                        phi_16840_ = true;
+                                                        phi_12424_ = bool();
                                                         break;
                                                     }
                                                     let _e4647 = nodes.member[_e4017].member;
@@ -3783,148 +3783,148 @@ fn function_() {
                                                     if (select(340282350000000000000000000000000000000f, _e4782, (_e4782 <= select(0.9999995f, _e4822, (_e4822 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e4014 < 64u) {
                                                         } else {
-                                                            phi_16847_ = true;
-                                                            phi_12431_ = bool();
+                                                            phi_16840_ = true;
+                                                            phi_12424_ = bool();
                                                             break;
                                                         }
                                                         local_12[_e4014] = _e4854;
-                                                        phi_4153_ = (_e4014 + 1u);
+                                                        phi_4151_ = (_e4014 + 1u);
                                                     } else {
-                                                        phi_4153_ = _e4014;
+                                                        phi_4151_ = _e4014;
                                                     }
-                                                    let _e4860 = phi_4153_;
+                                                    let _e4860 = phi_4151_;
                                                     if (select(340282350000000000000000000000000000000f, _e4780, (_e4780 <= select(0.9999995f, _e4820, (_e4820 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e4860 < 64u) {
                                                         } else {
-                                                            phi_16847_ = true;
-                                                            phi_12431_ = bool();
+                                                            phi_16840_ = true;
+                                                            phi_12424_ = bool();
                                                             break;
                                                         }
                                                         local_12[_e4860] = _e4850;
-                                                        phi_4165_ = (_e4860 + 1u);
+                                                        phi_4163_ = (_e4860 + 1u);
                                                     } else {
-                                                        phi_4165_ = _e4860;
+                                                        phi_4163_ = _e4860;
                                                     }
-                                                    let _e4866 = phi_4165_;
+                                                    let _e4866 = phi_4163_;
                                                     if (select(340282350000000000000000000000000000000f, _e4778, (_e4778 <= select(0.9999995f, _e4818, (_e4818 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e4866 < 64u) {
                                                         } else {
-                                                            phi_16847_ = true;
-                                                            phi_12431_ = bool();
+                                                            phi_16840_ = true;
+                                                            phi_12424_ = bool();
                                                             break;
                                                         }
                                                         local_12[_e4866] = _e4846;
-                                                        phi_4177_ = (_e4866 + 1u);
+                                                        phi_4175_ = (_e4866 + 1u);
                                                     } else {
-                                                        phi_4177_ = _e4866;
+                                                        phi_4175_ = _e4866;
                                                     }
-                                                    let _e4872 = phi_4177_;
+                                                    let _e4872 = phi_4175_;
                                                     if (select(340282350000000000000000000000000000000f, _e4776, (_e4776 <= select(0.9999995f, _e4816, (_e4816 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e4872 < 64u) {
                                                         } else {
-                                                            phi_16847_ = true;
-                                                            phi_12431_ = bool();
+                                                            phi_16840_ = true;
+                                                            phi_12424_ = bool();
                                                             break;
                                                         }
                                                         local_12[_e4872] = _e4842;
-                                                        phi_4189_ = (_e4872 + 1u);
+                                                        phi_4187_ = (_e4872 + 1u);
                                                     } else {
-                                                        phi_4189_ = _e4872;
+                                                        phi_4187_ = _e4872;
                                                     }
-                                                    let _e4878 = phi_4189_;
-                                                    phi_16849_ = _e4010;
-                                                    phi_4882_ = _e4878;
-                                                    phi_4883_ = true;
+                                                    let _e4878 = phi_4187_;
+                                                    phi_16842_ = _e4010;
+                                                    phi_4879_ = _e4878;
+                                                    phi_4880_ = true;
                                                 } else {
-                                                    phi_4193_ = type_8(_e4017, (_e4017 + _e4015));
+                                                    phi_4191_ = type_8(_e4017, (_e4017 + _e4015));
                                                     loop {
-                                                        let _e4022 = phi_4193_;
+                                                        let _e4022 = phi_4191_;
                                                         if (_e4022.member < _e4022.member_1) {
-                                                            phi_4194_ = type_8((_e4022.member + 1u), _e4022.member_1);
-                                                            phi_4217_ = type_8(1u, _e4022.member);
+                                                            phi_4192_ = type_8((_e4022.member + 1u), _e4022.member_1);
+                                                            phi_4215_ = type_8(1u, _e4022.member);
                                                         } else {
-                                                            phi_4194_ = _e4022;
-                                                            phi_4217_ = type_8(0u, type_8().member_1);
+                                                            phi_4192_ = _e4022;
+                                                            phi_4215_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e4035 = phi_4194_;
-                                                        let _e4037 = phi_4217_;
+                                                        let _e4035 = phi_4192_;
+                                                        let _e4037 = phi_4215_;
                                                         let _e4041 = (bitcast<i32>(_e4037.member) != 0i);
                                                         if _e4041 {
                                                             let _e4042 = (_e4037.member_1 < _e138);
                                                             if _e4042 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             if _e3928 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4046 = triangles.member[_e4037.member_1].member[_e3925];
                                                             let _e4047 = (_e4046 - _e3945);
                                                             if _e3928 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4051 = triangles.member[_e4037.member_1].member_2[_e3925];
                                                             let _e4052 = (_e4051 - _e3945);
                                                             if _e3928 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4056 = triangles.member[_e4037.member_1].member_4[_e3925];
                                                             let _e4057 = (_e4056 - _e3945);
                                                             if _e3932 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4061 = triangles.member[_e4037.member_1].member[_e3924];
                                                             let _e4064 = ((_e4061 - _e3941) - (_e3935 * _e4047));
                                                             if _e3936 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4068 = triangles.member[_e4037.member_1].member[_e3923];
                                                             let _e4071 = ((_e4068 - _e3943) - (_e3939 * _e4047));
                                                             if _e3932 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4075 = triangles.member[_e4037.member_1].member_2[_e3924];
                                                             let _e4078 = ((_e4075 - _e3941) - (_e3935 * _e4052));
                                                             if _e3936 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4082 = triangles.member[_e4037.member_1].member_2[_e3923];
                                                             let _e4085 = ((_e4082 - _e3943) - (_e3939 * _e4052));
                                                             if _e3932 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4089 = triangles.member[_e4037.member_1].member_4[_e3924];
                                                             let _e4092 = ((_e4089 - _e3941) - (_e3935 * _e4057));
                                                             if _e3936 {
                                                             } else {
-                                                                phi_16779_ = true;
-                                                                phi_12430_ = bool();
+                                                                phi_16772_ = true;
+                                                                phi_12423_ = bool();
                                                                 break;
                                                             }
                                                             let _e4096 = triangles.member[_e4037.member_1].member_4[_e3923];
@@ -3932,7 +3932,7 @@ fn function_() {
                                                             let _e4100 = (_e4092 * _e4085);
                                                             let _e4101 = (_e4099 * _e4078);
                                                             if (_e4100 != _e4101) {
-                                                                phi_4333_ = (_e4100 - _e4101);
+                                                                phi_4331_ = (_e4100 - _e4101);
                                                             } else {
                                                                 let _e4103 = (_e4092 * 4097f);
                                                                 let _e4105 = (_e4103 - (_e4103 - _e4092));
@@ -3946,13 +3946,13 @@ fn function_() {
                                                                 let _e4124 = (_e4122 - (_e4122 - _e4078));
                                                                 let _e4125 = (_e4099 - _e4121);
                                                                 let _e4126 = (_e4078 - _e4124);
-                                                                phi_4333_ = ((((((_e4105 * _e4108) - _e4100) + (_e4105 * _e4110)) + (_e4109 * _e4108)) + (_e4109 * _e4110)) - (((((_e4121 * _e4124) - _e4101) + (_e4121 * _e4126)) + (_e4125 * _e4124)) + (_e4125 * _e4126)));
+                                                                phi_4331_ = ((((((_e4105 * _e4108) - _e4100) + (_e4105 * _e4110)) + (_e4109 * _e4108)) + (_e4109 * _e4110)) - (((((_e4121 * _e4124) - _e4101) + (_e4121 * _e4126)) + (_e4125 * _e4124)) + (_e4125 * _e4126)));
                                                             }
-                                                            let _e4138 = phi_4333_;
+                                                            let _e4138 = phi_4331_;
                                                             let _e4139 = (_e4064 * _e4099);
                                                             let _e4140 = (_e4071 * _e4092);
                                                             if (_e4139 != _e4140) {
-                                                                phi_4344_ = (_e4139 - _e4140);
+                                                                phi_4342_ = (_e4139 - _e4140);
                                                             } else {
                                                                 let _e4142 = (_e4064 * 4097f);
                                                                 let _e4144 = (_e4142 - (_e4142 - _e4064));
@@ -3966,13 +3966,13 @@ fn function_() {
                                                                 let _e4163 = (_e4161 - (_e4161 - _e4092));
                                                                 let _e4164 = (_e4071 - _e4160);
                                                                 let _e4165 = (_e4092 - _e4163);
-                                                                phi_4344_ = ((((((_e4144 * _e4147) - _e4139) + (_e4144 * _e4149)) + (_e4148 * _e4147)) + (_e4148 * _e4149)) - (((((_e4160 * _e4163) - _e4140) + (_e4160 * _e4165)) + (_e4164 * _e4163)) + (_e4164 * _e4165)));
+                                                                phi_4342_ = ((((((_e4144 * _e4147) - _e4139) + (_e4144 * _e4149)) + (_e4148 * _e4147)) + (_e4148 * _e4149)) - (((((_e4160 * _e4163) - _e4140) + (_e4160 * _e4165)) + (_e4164 * _e4163)) + (_e4164 * _e4165)));
                                                             }
-                                                            let _e4177 = phi_4344_;
+                                                            let _e4177 = phi_4342_;
                                                             let _e4178 = (_e4078 * _e4071);
                                                             let _e4179 = (_e4085 * _e4064);
                                                             if (_e4178 != _e4179) {
-                                                                phi_4355_ = (_e4178 - _e4179);
+                                                                phi_4353_ = (_e4178 - _e4179);
                                                             } else {
                                                                 let _e4181 = (_e4078 * 4097f);
                                                                 let _e4183 = (_e4181 - (_e4181 - _e4078));
@@ -3986,71 +3986,71 @@ fn function_() {
                                                                 let _e4202 = (_e4200 - (_e4200 - _e4064));
                                                                 let _e4203 = (_e4085 - _e4199);
                                                                 let _e4204 = (_e4064 - _e4202);
-                                                                phi_4355_ = ((((((_e4183 * _e4186) - _e4178) + (_e4183 * _e4188)) + (_e4187 * _e4186)) + (_e4187 * _e4188)) - (((((_e4199 * _e4202) - _e4179) + (_e4199 * _e4204)) + (_e4203 * _e4202)) + (_e4203 * _e4204)));
+                                                                phi_4353_ = ((((((_e4183 * _e4186) - _e4178) + (_e4183 * _e4188)) + (_e4187 * _e4186)) + (_e4187 * _e4188)) - (((((_e4199 * _e4202) - _e4179) + (_e4199 * _e4204)) + (_e4203 * _e4202)) + (_e4203 * _e4204)));
                                                             }
-                                                            let _e4216 = phi_4355_;
+                                                            let _e4216 = phi_4353_;
                                                             if (_e4138 < 0f) {
-                                                                phi_4373_ = f32();
-                                                                phi_4374_ = true;
+                                                                phi_4371_ = f32();
+                                                                phi_4372_ = true;
                                                             } else {
                                                                 if (_e4177 < 0f) {
-                                                                    phi_4371_ = f32();
-                                                                    phi_4372_ = true;
+                                                                    phi_4369_ = f32();
+                                                                    phi_4370_ = true;
                                                                 } else {
                                                                     let _e4219 = (_e4216 < 0f);
                                                                     if _e4219 {
-                                                                        phi_4370_ = f32();
+                                                                        phi_4368_ = f32();
                                                                     } else {
-                                                                        phi_4370_ = ((_e4138 + _e4177) + _e4216);
+                                                                        phi_4368_ = ((_e4138 + _e4177) + _e4216);
                                                                     }
-                                                                    let _e4223 = phi_4370_;
-                                                                    phi_4371_ = _e4223;
-                                                                    phi_4372_ = _e4219;
+                                                                    let _e4223 = phi_4368_;
+                                                                    phi_4369_ = _e4223;
+                                                                    phi_4370_ = _e4219;
                                                                 }
-                                                                let _e4225 = phi_4371_;
-                                                                let _e4227 = phi_4372_;
-                                                                phi_4373_ = _e4225;
-                                                                phi_4374_ = _e4227;
+                                                                let _e4225 = phi_4369_;
+                                                                let _e4227 = phi_4370_;
+                                                                phi_4371_ = _e4225;
+                                                                phi_4372_ = _e4227;
                                                             }
-                                                            let _e4229 = phi_4373_;
-                                                            let _e4231 = phi_4374_;
+                                                            let _e4229 = phi_4371_;
+                                                            let _e4231 = phi_4372_;
                                                             if _e4231 {
                                                                 if (_e4138 > 0f) {
-                                                                    phi_4395_ = f32();
-                                                                    phi_4396_ = true;
-                                                                    phi_4397_ = false;
+                                                                    phi_4393_ = f32();
+                                                                    phi_4394_ = true;
+                                                                    phi_4395_ = false;
                                                                 } else {
                                                                     let _e4233 = (_e4177 > 0f);
                                                                     if _e4233 {
-                                                                        phi_4393_ = f32();
-                                                                        phi_4394_ = false;
+                                                                        phi_4391_ = f32();
+                                                                        phi_4392_ = false;
                                                                     } else {
-                                                                        phi_4393_ = ((_e4138 + _e4177) + _e4216);
-                                                                        phi_4394_ = select(true, false, (_e4216 > 0f));
+                                                                        phi_4391_ = ((_e4138 + _e4177) + _e4216);
+                                                                        phi_4392_ = select(true, false, (_e4216 > 0f));
                                                                     }
-                                                                    let _e4239 = phi_4393_;
-                                                                    let _e4241 = phi_4394_;
-                                                                    phi_4395_ = _e4239;
-                                                                    phi_4396_ = _e4233;
-                                                                    phi_4397_ = _e4241;
+                                                                    let _e4239 = phi_4391_;
+                                                                    let _e4241 = phi_4392_;
+                                                                    phi_4393_ = _e4239;
+                                                                    phi_4394_ = _e4233;
+                                                                    phi_4395_ = _e4241;
                                                                 }
-                                                                let _e4243 = phi_4395_;
-                                                                let _e4245 = phi_4396_;
-                                                                let _e4247 = phi_4397_;
-                                                                phi_4402_ = _e4243;
-                                                                phi_4403_ = select(_e4247, false, _e4245);
+                                                                let _e4243 = phi_4393_;
+                                                                let _e4245 = phi_4394_;
+                                                                let _e4247 = phi_4395_;
+                                                                phi_4400_ = _e4243;
+                                                                phi_4401_ = select(_e4247, false, _e4245);
                                                             } else {
-                                                                phi_4402_ = _e4229;
-                                                                phi_4403_ = true;
+                                                                phi_4400_ = _e4229;
+                                                                phi_4401_ = true;
                                                             }
-                                                            let _e4250 = phi_4402_;
-                                                            let _e4252 = phi_4403_;
+                                                            let _e4250 = phi_4400_;
+                                                            let _e4252 = phi_4401_;
                                                             if _e4252 {
                                                                 let _e4253 = (_e4250 == 0f);
                                                                 if _e4253 {
-                                                                    phi_4491_ = array<f32, 3>();
-                                                                    phi_4492_ = array<f32, 3>();
-                                                                    phi_4493_ = false;
+                                                                    phi_4489_ = array<f32, 3>();
+                                                                    phi_4490_ = array<f32, 3>();
+                                                                    phi_4491_ = false;
                                                                 } else {
                                                                     let _e4254 = (_e4047 * _e3931);
                                                                     let _e4255 = (_e4052 * _e3931);
@@ -4073,8 +4073,8 @@ fn function_() {
                                                                     let _e4287 = abs(_e4256);
                                                                     let _e4294 = (((select(_e4272, _e4271, (_e4271 > _e4272)) * select(_e4279, _e4278, (_e4278 > _e4279))) * select(_e4287, _e4286, (_e4286 > _e4287))) <= (abs((_e4250 * _e4267)) * 256f));
                                                                     if _e4294 {
-                                                                        phi_4489_ = array<f32, 3>(_e4267, _e4260, _e4261);
-                                                                        phi_4490_ = array<f32, 3>();
+                                                                        phi_4487_ = array<f32, 3>(_e4267, _e4260, _e4261);
+                                                                        phi_4488_ = array<f32, 3>();
                                                                     } else {
                                                                         let _e4296 = (_e4092 * 4097f);
                                                                         let _e4298 = (_e4296 - (_e4296 - _e4092));
@@ -4100,44 +4100,44 @@ fn function_() {
                                                                         let _e4378 = (1f / ((_e4329 + _e4356) + _e4375));
                                                                         let _e4379 = (_e4356 * _e4378);
                                                                         let _e4380 = (_e4375 * _e4378);
-                                                                        phi_4489_ = array<f32, 3>();
-                                                                        phi_4490_ = array<f32, 3>(((((_e4329 * _e4378) * _e4254) + (_e4379 * _e4255)) + (_e4380 * _e4256)), _e4379, _e4380);
+                                                                        phi_4487_ = array<f32, 3>();
+                                                                        phi_4488_ = array<f32, 3>(((((_e4329 * _e4378) * _e4254) + (_e4379 * _e4255)) + (_e4380 * _e4256)), _e4379, _e4380);
                                                                     }
-                                                                    let _e4390 = phi_4489_;
-                                                                    let _e4392 = phi_4490_;
-                                                                    phi_4491_ = _e4390;
-                                                                    phi_4492_ = _e4392;
-                                                                    phi_4493_ = _e4294;
+                                                                    let _e4390 = phi_4487_;
+                                                                    let _e4392 = phi_4488_;
+                                                                    phi_4489_ = _e4390;
+                                                                    phi_4490_ = _e4392;
+                                                                    phi_4491_ = _e4294;
                                                                 }
-                                                                let _e4394 = phi_4491_;
-                                                                let _e4396 = phi_4492_;
-                                                                let _e4398 = phi_4493_;
-                                                                phi_4494_ = _e4394;
-                                                                phi_4495_ = _e4396;
-                                                                phi_4496_ = _e4253;
-                                                                phi_4497_ = _e4398;
+                                                                let _e4394 = phi_4489_;
+                                                                let _e4396 = phi_4490_;
+                                                                let _e4398 = phi_4491_;
+                                                                phi_4492_ = _e4394;
+                                                                phi_4493_ = _e4396;
+                                                                phi_4494_ = _e4253;
+                                                                phi_4495_ = _e4398;
                                                             } else {
-                                                                phi_4494_ = array<f32, 3>();
-                                                                phi_4495_ = array<f32, 3>();
-                                                                phi_4496_ = true;
-                                                                phi_4497_ = false;
+                                                                phi_4492_ = array<f32, 3>();
+                                                                phi_4493_ = array<f32, 3>();
+                                                                phi_4494_ = true;
+                                                                phi_4495_ = false;
                                                             }
-                                                            let _e4400 = phi_4494_;
-                                                            let _e4402 = phi_4495_;
-                                                            let _e4404 = phi_4496_;
-                                                            let _e4406 = phi_4497_;
+                                                            let _e4400 = phi_4492_;
+                                                            let _e4402 = phi_4493_;
+                                                            let _e4404 = phi_4494_;
+                                                            let _e4406 = phi_4495_;
                                                             if _e4404 {
-                                                                phi_4502_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                phi_4500_ = array<f32, 3>(-1f, 0f, 0f);
                                                             } else {
-                                                                phi_4502_ = _e4400;
+                                                                phi_4500_ = _e4400;
                                                             }
-                                                            let _e4408 = phi_4502_;
+                                                            let _e4408 = phi_4500_;
                                                             if select(_e4406, true, _e4404) {
-                                                                phi_4507_ = _e4408;
+                                                                phi_4505_ = _e4408;
                                                             } else {
-                                                                phi_4507_ = _e4402;
+                                                                phi_4505_ = _e4402;
                                                             }
-                                                            let _e4411 = phi_4507_;
+                                                            let _e4411 = phi_4505_;
                                                             let _e4415 = (_e4411[0] >= 0f);
                                                             if _e4415 {
                                                                 let _e4416 = (_e4411[0] < 0.9999995f);
@@ -4145,79 +4145,79 @@ fn function_() {
                                                                     if _e4415 {
                                                                         if _e4042 {
                                                                         } else {
-                                                                            phi_16779_ = true;
-                                                                            phi_12430_ = bool();
+                                                                            phi_16772_ = true;
+                                                                            phi_12423_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e4419 = triangles.member[_e4037.member_1].member_3;
                                                                         if ((_e4419 & 1u) == 0u) {
-                                                                            phi_4840_ = true;
+                                                                            phi_4837_ = true;
                                                                         } else {
                                                                             if _e4042 {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4424 = triangles.member[_e4037.member_1].member_1;
                                                                             let _e4425 = (_e4424 * 12u);
                                                                             if ((256u + _e4425) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e4425 + 257u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e4425 + 258u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4432 = (_e4425 + 259u);
                                                                             if (_e4432 < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4435 = surfaces.member[_e4432];
                                                                             if ((_e4425 + 260u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e4425 + 261u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e4425 + 262u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4442 = (_e4425 + 263u);
                                                                             if (_e4442 < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4445 = surfaces.member[_e4442];
                                                                             let _e4446 = (_e4425 + 264u);
                                                                             if (_e4446 < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4449 = surfaces.member[_e4446];
@@ -4225,31 +4225,31 @@ fn function_() {
                                                                             let _e4451 = (_e4425 + 265u);
                                                                             if (_e4451 < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e4454 = surfaces.member[_e4451];
                                                                             let _e4455 = bitcast<f32>(_e4454);
                                                                             if ((_e4425 + 266u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e4425 + 267u) < _e144) {
                                                                             } else {
-                                                                                phi_16779_ = true;
-                                                                                phi_12430_ = bool();
+                                                                                phi_16772_ = true;
+                                                                                phi_12423_ = bool();
                                                                                 break;
                                                                             }
                                                                             if (_e4435 == 4294967295u) {
-                                                                                phi_4835_ = (_e4450 < _e4455);
+                                                                                phi_4832_ = (_e4450 < _e4455);
                                                                             } else {
                                                                                 if (_e4037.member_1 < _e141) {
                                                                                 } else {
-                                                                                    phi_16779_ = true;
-                                                                                    phi_12430_ = bool();
+                                                                                    phi_16772_ = true;
+                                                                                    phi_12423_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e4463 = ((1f - _e4411[1]) - _e4411[2]);
@@ -4269,36 +4269,36 @@ fn function_() {
                                                                                 let _e4509 = (_e4507 - _e4508);
                                                                                 let _e4510 = (_e4498 - 1u);
                                                                                 if (_e4508 < 0f) {
-                                                                                    phi_4718_ = _e4510;
+                                                                                    phi_4715_ = _e4510;
                                                                                 } else {
                                                                                     let _e4516 = select(select(u32(_e4508), 0u, (_e4508 < 0f)), 4294967295u, (_e4508 > 4294967000f));
-                                                                                    phi_4718_ = select(_e4516, _e4510, (_e4510 < _e4516));
+                                                                                    phi_4715_ = select(_e4516, _e4510, (_e4510 < _e4516));
                                                                                 }
-                                                                                let _e4520 = phi_4718_;
+                                                                                let _e4520 = phi_4715_;
                                                                                 if (_e4520 == _e4510) {
-                                                                                    phi_4724_ = 0u;
+                                                                                    phi_4721_ = 0u;
                                                                                 } else {
-                                                                                    phi_4724_ = (_e4520 + 1u);
+                                                                                    phi_4721_ = (_e4520 + 1u);
                                                                                 }
-                                                                                let _e4524 = phi_4724_;
+                                                                                let _e4524 = phi_4721_;
                                                                                 let _e4526 = (_e4497 - floor(_e4497));
                                                                                 let _e4531 = ((select(0f, _e4526, (_e4526 <= 1f)) * f32(_e4500)) - 0.5f);
                                                                                 let _e4532 = floor(_e4531);
                                                                                 let _e4533 = (_e4531 - _e4532);
                                                                                 let _e4534 = (_e4500 - 1u);
                                                                                 if (_e4532 < 0f) {
-                                                                                    phi_4754_ = _e4534;
+                                                                                    phi_4751_ = _e4534;
                                                                                 } else {
                                                                                     let _e4540 = select(select(u32(_e4532), 0u, (_e4532 < 0f)), 4294967295u, (_e4532 > 4294967000f));
-                                                                                    phi_4754_ = select(_e4540, _e4534, (_e4534 < _e4540));
+                                                                                    phi_4751_ = select(_e4540, _e4534, (_e4534 < _e4540));
                                                                                 }
-                                                                                let _e4544 = phi_4754_;
+                                                                                let _e4544 = phi_4751_;
                                                                                 if (_e4544 == _e4534) {
-                                                                                    phi_4760_ = 0u;
+                                                                                    phi_4757_ = 0u;
                                                                                 } else {
-                                                                                    phi_4760_ = (_e4544 + 1u);
+                                                                                    phi_4757_ = (_e4544 + 1u);
                                                                                 }
-                                                                                let _e4548 = phi_4760_;
+                                                                                let _e4548 = phi_4757_;
                                                                                 let _e4550 = (_e4435 + (_e4544 * _e4498));
                                                                                 let _e4552 = (_e4435 + (_e4548 * _e4498));
                                                                                 let _e4553 = (_e4550 + _e4520);
@@ -4307,246 +4307,246 @@ fn function_() {
                                                                                 let _e4556 = (_e4552 + _e4524);
                                                                                 if (_e4553 < _e144) {
                                                                                 } else {
-                                                                                    phi_16779_ = true;
-                                                                                    phi_12430_ = bool();
+                                                                                    phi_16772_ = true;
+                                                                                    phi_12423_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e4559 = surfaces.member[_e4553];
                                                                                 if (_e4554 < _e144) {
                                                                                 } else {
-                                                                                    phi_16779_ = true;
-                                                                                    phi_12430_ = bool();
+                                                                                    phi_16772_ = true;
+                                                                                    phi_12423_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e4562 = surfaces.member[_e4554];
                                                                                 if (_e4555 < _e144) {
                                                                                 } else {
-                                                                                    phi_16779_ = true;
-                                                                                    phi_12430_ = bool();
+                                                                                    phi_16772_ = true;
+                                                                                    phi_12423_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e4565 = surfaces.member[_e4555];
                                                                                 if (_e4556 < _e144) {
                                                                                 } else {
-                                                                                    phi_16779_ = true;
-                                                                                    phi_12430_ = bool();
+                                                                                    phi_16772_ = true;
+                                                                                    phi_12423_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e4568 = surfaces.member[_e4556];
                                                                                 let _e4585 = (1f - _e4509);
-                                                                                phi_4835_ = ((_e4450 * (((((f32((_e4559 >> bitcast<u32>(24i))) * 0.003921569f) * _e4585) + ((f32((_e4562 >> bitcast<u32>(24i))) * 0.003921569f) * _e4509)) * (1f - _e4533)) + ((((f32((_e4565 >> bitcast<u32>(24i))) * 0.003921569f) * _e4585) + ((f32((_e4568 >> bitcast<u32>(24i))) * 0.003921569f) * _e4509)) * _e4533))) < _e4455);
+                                                                                phi_4832_ = ((_e4450 * (((((f32((_e4559 >> bitcast<u32>(24i))) * 0.003921569f) * _e4585) + ((f32((_e4562 >> bitcast<u32>(24i))) * 0.003921569f) * _e4509)) * (1f - _e4533)) + ((((f32((_e4565 >> bitcast<u32>(24i))) * 0.003921569f) * _e4585) + ((f32((_e4568 >> bitcast<u32>(24i))) * 0.003921569f) * _e4509)) * _e4533))) < _e4455);
                                                                             }
-                                                                            let _e4600 = phi_4835_;
-                                                                            phi_4840_ = select(true, false, _e4600);
+                                                                            let _e4600 = phi_4832_;
+                                                                            phi_4837_ = select(true, false, _e4600);
                                                                         }
-                                                                        let _e4603 = phi_4840_;
+                                                                        let _e4603 = phi_4837_;
                                                                         if _e4603 {
-                                                                            phi_4845_ = type_44(_e4411[0], _e4037.member_1, _e4411[1], _e4411[2]);
+                                                                            phi_4842_ = type_44(_e4411[0], _e4037.member_1, _e4411[1], _e4411[2]);
                                                                         } else {
-                                                                            phi_4845_ = type_44();
+                                                                            phi_4842_ = type_44();
                                                                         }
-                                                                        let _e4606 = phi_4845_;
-                                                                        phi_4847_ = _e4606;
-                                                                        phi_4849_ = select(true, false, _e4603);
+                                                                        let _e4606 = phi_4842_;
+                                                                        phi_4844_ = _e4606;
+                                                                        phi_4846_ = select(true, false, _e4603);
                                                                     } else {
-                                                                        phi_4847_ = type_44();
-                                                                        phi_4849_ = false;
+                                                                        phi_4844_ = type_44();
+                                                                        phi_4846_ = false;
                                                                     }
-                                                                    let _e4609 = phi_4847_;
-                                                                    let _e4611 = phi_4849_;
-                                                                    phi_4850_ = _e4609;
-                                                                    phi_4852_ = select(true, false, _e4415);
-                                                                    phi_4853_ = _e4611;
+                                                                    let _e4609 = phi_4844_;
+                                                                    let _e4611 = phi_4846_;
+                                                                    phi_4847_ = _e4609;
+                                                                    phi_4849_ = select(true, false, _e4415);
+                                                                    phi_4850_ = _e4611;
                                                                 } else {
-                                                                    phi_4850_ = type_44();
-                                                                    phi_4852_ = false;
-                                                                    phi_4853_ = false;
+                                                                    phi_4847_ = type_44();
+                                                                    phi_4849_ = false;
+                                                                    phi_4850_ = false;
                                                                 }
-                                                                let _e4614 = phi_4850_;
-                                                                let _e4616 = phi_4852_;
-                                                                let _e4618 = phi_4853_;
-                                                                phi_4854_ = _e4614;
-                                                                phi_4855_ = select(true, false, _e4416);
-                                                                phi_4856_ = _e4616;
-                                                                phi_4857_ = _e4618;
+                                                                let _e4614 = phi_4847_;
+                                                                let _e4616 = phi_4849_;
+                                                                let _e4618 = phi_4850_;
+                                                                phi_4851_ = _e4614;
+                                                                phi_4852_ = select(true, false, _e4416);
+                                                                phi_4853_ = _e4616;
+                                                                phi_4854_ = _e4618;
                                                             } else {
-                                                                phi_4854_ = type_44();
-                                                                phi_4855_ = true;
-                                                                phi_4856_ = false;
-                                                                phi_4857_ = false;
+                                                                phi_4851_ = type_44();
+                                                                phi_4852_ = true;
+                                                                phi_4853_ = false;
+                                                                phi_4854_ = false;
                                                             }
-                                                            let _e4621 = phi_4854_;
-                                                            let _e4623 = phi_4855_;
-                                                            let _e4625 = phi_4856_;
-                                                            let _e4627 = phi_4857_;
+                                                            let _e4621 = phi_4851_;
+                                                            let _e4623 = phi_4852_;
+                                                            let _e4625 = phi_4853_;
+                                                            let _e4627 = phi_4854_;
                                                             if select(select(_e4627, false, _e4623), true, select(_e4625, true, _e4623)) {
-                                                                phi_4870_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
+                                                                phi_4867_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
                                                             } else {
-                                                                phi_4870_ = _e4621;
+                                                                phi_4867_ = _e4621;
                                                             }
-                                                            let _e4632 = phi_4870_;
-                                                            phi_4877_ = select(true, false, (_e4632.member_1 != 4294967295u));
+                                                            let _e4632 = phi_4867_;
+                                                            phi_4874_ = select(true, false, (_e4632.member_1 != 4294967295u));
                                                         } else {
-                                                            phi_4877_ = false;
+                                                            phi_4874_ = false;
                                                         }
-                                                        let _e4637 = phi_4877_;
+                                                        let _e4637 = phi_4874_;
                                                         continue;
                                                         continuing {
-                                                            phi_4193_ = _e4035;
-                                                            phi_16779_ = _e4010;
-                                                            phi_12430_ = select(true, false, _e4041);
+                                                            phi_4191_ = _e4035;
+                                                            phi_16772_ = _e4010;
+                                                            phi_12423_ = select(true, false, _e4041);
                                                             break if !(_e4637);
                                                         }
                                                     }
-                                                    let _e4641 = phi_16779_;
-                                                    let _e4643 = phi_12430_;
-                                                    phi_16847_ = _e4641;
-                                                    phi_12431_ = bool();
+                                                    let _e4641 = phi_16772_;
+                                                    let _e4643 = phi_12423_;
+                                                    phi_16840_ = _e4641;
+                                                    phi_12424_ = bool();
                                                     if _e4641 {
                                                         break;
                                                     }
-                                                    phi_16849_ = _e4641;
-                                                    phi_4882_ = _e4014;
-                                                    phi_4883_ = _e4643;
+                                                    phi_16842_ = _e4641;
+                                                    phi_4879_ = _e4014;
+                                                    phi_4880_ = _e4643;
                                                 }
-                                                let _e4880 = phi_16849_;
-                                                let _e4882 = phi_4882_;
-                                                let _e4884 = phi_4883_;
+                                                let _e4880 = phi_16842_;
+                                                let _e4882 = phi_4879_;
+                                                let _e4884 = phi_4880_;
                                                 if _e4884 {
                                                     let _e4885 = (_e4882 == 0u);
                                                     if _e4885 {
-                                                        phi_4899_ = u32();
-                                                        phi_4900_ = u32();
+                                                        phi_4896_ = u32();
+                                                        phi_4897_ = u32();
                                                     } else {
                                                         let _e4886 = (_e4882 - 1u);
                                                         if (_e4886 < 64u) {
                                                         } else {
-                                                            phi_16847_ = true;
-                                                            phi_12431_ = bool();
+                                                            phi_16840_ = true;
+                                                            phi_12424_ = bool();
                                                             break;
                                                         }
                                                         let _e4889 = local_12[_e4886];
-                                                        phi_4899_ = _e4889;
-                                                        phi_4900_ = _e4886;
+                                                        phi_4896_ = _e4889;
+                                                        phi_4897_ = _e4886;
                                                     }
-                                                    let _e4891 = phi_4899_;
-                                                    let _e4893 = phi_4900_;
-                                                    phi_3766_ = _e4891;
-                                                    phi_3769_ = _e4893;
-                                                    phi_4902_ = select(true, false, _e4885);
-                                                    phi_4903_ = _e4885;
+                                                    let _e4891 = phi_4896_;
+                                                    let _e4893 = phi_4897_;
+                                                    phi_3764_ = _e4891;
+                                                    phi_3767_ = _e4893;
+                                                    phi_4899_ = select(true, false, _e4885);
+                                                    phi_4900_ = _e4885;
                                                 } else {
-                                                    phi_3766_ = u32();
-                                                    phi_3769_ = u32();
-                                                    phi_4902_ = false;
-                                                    phi_4903_ = false;
+                                                    phi_3764_ = u32();
+                                                    phi_3767_ = u32();
+                                                    phi_4899_ = false;
+                                                    phi_4900_ = false;
                                                 }
-                                                let _e4896 = phi_3766_;
-                                                let _e4898 = phi_3769_;
-                                                let _e4900 = phi_4902_;
-                                                let _e4902 = phi_4903_;
+                                                let _e4896 = phi_3764_;
+                                                let _e4898 = phi_3767_;
+                                                let _e4900 = phi_4899_;
+                                                let _e4902 = phi_4900_;
                                                 continue;
                                                 continuing {
-                                                    phi_16783_ = _e4880;
-                                                    phi_3765_ = _e4896;
-                                                    phi_3768_ = _e4898;
-                                                    phi_16847_ = _e4880;
-                                                    phi_12431_ = _e4902;
+                                                    phi_16776_ = _e4880;
+                                                    phi_3763_ = _e4896;
+                                                    phi_3766_ = _e4898;
+                                                    phi_16840_ = _e4880;
+                                                    phi_12424_ = _e4902;
                                                     break if !(_e4900);
                                                 }
                                             }
-                                            let _e4905 = phi_16847_;
-                                            let _e4907 = phi_12431_;
-                                            phi_17167_ = _e4905;
+                                            let _e4905 = phi_16840_;
+                                            let _e4907 = phi_12424_;
+                                            phi_17160_ = _e4905;
                                             if _e4905 {
                                                 break;
                                             }
                                             let _e4910 = !(select(false, true, select(true, false, _e4907)));
                                             if _e4910 {
-                                                phi_4920_ = vec3<f32>((_e3795.member_6[0] * _e3881), (_e3795.member_6[1] * _e3881), (_e3795.member_6[2] * _e3881));
+                                                phi_4917_ = vec3<f32>((_e3795.member_6[0] * _e3881), (_e3795.member_6[1] * _e3881), (_e3795.member_6[2] * _e3881));
                                             } else {
-                                                phi_4920_ = vec3<f32>();
+                                                phi_4917_ = vec3<f32>();
                                             }
-                                            let _e4916 = phi_4920_;
-                                            phi_17173_ = _e4905;
-                                            phi_4922_ = _e4916;
-                                            phi_4923_ = select(true, false, _e4910);
+                                            let _e4916 = phi_4917_;
+                                            phi_17166_ = _e4905;
+                                            phi_4919_ = _e4916;
+                                            phi_4920_ = select(true, false, _e4910);
                                         } else {
-                                            phi_17173_ = _e3768;
-                                            phi_4922_ = vec3<f32>();
-                                            phi_4923_ = true;
+                                            phi_17166_ = _e3768;
+                                            phi_4919_ = vec3<f32>();
+                                            phi_4920_ = true;
                                         }
-                                        let _e4919 = phi_17173_;
-                                        let _e4921 = phi_4922_;
-                                        let _e4923 = phi_4923_;
-                                        phi_17171_ = _e4919;
-                                        phi_4928_ = vec3<f32>();
-                                        phi_4929_ = select(_e4921, vec3<f32>(0f, 0f, 0f), vec3(_e4923));
+                                        let _e4919 = phi_17166_;
+                                        let _e4921 = phi_4919_;
+                                        let _e4923 = phi_4920_;
+                                        phi_17164_ = _e4919;
+                                        phi_4925_ = vec3<f32>();
+                                        phi_4926_ = select(_e4921, vec3<f32>(0f, 0f, 0f), vec3(_e4923));
                                     }
-                                    let _e5976 = phi_17171_;
-                                    let _e5978 = phi_4928_;
-                                    let _e5980 = phi_4929_;
-                                    phi_17170_ = _e5976;
-                                    phi_4930_ = _e5978;
-                                    phi_4931_ = _e5980;
-                                    phi_4932_ = _e3833;
+                                    let _e5976 = phi_17164_;
+                                    let _e5978 = phi_4925_;
+                                    let _e5980 = phi_4926_;
+                                    phi_17163_ = _e5976;
+                                    phi_4927_ = _e5978;
+                                    phi_4928_ = _e5980;
+                                    phi_4929_ = _e3833;
                                 }
-                                let _e8042 = phi_17170_;
-                                let _e8044 = phi_4930_;
-                                let _e8046 = phi_4931_;
-                                let _e8048 = phi_4932_;
-                                phi_17168_ = _e8042;
+                                let _e8042 = phi_17163_;
+                                let _e8044 = phi_4927_;
+                                let _e8046 = phi_4928_;
+                                let _e8048 = phi_4929_;
+                                phi_17161_ = _e8042;
                                 phi_341_ = (_e3772 + select(_e8046, _e8044, vec3(_e8048)));
                             } else {
-                                phi_17168_ = _e3768;
+                                phi_17161_ = _e3768;
                                 phi_341_ = vec3<f32>();
                             }
-                            let _e8053 = phi_17168_;
+                            let _e8053 = phi_17161_;
                             let _e8055 = phi_341_;
                             continue;
                             continuing {
-                                phi_16800_ = _e8053;
+                                phi_16793_ = _e8053;
                                 phi_337_ = _e3785;
                                 phi_340_ = _e8055;
-                                phi_17167_ = _e8053;
+                                phi_17160_ = _e8053;
                                 break if !(_e3791);
                             }
                         }
-                        let _e8058 = phi_17167_;
+                        let _e8058 = phi_17160_;
                         if _e8058 {
                             break;
                         }
-                        phi_17298_ = _e8058;
+                        phi_17291_ = _e8058;
                         let _e10031 = local_31;
-                        phi_9613_ = _e10031;
+                        phi_9607_ = _e10031;
                     } else {
                         let _e218 = ((_e213 ^ (_e213 >> bitcast<u32>(16i))) * 2146121005u);
                         let _e222 = ((_e218 ^ (_e218 >> bitcast<u32>(15i))) * 2221713035u);
-                        phi_16283_ = false;
-                        phi_4962_ = type_8(0u, _e184);
-                        phi_4965_ = vec3<f32>(0f, 0f, 0f);
+                        phi_16276_ = false;
+                        phi_4959_ = type_8(0u, _e184);
+                        phi_4962_ = vec3<f32>(0f, 0f, 0f);
                         loop {
-                            let _e232 = phi_16283_;
-                            let _e234 = phi_4962_;
-                            let _e236 = phi_4965_;
+                            let _e232 = phi_16276_;
+                            let _e234 = phi_4959_;
+                            let _e236 = phi_4962_;
                             local_32 = _e236;
                             if (_e234.member < _e234.member_1) {
-                                phi_4963_ = type_8((_e234.member + 1u), _e234.member_1);
-                                phi_4988_ = type_8(1u, _e234.member);
+                                phi_4960_ = type_8((_e234.member + 1u), _e234.member_1);
+                                phi_4985_ = type_8(1u, _e234.member);
                             } else {
-                                phi_4963_ = _e234;
-                                phi_4988_ = type_8(0u, type_8().member_1);
+                                phi_4960_ = _e234;
+                                phi_4985_ = type_8(0u, type_8().member_1);
                             }
-                            let _e249 = phi_4963_;
-                            let _e251 = phi_4988_;
+                            let _e249 = phi_4960_;
+                            let _e251 = phi_4985_;
                             let _e255 = (bitcast<i32>(_e251.member) != 0i);
                             if _e255 {
                                 let _e258 = f32(_e184);
-                                phi_5002_ = (_e181 - 1u);
-                                phi_5005_ = 0u;
+                                phi_4999_ = (_e181 - 1u);
+                                phi_5002_ = 0u;
                                 loop {
-                                    let _e262 = phi_5002_;
-                                    let _e264 = phi_5005_;
+                                    let _e262 = phi_4999_;
+                                    let _e264 = phi_5002_;
                                     local_21 = _e264;
                                     local_22 = _e264;
                                     let _e265 = (_e264 < _e262);
@@ -4554,42 +4554,42 @@ fn function_() {
                                         let _e267 = ((_e264 + _e262) / 2u);
                                         if (_e267 < _e146) {
                                         } else {
-                                            phi_16279_ = true;
+                                            phi_16272_ = true;
                                             break;
                                         }
                                         let _e272 = lights.member[_e267].member_5;
                                         let _e273 = (_e272 > ((f32(_e251.member_1) + (f32(((_e222 ^ (_e222 >> bitcast<u32>(16i))) >> bitcast<u32>(8i))) * 0.000000059604645f)) / _e258));
                                         if _e273 {
-                                            phi_5029_ = _e264;
+                                            phi_5026_ = _e264;
                                         } else {
-                                            phi_5029_ = (_e267 + 1u);
+                                            phi_5026_ = (_e267 + 1u);
                                         }
-                                        let _e276 = phi_5029_;
-                                        phi_5003_ = select(_e262, _e267, _e273);
-                                        phi_5006_ = _e276;
+                                        let _e276 = phi_5026_;
+                                        phi_5000_ = select(_e262, _e267, _e273);
+                                        phi_5003_ = _e276;
                                     } else {
+                                        phi_5000_ = u32();
                                         phi_5003_ = u32();
-                                        phi_5006_ = u32();
                                     }
-                                    let _e279 = phi_5003_;
-                                    let _e281 = phi_5006_;
+                                    let _e279 = phi_5000_;
+                                    let _e281 = phi_5003_;
                                     continue;
                                     continuing {
-                                        phi_5002_ = _e279;
-                                        phi_5005_ = _e281;
-                                        phi_16279_ = _e232;
+                                        phi_4999_ = _e279;
+                                        phi_5002_ = _e281;
+                                        phi_16272_ = _e232;
                                         break if !(_e265);
                                     }
                                 }
-                                let _e284 = phi_16279_;
-                                phi_16671_ = _e284;
+                                let _e284 = phi_16272_;
+                                phi_16664_ = _e284;
                                 if _e284 {
                                     break;
                                 }
                                 let _e286 = local_21;
                                 if (_e286 < _e146) {
                                 } else {
-                                    phi_16671_ = true;
+                                    phi_16664_ = true;
                                     break;
                                 }
                                 let _e290 = local_22;
@@ -4622,43 +4622,43 @@ fn function_() {
                                                 let _e2500 = (_e2486 / _e2496);
                                                 let _e2501 = (_e2489 / _e2496);
                                                 let _e2507 = sqrt((((_e2499 * _e2499) + (_e2500 * _e2500)) + (_e2501 * _e2501)));
-                                                phi_5136_ = vec3<f32>((_e2499 / _e2507), (_e2500 / _e2507), (_e2501 / _e2507));
+                                                phi_5133_ = vec3<f32>((_e2499 / _e2507), (_e2500 / _e2507), (_e2501 / _e2507));
                                             } else {
-                                                phi_5136_ = vec3<f32>();
+                                                phi_5133_ = vec3<f32>();
                                             }
-                                            let _e2513 = phi_5136_;
-                                            phi_5138_ = _e2513;
-                                            phi_5139_ = select(true, false, _e2498);
+                                            let _e2513 = phi_5133_;
+                                            phi_5135_ = _e2513;
+                                            phi_5136_ = select(true, false, _e2498);
                                         } else {
-                                            phi_5138_ = vec3<f32>();
-                                            phi_5139_ = true;
+                                            phi_5135_ = vec3<f32>();
+                                            phi_5136_ = true;
                                         }
-                                        let _e2516 = phi_5138_;
-                                        let _e2518 = phi_5139_;
+                                        let _e2516 = phi_5135_;
+                                        let _e2518 = phi_5136_;
                                         let _e2520 = select(_e2516, vec3<f32>(0f, 0f, 0f), vec3(_e2518));
                                         let _e2531 = (((_e2520.x * (_e162.member[0] - _e292.member[0])) + (_e2520.y * (_e162.member[1] - _e292.member[1]))) + (_e2520.z * (_e162.member[2] - _e292.member[2])));
                                         if (_e2531 <= 0f) {
-                                            phi_16688_ = _e284;
-                                            phi_6736_ = 0f;
+                                            phi_16681_ = _e284;
+                                            phi_6732_ = 0f;
                                         } else {
-                                            phi_16557_ = _e284;
-                                            phi_5161_ = type_8(0u, 1u);
-                                            phi_5166_ = 0f;
+                                            phi_16550_ = _e284;
+                                            phi_5158_ = type_8(0u, 1u);
+                                            phi_5163_ = 0f;
                                             loop {
-                                                let _e2534 = phi_16557_;
-                                                let _e2536 = phi_5161_;
-                                                let _e2538 = phi_5166_;
+                                                let _e2534 = phi_16550_;
+                                                let _e2536 = phi_5158_;
+                                                let _e2538 = phi_5163_;
                                                 local_23 = _e2538;
                                                 local_24 = _e2538;
                                                 if (_e2536.member < _e2536.member_1) {
-                                                    phi_5162_ = type_8((_e2536.member + 1u), _e2536.member_1);
-                                                    phi_5191_ = type_8(1u, _e2536.member);
+                                                    phi_5159_ = type_8((_e2536.member + 1u), _e2536.member_1);
+                                                    phi_5188_ = type_8(1u, _e2536.member);
                                                 } else {
-                                                    phi_5162_ = _e2536;
-                                                    phi_5191_ = type_8(0u, type_8().member_1);
+                                                    phi_5159_ = _e2536;
+                                                    phi_5188_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e2551 = phi_5162_;
-                                                let _e2553 = phi_5191_;
+                                                let _e2551 = phi_5159_;
+                                                let _e2553 = phi_5188_;
                                                 let _e2557 = (bitcast<i32>(_e2553.member) != 0i);
                                                 if _e2557 {
                                                     let _e2561 = ((_e308 ^ (_e308 >> bitcast<u32>(16i))) * 2146121005u);
@@ -4668,26 +4668,26 @@ fn function_() {
                                                     let _e2580 = ((_e2576 ^ (_e2576 >> bitcast<u32>(15i))) * 2221713035u);
                                                     let _e2598 = (0.000000059604645f * (f32(((2147483648u + (_e2553.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e2565 ^ (_e2565 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                     if (_e2598 >= 1f) {
-                                                        phi_12931_ = (_e2598 - 1f);
+                                                        phi_12924_ = (_e2598 - 1f);
                                                     } else {
-                                                        phi_12931_ = _e2598;
+                                                        phi_12924_ = _e2598;
                                                     }
-                                                    let _e2602 = phi_12931_;
+                                                    let _e2602 = phi_12924_;
                                                     let _e2604 = (0.000000059604645f * (f32(((2147483648u + (_e2553.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e2580 ^ (_e2580 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                     if (_e2604 >= 1f) {
-                                                        phi_12939_ = (_e2604 - 1f);
+                                                        phi_12932_ = (_e2604 - 1f);
                                                     } else {
-                                                        phi_12939_ = _e2604;
+                                                        phi_12932_ = _e2604;
                                                     }
-                                                    let _e2608 = phi_12939_;
+                                                    let _e2608 = phi_12932_;
                                                     if (_e2602 < _e2608) {
                                                         let _e2613 = (0.5f * _e2602);
-                                                        phi_5252_ = vec2<f32>(_e2613, (_e2608 - _e2613));
+                                                        phi_5249_ = vec2<f32>(_e2613, (_e2608 - _e2613));
                                                     } else {
                                                         let _e2610 = (0.5f * _e2608);
-                                                        phi_5252_ = vec2<f32>((_e2602 - _e2610), _e2610);
+                                                        phi_5249_ = vec2<f32>((_e2602 - _e2610), _e2610);
                                                     }
-                                                    let _e2617 = phi_5252_;
+                                                    let _e2617 = phi_5249_;
                                                     let _e2629 = ((_e292.member[0] + (_e2475 * _e2617.x)) + (_e2478 * _e2617.y));
                                                     let _e2630 = ((_e292.member[1] + (_e2476 * _e2617.x)) + (_e2479 * _e2617.y));
                                                     let _e2631 = ((_e292.member[2] + (_e2477 * _e2617.x)) + (_e2480 * _e2617.y));
@@ -4708,11 +4708,11 @@ fn function_() {
                                                         let _e2668 = (_e2630 + (_e2520.y * _e2663));
                                                         let _e2669 = (_e2631 + (_e2520.z * _e2663));
                                                         if ((((_e162.member_4[0] * (_e2667 - _e162.member[0])) + (_e162.member_4[1] * (_e2668 - _e162.member[1]))) + (_e162.member_4[2] * (_e2669 - _e162.member[2]))) < 0f) {
-                                                            phi_5349_ = -(_e162.member_9);
+                                                            phi_5346_ = -(_e162.member_9);
                                                         } else {
-                                                            phi_5349_ = _e162.member_9;
+                                                            phi_5346_ = _e162.member_9;
                                                         }
-                                                        let _e2681 = phi_5349_;
+                                                        let _e2681 = phi_5346_;
                                                         let _e2685 = (_e162.member[0] + (_e162.member_4[0] * _e2681));
                                                         let _e2686 = (_e162.member[1] + (_e162.member_4[1] * _e2681));
                                                         let _e2687 = (_e162.member[2] + (_e162.member_4[2] * _e2681));
@@ -4724,31 +4724,31 @@ fn function_() {
                                                         let _e2693 = abs(_e2690);
                                                         let _e2694 = (_e2691 > _e2692);
                                                         if _e2694 {
-                                                            phi_5375_ = (_e2691 > _e2693);
+                                                            phi_5372_ = (_e2691 > _e2693);
                                                         } else {
-                                                            phi_5375_ = (_e2692 > _e2693);
+                                                            phi_5372_ = (_e2692 > _e2693);
                                                         }
-                                                        let _e2698 = phi_5375_;
+                                                        let _e2698 = phi_5372_;
                                                         let _e2699 = select(1u, 0u, _e2694);
                                                         if _e2698 {
                                                             let _e2700 = (_e2699 + 1u);
-                                                            phi_5385_ = _e2700;
-                                                            phi_5388_ = select(true, false, (_e2700 == 2u));
+                                                            phi_5382_ = _e2700;
+                                                            phi_5385_ = select(true, false, (_e2700 == 2u));
                                                         } else {
-                                                            phi_5385_ = u32();
-                                                            phi_5388_ = false;
+                                                            phi_5382_ = u32();
+                                                            phi_5385_ = false;
                                                         }
-                                                        let _e2704 = phi_5385_;
-                                                        let _e2706 = phi_5388_;
+                                                        let _e2704 = phi_5382_;
+                                                        let _e2706 = phi_5385_;
                                                         let _e2707 = select(true, false, _e2698);
                                                         let _e2708 = select(_e2704, 0u, _e2707);
                                                         let _e2710 = select(_e2706, true, _e2707);
                                                         if _e2710 {
-                                                            phi_5399_ = (_e2708 + 1u);
+                                                            phi_5396_ = (_e2708 + 1u);
                                                         } else {
-                                                            phi_5399_ = 0u;
+                                                            phi_5396_ = 0u;
                                                         }
-                                                        let _e2713 = phi_5399_;
+                                                        let _e2713 = phi_5396_;
                                                         let _e2714 = select(_e2704, _e2708, _e2710);
                                                         let _e2715 = select(_e2699, select(_e2699, 2u, _e2707), _e2710);
                                                         local_10 = array<f32, 3>(_e2688, _e2689, _e2690);
@@ -4756,7 +4756,7 @@ fn function_() {
                                                         let _e2718 = (_e2715 < 3u);
                                                         if _e2718 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2720 = local_10[_e2715];
@@ -4764,7 +4764,7 @@ fn function_() {
                                                         let _e2722 = (_e2714 < 3u);
                                                         if _e2722 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2724 = local_10[_e2714];
@@ -4772,32 +4772,32 @@ fn function_() {
                                                         let _e2726 = (_e2713 < 3u);
                                                         if _e2726 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2728 = local_10[_e2713];
                                                         let _e2729 = (_e2728 * _e2721);
                                                         if _e2722 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2731 = local_11[_e2714];
                                                         if _e2726 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2733 = local_11[_e2713];
                                                         if _e2718 {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2735 = local_11[_e2715];
                                                         if (0u < _e135) {
                                                         } else {
-                                                            phi_16665_ = true;
+                                                            phi_16658_ = true;
                                                             break;
                                                         }
                                                         let _e2740 = nodes.member[0u].member_7[0u];
@@ -4822,38 +4822,38 @@ fn function_() {
                                                         let _e2782 = (_e2686 - _e2772);
                                                         let _e2783 = (_e2687 - _e2773);
                                                         if (_e2691 > _e2777) {
-                                                            phi_5529_ = (1f / _e2688);
+                                                            phi_5526_ = (1f / _e2688);
                                                         } else {
-                                                            phi_5529_ = (1000000000000f / _e2776);
+                                                            phi_5526_ = (1000000000000f / _e2776);
                                                         }
-                                                        let _e2788 = phi_5529_;
+                                                        let _e2788 = phi_5526_;
                                                         if (_e2692 > _e2777) {
-                                                            phi_5537_ = (1f / _e2689);
+                                                            phi_5534_ = (1f / _e2689);
                                                         } else {
-                                                            phi_5537_ = (1000000000000f / _e2776);
+                                                            phi_5534_ = (1000000000000f / _e2776);
                                                         }
-                                                        let _e2793 = phi_5537_;
+                                                        let _e2793 = phi_5534_;
                                                         if (_e2693 > _e2777) {
-                                                            phi_5545_ = (1f / _e2690);
+                                                            phi_5542_ = (1f / _e2690);
                                                         } else {
-                                                            phi_5545_ = (1000000000000f / _e2776);
+                                                            phi_5542_ = (1000000000000f / _e2776);
                                                         }
-                                                        let _e2798 = phi_5545_;
+                                                        let _e2798 = phi_5542_;
                                                         local_9 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                                        phi_16535_ = _e2534;
+                                                        phi_16528_ = _e2534;
+                                                        phi_5545_ = 0u;
                                                         phi_5548_ = 0u;
-                                                        phi_5551_ = 0u;
                                                         loop {
-                                                            let _e2800 = phi_16535_;
-                                                            let _e2802 = phi_5548_;
-                                                            let _e2804 = phi_5551_;
+                                                            let _e2800 = phi_16528_;
+                                                            let _e2802 = phi_5545_;
+                                                            let _e2804 = phi_5548_;
                                                             let _e2805 = (_e2802 & 15u);
                                                             let _e2807 = (_e2802 >> bitcast<u32>(4u));
                                                             if (_e2805 == 0u) {
                                                                 if (_e2807 < _e135) {
                                                                 } else {
-                                                                    phi_16605_ = true;
-                                                                    phi_12429_ = bool();
+                                                                    phi_16598_ = true;
+                                                                    phi_12422_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e3437 = nodes.member[_e2807].member;
@@ -4937,148 +4937,148 @@ fn function_() {
                                                                 if (select(340282350000000000000000000000000000000f, _e3572, (_e3572 <= select(0.9999995f, _e3612, (_e3612 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                     if (_e2804 < 64u) {
                                                                     } else {
-                                                                        phi_16605_ = true;
-                                                                        phi_12429_ = bool();
+                                                                        phi_16598_ = true;
+                                                                        phi_12422_ = bool();
                                                                         break;
                                                                     }
                                                                     local_9[_e2804] = _e3644;
-                                                                    phi_5936_ = (_e2804 + 1u);
+                                                                    phi_5933_ = (_e2804 + 1u);
                                                                 } else {
-                                                                    phi_5936_ = _e2804;
+                                                                    phi_5933_ = _e2804;
                                                                 }
-                                                                let _e3650 = phi_5936_;
+                                                                let _e3650 = phi_5933_;
                                                                 if (select(340282350000000000000000000000000000000f, _e3570, (_e3570 <= select(0.9999995f, _e3610, (_e3610 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                     if (_e3650 < 64u) {
                                                                     } else {
-                                                                        phi_16605_ = true;
-                                                                        phi_12429_ = bool();
+                                                                        phi_16598_ = true;
+                                                                        phi_12422_ = bool();
                                                                         break;
                                                                     }
                                                                     local_9[_e3650] = _e3640;
-                                                                    phi_5948_ = (_e3650 + 1u);
+                                                                    phi_5945_ = (_e3650 + 1u);
                                                                 } else {
-                                                                    phi_5948_ = _e3650;
+                                                                    phi_5945_ = _e3650;
                                                                 }
-                                                                let _e3656 = phi_5948_;
+                                                                let _e3656 = phi_5945_;
                                                                 if (select(340282350000000000000000000000000000000f, _e3568, (_e3568 <= select(0.9999995f, _e3608, (_e3608 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                     if (_e3656 < 64u) {
                                                                     } else {
-                                                                        phi_16605_ = true;
-                                                                        phi_12429_ = bool();
+                                                                        phi_16598_ = true;
+                                                                        phi_12422_ = bool();
                                                                         break;
                                                                     }
                                                                     local_9[_e3656] = _e3636;
-                                                                    phi_5960_ = (_e3656 + 1u);
+                                                                    phi_5957_ = (_e3656 + 1u);
                                                                 } else {
-                                                                    phi_5960_ = _e3656;
+                                                                    phi_5957_ = _e3656;
                                                                 }
-                                                                let _e3662 = phi_5960_;
+                                                                let _e3662 = phi_5957_;
                                                                 if (select(340282350000000000000000000000000000000f, _e3566, (_e3566 <= select(0.9999995f, _e3606, (_e3606 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                                     if (_e3662 < 64u) {
                                                                     } else {
-                                                                        phi_16605_ = true;
-                                                                        phi_12429_ = bool();
+                                                                        phi_16598_ = true;
+                                                                        phi_12422_ = bool();
                                                                         break;
                                                                     }
                                                                     local_9[_e3662] = _e3632;
-                                                                    phi_5972_ = (_e3662 + 1u);
+                                                                    phi_5969_ = (_e3662 + 1u);
                                                                 } else {
-                                                                    phi_5972_ = _e3662;
+                                                                    phi_5969_ = _e3662;
                                                                 }
-                                                                let _e3668 = phi_5972_;
-                                                                phi_16607_ = _e2800;
-                                                                phi_6665_ = _e3668;
-                                                                phi_6666_ = true;
+                                                                let _e3668 = phi_5969_;
+                                                                phi_16600_ = _e2800;
+                                                                phi_6661_ = _e3668;
+                                                                phi_6662_ = true;
                                                             } else {
-                                                                phi_5976_ = type_8(_e2807, (_e2807 + _e2805));
+                                                                phi_5973_ = type_8(_e2807, (_e2807 + _e2805));
                                                                 loop {
-                                                                    let _e2812 = phi_5976_;
+                                                                    let _e2812 = phi_5973_;
                                                                     if (_e2812.member < _e2812.member_1) {
-                                                                        phi_5977_ = type_8((_e2812.member + 1u), _e2812.member_1);
-                                                                        phi_6000_ = type_8(1u, _e2812.member);
+                                                                        phi_5974_ = type_8((_e2812.member + 1u), _e2812.member_1);
+                                                                        phi_5997_ = type_8(1u, _e2812.member);
                                                                     } else {
-                                                                        phi_5977_ = _e2812;
-                                                                        phi_6000_ = type_8(0u, type_8().member_1);
+                                                                        phi_5974_ = _e2812;
+                                                                        phi_5997_ = type_8(0u, type_8().member_1);
                                                                     }
-                                                                    let _e2825 = phi_5977_;
-                                                                    let _e2827 = phi_6000_;
+                                                                    let _e2825 = phi_5974_;
+                                                                    let _e2827 = phi_5997_;
                                                                     let _e2831 = (bitcast<i32>(_e2827.member) != 0i);
                                                                     if _e2831 {
                                                                         let _e2832 = (_e2827.member_1 < _e138);
                                                                         if _e2832 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         if _e2718 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2836 = triangles.member[_e2827.member_1].member[_e2715];
                                                                         let _e2837 = (_e2836 - _e2735);
                                                                         if _e2718 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2841 = triangles.member[_e2827.member_1].member_2[_e2715];
                                                                         let _e2842 = (_e2841 - _e2735);
                                                                         if _e2718 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2846 = triangles.member[_e2827.member_1].member_4[_e2715];
                                                                         let _e2847 = (_e2846 - _e2735);
                                                                         if _e2722 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2851 = triangles.member[_e2827.member_1].member[_e2714];
                                                                         let _e2854 = ((_e2851 - _e2731) - (_e2725 * _e2837));
                                                                         if _e2726 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2858 = triangles.member[_e2827.member_1].member[_e2713];
                                                                         let _e2861 = ((_e2858 - _e2733) - (_e2729 * _e2837));
                                                                         if _e2722 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2865 = triangles.member[_e2827.member_1].member_2[_e2714];
                                                                         let _e2868 = ((_e2865 - _e2731) - (_e2725 * _e2842));
                                                                         if _e2726 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2872 = triangles.member[_e2827.member_1].member_2[_e2713];
                                                                         let _e2875 = ((_e2872 - _e2733) - (_e2729 * _e2842));
                                                                         if _e2722 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2879 = triangles.member[_e2827.member_1].member_4[_e2714];
                                                                         let _e2882 = ((_e2879 - _e2731) - (_e2725 * _e2847));
                                                                         if _e2726 {
                                                                         } else {
-                                                                            phi_16531_ = true;
-                                                                            phi_12428_ = bool();
+                                                                            phi_16524_ = true;
+                                                                            phi_12421_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e2886 = triangles.member[_e2827.member_1].member_4[_e2713];
@@ -5086,7 +5086,7 @@ fn function_() {
                                                                         let _e2890 = (_e2882 * _e2875);
                                                                         let _e2891 = (_e2889 * _e2868);
                                                                         if (_e2890 != _e2891) {
-                                                                            phi_6116_ = (_e2890 - _e2891);
+                                                                            phi_6113_ = (_e2890 - _e2891);
                                                                         } else {
                                                                             let _e2893 = (_e2882 * 4097f);
                                                                             let _e2895 = (_e2893 - (_e2893 - _e2882));
@@ -5100,13 +5100,13 @@ fn function_() {
                                                                             let _e2914 = (_e2912 - (_e2912 - _e2868));
                                                                             let _e2915 = (_e2889 - _e2911);
                                                                             let _e2916 = (_e2868 - _e2914);
-                                                                            phi_6116_ = ((((((_e2895 * _e2898) - _e2890) + (_e2895 * _e2900)) + (_e2899 * _e2898)) + (_e2899 * _e2900)) - (((((_e2911 * _e2914) - _e2891) + (_e2911 * _e2916)) + (_e2915 * _e2914)) + (_e2915 * _e2916)));
+                                                                            phi_6113_ = ((((((_e2895 * _e2898) - _e2890) + (_e2895 * _e2900)) + (_e2899 * _e2898)) + (_e2899 * _e2900)) - (((((_e2911 * _e2914) - _e2891) + (_e2911 * _e2916)) + (_e2915 * _e2914)) + (_e2915 * _e2916)));
                                                                         }
-                                                                        let _e2928 = phi_6116_;
+                                                                        let _e2928 = phi_6113_;
                                                                         let _e2929 = (_e2854 * _e2889);
                                                                         let _e2930 = (_e2861 * _e2882);
                                                                         if (_e2929 != _e2930) {
-                                                                            phi_6127_ = (_e2929 - _e2930);
+                                                                            phi_6124_ = (_e2929 - _e2930);
                                                                         } else {
                                                                             let _e2932 = (_e2854 * 4097f);
                                                                             let _e2934 = (_e2932 - (_e2932 - _e2854));
@@ -5120,13 +5120,13 @@ fn function_() {
                                                                             let _e2953 = (_e2951 - (_e2951 - _e2882));
                                                                             let _e2954 = (_e2861 - _e2950);
                                                                             let _e2955 = (_e2882 - _e2953);
-                                                                            phi_6127_ = ((((((_e2934 * _e2937) - _e2929) + (_e2934 * _e2939)) + (_e2938 * _e2937)) + (_e2938 * _e2939)) - (((((_e2950 * _e2953) - _e2930) + (_e2950 * _e2955)) + (_e2954 * _e2953)) + (_e2954 * _e2955)));
+                                                                            phi_6124_ = ((((((_e2934 * _e2937) - _e2929) + (_e2934 * _e2939)) + (_e2938 * _e2937)) + (_e2938 * _e2939)) - (((((_e2950 * _e2953) - _e2930) + (_e2950 * _e2955)) + (_e2954 * _e2953)) + (_e2954 * _e2955)));
                                                                         }
-                                                                        let _e2967 = phi_6127_;
+                                                                        let _e2967 = phi_6124_;
                                                                         let _e2968 = (_e2868 * _e2861);
                                                                         let _e2969 = (_e2875 * _e2854);
                                                                         if (_e2968 != _e2969) {
-                                                                            phi_6138_ = (_e2968 - _e2969);
+                                                                            phi_6135_ = (_e2968 - _e2969);
                                                                         } else {
                                                                             let _e2971 = (_e2868 * 4097f);
                                                                             let _e2973 = (_e2971 - (_e2971 - _e2868));
@@ -5140,71 +5140,71 @@ fn function_() {
                                                                             let _e2992 = (_e2990 - (_e2990 - _e2854));
                                                                             let _e2993 = (_e2875 - _e2989);
                                                                             let _e2994 = (_e2854 - _e2992);
-                                                                            phi_6138_ = ((((((_e2973 * _e2976) - _e2968) + (_e2973 * _e2978)) + (_e2977 * _e2976)) + (_e2977 * _e2978)) - (((((_e2989 * _e2992) - _e2969) + (_e2989 * _e2994)) + (_e2993 * _e2992)) + (_e2993 * _e2994)));
+                                                                            phi_6135_ = ((((((_e2973 * _e2976) - _e2968) + (_e2973 * _e2978)) + (_e2977 * _e2976)) + (_e2977 * _e2978)) - (((((_e2989 * _e2992) - _e2969) + (_e2989 * _e2994)) + (_e2993 * _e2992)) + (_e2993 * _e2994)));
                                                                         }
-                                                                        let _e3006 = phi_6138_;
+                                                                        let _e3006 = phi_6135_;
                                                                         if (_e2928 < 0f) {
-                                                                            phi_6156_ = f32();
-                                                                            phi_6157_ = true;
+                                                                            phi_6153_ = f32();
+                                                                            phi_6154_ = true;
                                                                         } else {
                                                                             if (_e2967 < 0f) {
-                                                                                phi_6154_ = f32();
-                                                                                phi_6155_ = true;
+                                                                                phi_6151_ = f32();
+                                                                                phi_6152_ = true;
                                                                             } else {
                                                                                 let _e3009 = (_e3006 < 0f);
                                                                                 if _e3009 {
-                                                                                    phi_6153_ = f32();
+                                                                                    phi_6150_ = f32();
                                                                                 } else {
-                                                                                    phi_6153_ = ((_e2928 + _e2967) + _e3006);
+                                                                                    phi_6150_ = ((_e2928 + _e2967) + _e3006);
                                                                                 }
-                                                                                let _e3013 = phi_6153_;
-                                                                                phi_6154_ = _e3013;
-                                                                                phi_6155_ = _e3009;
+                                                                                let _e3013 = phi_6150_;
+                                                                                phi_6151_ = _e3013;
+                                                                                phi_6152_ = _e3009;
                                                                             }
-                                                                            let _e3015 = phi_6154_;
-                                                                            let _e3017 = phi_6155_;
-                                                                            phi_6156_ = _e3015;
-                                                                            phi_6157_ = _e3017;
+                                                                            let _e3015 = phi_6151_;
+                                                                            let _e3017 = phi_6152_;
+                                                                            phi_6153_ = _e3015;
+                                                                            phi_6154_ = _e3017;
                                                                         }
-                                                                        let _e3019 = phi_6156_;
-                                                                        let _e3021 = phi_6157_;
+                                                                        let _e3019 = phi_6153_;
+                                                                        let _e3021 = phi_6154_;
                                                                         if _e3021 {
                                                                             if (_e2928 > 0f) {
-                                                                                phi_6178_ = f32();
-                                                                                phi_6179_ = true;
-                                                                                phi_6180_ = false;
+                                                                                phi_6175_ = f32();
+                                                                                phi_6176_ = true;
+                                                                                phi_6177_ = false;
                                                                             } else {
                                                                                 let _e3023 = (_e2967 > 0f);
                                                                                 if _e3023 {
-                                                                                    phi_6176_ = f32();
-                                                                                    phi_6177_ = false;
+                                                                                    phi_6173_ = f32();
+                                                                                    phi_6174_ = false;
                                                                                 } else {
-                                                                                    phi_6176_ = ((_e2928 + _e2967) + _e3006);
-                                                                                    phi_6177_ = select(true, false, (_e3006 > 0f));
+                                                                                    phi_6173_ = ((_e2928 + _e2967) + _e3006);
+                                                                                    phi_6174_ = select(true, false, (_e3006 > 0f));
                                                                                 }
-                                                                                let _e3029 = phi_6176_;
-                                                                                let _e3031 = phi_6177_;
-                                                                                phi_6178_ = _e3029;
-                                                                                phi_6179_ = _e3023;
-                                                                                phi_6180_ = _e3031;
+                                                                                let _e3029 = phi_6173_;
+                                                                                let _e3031 = phi_6174_;
+                                                                                phi_6175_ = _e3029;
+                                                                                phi_6176_ = _e3023;
+                                                                                phi_6177_ = _e3031;
                                                                             }
-                                                                            let _e3033 = phi_6178_;
-                                                                            let _e3035 = phi_6179_;
-                                                                            let _e3037 = phi_6180_;
-                                                                            phi_6185_ = _e3033;
-                                                                            phi_6186_ = select(_e3037, false, _e3035);
+                                                                            let _e3033 = phi_6175_;
+                                                                            let _e3035 = phi_6176_;
+                                                                            let _e3037 = phi_6177_;
+                                                                            phi_6182_ = _e3033;
+                                                                            phi_6183_ = select(_e3037, false, _e3035);
                                                                         } else {
-                                                                            phi_6185_ = _e3019;
-                                                                            phi_6186_ = true;
+                                                                            phi_6182_ = _e3019;
+                                                                            phi_6183_ = true;
                                                                         }
-                                                                        let _e3040 = phi_6185_;
-                                                                        let _e3042 = phi_6186_;
+                                                                        let _e3040 = phi_6182_;
+                                                                        let _e3042 = phi_6183_;
                                                                         if _e3042 {
                                                                             let _e3043 = (_e3040 == 0f);
                                                                             if _e3043 {
-                                                                                phi_6274_ = array<f32, 3>();
-                                                                                phi_6275_ = array<f32, 3>();
-                                                                                phi_6276_ = false;
+                                                                                phi_6271_ = array<f32, 3>();
+                                                                                phi_6272_ = array<f32, 3>();
+                                                                                phi_6273_ = false;
                                                                             } else {
                                                                                 let _e3044 = (_e2837 * _e2721);
                                                                                 let _e3045 = (_e2842 * _e2721);
@@ -5227,8 +5227,8 @@ fn function_() {
                                                                                 let _e3077 = abs(_e3046);
                                                                                 let _e3084 = (((select(_e3062, _e3061, (_e3061 > _e3062)) * select(_e3069, _e3068, (_e3068 > _e3069))) * select(_e3077, _e3076, (_e3076 > _e3077))) <= (abs((_e3040 * _e3057)) * 256f));
                                                                                 if _e3084 {
-                                                                                    phi_6272_ = array<f32, 3>(_e3057, _e3050, _e3051);
-                                                                                    phi_6273_ = array<f32, 3>();
+                                                                                    phi_6269_ = array<f32, 3>(_e3057, _e3050, _e3051);
+                                                                                    phi_6270_ = array<f32, 3>();
                                                                                 } else {
                                                                                     let _e3086 = (_e2882 * 4097f);
                                                                                     let _e3088 = (_e3086 - (_e3086 - _e2882));
@@ -5254,44 +5254,44 @@ fn function_() {
                                                                                     let _e3168 = (1f / ((_e3119 + _e3146) + _e3165));
                                                                                     let _e3169 = (_e3146 * _e3168);
                                                                                     let _e3170 = (_e3165 * _e3168);
-                                                                                    phi_6272_ = array<f32, 3>();
-                                                                                    phi_6273_ = array<f32, 3>(((((_e3119 * _e3168) * _e3044) + (_e3169 * _e3045)) + (_e3170 * _e3046)), _e3169, _e3170);
+                                                                                    phi_6269_ = array<f32, 3>();
+                                                                                    phi_6270_ = array<f32, 3>(((((_e3119 * _e3168) * _e3044) + (_e3169 * _e3045)) + (_e3170 * _e3046)), _e3169, _e3170);
                                                                                 }
-                                                                                let _e3180 = phi_6272_;
-                                                                                let _e3182 = phi_6273_;
-                                                                                phi_6274_ = _e3180;
-                                                                                phi_6275_ = _e3182;
-                                                                                phi_6276_ = _e3084;
+                                                                                let _e3180 = phi_6269_;
+                                                                                let _e3182 = phi_6270_;
+                                                                                phi_6271_ = _e3180;
+                                                                                phi_6272_ = _e3182;
+                                                                                phi_6273_ = _e3084;
                                                                             }
-                                                                            let _e3184 = phi_6274_;
-                                                                            let _e3186 = phi_6275_;
-                                                                            let _e3188 = phi_6276_;
-                                                                            phi_6277_ = _e3184;
-                                                                            phi_6278_ = _e3186;
-                                                                            phi_6279_ = _e3043;
-                                                                            phi_6280_ = _e3188;
+                                                                            let _e3184 = phi_6271_;
+                                                                            let _e3186 = phi_6272_;
+                                                                            let _e3188 = phi_6273_;
+                                                                            phi_6274_ = _e3184;
+                                                                            phi_6275_ = _e3186;
+                                                                            phi_6276_ = _e3043;
+                                                                            phi_6277_ = _e3188;
                                                                         } else {
-                                                                            phi_6277_ = array<f32, 3>();
-                                                                            phi_6278_ = array<f32, 3>();
-                                                                            phi_6279_ = true;
-                                                                            phi_6280_ = false;
+                                                                            phi_6274_ = array<f32, 3>();
+                                                                            phi_6275_ = array<f32, 3>();
+                                                                            phi_6276_ = true;
+                                                                            phi_6277_ = false;
                                                                         }
-                                                                        let _e3190 = phi_6277_;
-                                                                        let _e3192 = phi_6278_;
-                                                                        let _e3194 = phi_6279_;
-                                                                        let _e3196 = phi_6280_;
+                                                                        let _e3190 = phi_6274_;
+                                                                        let _e3192 = phi_6275_;
+                                                                        let _e3194 = phi_6276_;
+                                                                        let _e3196 = phi_6277_;
                                                                         if _e3194 {
-                                                                            phi_6285_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                            phi_6282_ = array<f32, 3>(-1f, 0f, 0f);
                                                                         } else {
-                                                                            phi_6285_ = _e3190;
+                                                                            phi_6282_ = _e3190;
                                                                         }
-                                                                        let _e3198 = phi_6285_;
+                                                                        let _e3198 = phi_6282_;
                                                                         if select(_e3196, true, _e3194) {
-                                                                            phi_6290_ = _e3198;
+                                                                            phi_6287_ = _e3198;
                                                                         } else {
-                                                                            phi_6290_ = _e3192;
+                                                                            phi_6287_ = _e3192;
                                                                         }
-                                                                        let _e3201 = phi_6290_;
+                                                                        let _e3201 = phi_6287_;
                                                                         let _e3205 = (_e3201[0] >= 0f);
                                                                         if _e3205 {
                                                                             let _e3206 = (_e3201[0] < 0.9999995f);
@@ -5299,79 +5299,79 @@ fn function_() {
                                                                                 if _e3205 {
                                                                                     if _e2832 {
                                                                                     } else {
-                                                                                        phi_16531_ = true;
-                                                                                        phi_12428_ = bool();
+                                                                                        phi_16524_ = true;
+                                                                                        phi_12421_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e3209 = triangles.member[_e2827.member_1].member_3;
                                                                                     if ((_e3209 & 1u) == 0u) {
-                                                                                        phi_6623_ = true;
+                                                                                        phi_6619_ = true;
                                                                                     } else {
                                                                                         if _e2832 {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3214 = triangles.member[_e2827.member_1].member_1;
                                                                                         let _e3215 = (_e3214 * 12u);
                                                                                         if ((256u + _e3215) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if ((_e3215 + 257u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if ((_e3215 + 258u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3222 = (_e3215 + 259u);
                                                                                         if (_e3222 < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3225 = surfaces.member[_e3222];
                                                                                         if ((_e3215 + 260u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if ((_e3215 + 261u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if ((_e3215 + 262u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3232 = (_e3215 + 263u);
                                                                                         if (_e3232 < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3235 = surfaces.member[_e3232];
                                                                                         let _e3236 = (_e3215 + 264u);
                                                                                         if (_e3236 < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3239 = surfaces.member[_e3236];
@@ -5379,31 +5379,31 @@ fn function_() {
                                                                                         let _e3241 = (_e3215 + 265u);
                                                                                         if (_e3241 < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         let _e3244 = surfaces.member[_e3241];
                                                                                         let _e3245 = bitcast<f32>(_e3244);
                                                                                         if ((_e3215 + 266u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if ((_e3215 + 267u) < _e144) {
                                                                                         } else {
-                                                                                            phi_16531_ = true;
-                                                                                            phi_12428_ = bool();
+                                                                                            phi_16524_ = true;
+                                                                                            phi_12421_ = bool();
                                                                                             break;
                                                                                         }
                                                                                         if (_e3225 == 4294967295u) {
-                                                                                            phi_6618_ = (_e3240 < _e3245);
+                                                                                            phi_6614_ = (_e3240 < _e3245);
                                                                                         } else {
                                                                                             if (_e2827.member_1 < _e141) {
                                                                                             } else {
-                                                                                                phi_16531_ = true;
-                                                                                                phi_12428_ = bool();
+                                                                                                phi_16524_ = true;
+                                                                                                phi_12421_ = bool();
                                                                                                 break;
                                                                                             }
                                                                                             let _e3253 = ((1f - _e3201[1]) - _e3201[2]);
@@ -5423,36 +5423,36 @@ fn function_() {
                                                                                             let _e3299 = (_e3297 - _e3298);
                                                                                             let _e3300 = (_e3288 - 1u);
                                                                                             if (_e3298 < 0f) {
-                                                                                                phi_6501_ = _e3300;
+                                                                                                phi_6497_ = _e3300;
                                                                                             } else {
                                                                                                 let _e3306 = select(select(u32(_e3298), 0u, (_e3298 < 0f)), 4294967295u, (_e3298 > 4294967000f));
-                                                                                                phi_6501_ = select(_e3306, _e3300, (_e3300 < _e3306));
+                                                                                                phi_6497_ = select(_e3306, _e3300, (_e3300 < _e3306));
                                                                                             }
-                                                                                            let _e3310 = phi_6501_;
+                                                                                            let _e3310 = phi_6497_;
                                                                                             if (_e3310 == _e3300) {
-                                                                                                phi_6507_ = 0u;
+                                                                                                phi_6503_ = 0u;
                                                                                             } else {
-                                                                                                phi_6507_ = (_e3310 + 1u);
+                                                                                                phi_6503_ = (_e3310 + 1u);
                                                                                             }
-                                                                                            let _e3314 = phi_6507_;
+                                                                                            let _e3314 = phi_6503_;
                                                                                             let _e3316 = (_e3287 - floor(_e3287));
                                                                                             let _e3321 = ((select(0f, _e3316, (_e3316 <= 1f)) * f32(_e3290)) - 0.5f);
                                                                                             let _e3322 = floor(_e3321);
                                                                                             let _e3323 = (_e3321 - _e3322);
                                                                                             let _e3324 = (_e3290 - 1u);
                                                                                             if (_e3322 < 0f) {
-                                                                                                phi_6537_ = _e3324;
+                                                                                                phi_6533_ = _e3324;
                                                                                             } else {
                                                                                                 let _e3330 = select(select(u32(_e3322), 0u, (_e3322 < 0f)), 4294967295u, (_e3322 > 4294967000f));
-                                                                                                phi_6537_ = select(_e3330, _e3324, (_e3324 < _e3330));
+                                                                                                phi_6533_ = select(_e3330, _e3324, (_e3324 < _e3330));
                                                                                             }
-                                                                                            let _e3334 = phi_6537_;
+                                                                                            let _e3334 = phi_6533_;
                                                                                             if (_e3334 == _e3324) {
-                                                                                                phi_6543_ = 0u;
+                                                                                                phi_6539_ = 0u;
                                                                                             } else {
-                                                                                                phi_6543_ = (_e3334 + 1u);
+                                                                                                phi_6539_ = (_e3334 + 1u);
                                                                                             }
-                                                                                            let _e3338 = phi_6543_;
+                                                                                            let _e3338 = phi_6539_;
                                                                                             let _e3340 = (_e3225 + (_e3334 * _e3288));
                                                                                             let _e3342 = (_e3225 + (_e3338 * _e3288));
                                                                                             let _e3343 = (_e3340 + _e3310);
@@ -5461,213 +5461,213 @@ fn function_() {
                                                                                             let _e3346 = (_e3342 + _e3314);
                                                                                             if (_e3343 < _e144) {
                                                                                             } else {
-                                                                                                phi_16531_ = true;
-                                                                                                phi_12428_ = bool();
+                                                                                                phi_16524_ = true;
+                                                                                                phi_12421_ = bool();
                                                                                                 break;
                                                                                             }
                                                                                             let _e3349 = surfaces.member[_e3343];
                                                                                             if (_e3344 < _e144) {
                                                                                             } else {
-                                                                                                phi_16531_ = true;
-                                                                                                phi_12428_ = bool();
+                                                                                                phi_16524_ = true;
+                                                                                                phi_12421_ = bool();
                                                                                                 break;
                                                                                             }
                                                                                             let _e3352 = surfaces.member[_e3344];
                                                                                             if (_e3345 < _e144) {
                                                                                             } else {
-                                                                                                phi_16531_ = true;
-                                                                                                phi_12428_ = bool();
+                                                                                                phi_16524_ = true;
+                                                                                                phi_12421_ = bool();
                                                                                                 break;
                                                                                             }
                                                                                             let _e3355 = surfaces.member[_e3345];
                                                                                             if (_e3346 < _e144) {
                                                                                             } else {
-                                                                                                phi_16531_ = true;
-                                                                                                phi_12428_ = bool();
+                                                                                                phi_16524_ = true;
+                                                                                                phi_12421_ = bool();
                                                                                                 break;
                                                                                             }
                                                                                             let _e3358 = surfaces.member[_e3346];
                                                                                             let _e3375 = (1f - _e3299);
-                                                                                            phi_6618_ = ((_e3240 * (((((f32((_e3349 >> bitcast<u32>(24i))) * 0.003921569f) * _e3375) + ((f32((_e3352 >> bitcast<u32>(24i))) * 0.003921569f) * _e3299)) * (1f - _e3323)) + ((((f32((_e3355 >> bitcast<u32>(24i))) * 0.003921569f) * _e3375) + ((f32((_e3358 >> bitcast<u32>(24i))) * 0.003921569f) * _e3299)) * _e3323))) < _e3245);
+                                                                                            phi_6614_ = ((_e3240 * (((((f32((_e3349 >> bitcast<u32>(24i))) * 0.003921569f) * _e3375) + ((f32((_e3352 >> bitcast<u32>(24i))) * 0.003921569f) * _e3299)) * (1f - _e3323)) + ((((f32((_e3355 >> bitcast<u32>(24i))) * 0.003921569f) * _e3375) + ((f32((_e3358 >> bitcast<u32>(24i))) * 0.003921569f) * _e3299)) * _e3323))) < _e3245);
                                                                                         }
-                                                                                        let _e3390 = phi_6618_;
-                                                                                        phi_6623_ = select(true, false, _e3390);
+                                                                                        let _e3390 = phi_6614_;
+                                                                                        phi_6619_ = select(true, false, _e3390);
                                                                                     }
-                                                                                    let _e3393 = phi_6623_;
+                                                                                    let _e3393 = phi_6619_;
                                                                                     if _e3393 {
-                                                                                        phi_6628_ = type_44(_e3201[0], _e2827.member_1, _e3201[1], _e3201[2]);
+                                                                                        phi_6624_ = type_44(_e3201[0], _e2827.member_1, _e3201[1], _e3201[2]);
                                                                                     } else {
-                                                                                        phi_6628_ = type_44();
+                                                                                        phi_6624_ = type_44();
                                                                                     }
-                                                                                    let _e3396 = phi_6628_;
-                                                                                    phi_6630_ = _e3396;
-                                                                                    phi_6632_ = select(true, false, _e3393);
+                                                                                    let _e3396 = phi_6624_;
+                                                                                    phi_6626_ = _e3396;
+                                                                                    phi_6628_ = select(true, false, _e3393);
                                                                                 } else {
-                                                                                    phi_6630_ = type_44();
-                                                                                    phi_6632_ = false;
+                                                                                    phi_6626_ = type_44();
+                                                                                    phi_6628_ = false;
                                                                                 }
-                                                                                let _e3399 = phi_6630_;
-                                                                                let _e3401 = phi_6632_;
-                                                                                phi_6633_ = _e3399;
-                                                                                phi_6635_ = select(true, false, _e3205);
-                                                                                phi_6636_ = _e3401;
+                                                                                let _e3399 = phi_6626_;
+                                                                                let _e3401 = phi_6628_;
+                                                                                phi_6629_ = _e3399;
+                                                                                phi_6631_ = select(true, false, _e3205);
+                                                                                phi_6632_ = _e3401;
                                                                             } else {
-                                                                                phi_6633_ = type_44();
-                                                                                phi_6635_ = false;
-                                                                                phi_6636_ = false;
+                                                                                phi_6629_ = type_44();
+                                                                                phi_6631_ = false;
+                                                                                phi_6632_ = false;
                                                                             }
-                                                                            let _e3404 = phi_6633_;
-                                                                            let _e3406 = phi_6635_;
-                                                                            let _e3408 = phi_6636_;
-                                                                            phi_6637_ = _e3404;
-                                                                            phi_6638_ = select(true, false, _e3206);
-                                                                            phi_6639_ = _e3406;
-                                                                            phi_6640_ = _e3408;
+                                                                            let _e3404 = phi_6629_;
+                                                                            let _e3406 = phi_6631_;
+                                                                            let _e3408 = phi_6632_;
+                                                                            phi_6633_ = _e3404;
+                                                                            phi_6634_ = select(true, false, _e3206);
+                                                                            phi_6635_ = _e3406;
+                                                                            phi_6636_ = _e3408;
                                                                         } else {
-                                                                            phi_6637_ = type_44();
-                                                                            phi_6638_ = true;
-                                                                            phi_6639_ = false;
-                                                                            phi_6640_ = false;
+                                                                            phi_6633_ = type_44();
+                                                                            phi_6634_ = true;
+                                                                            phi_6635_ = false;
+                                                                            phi_6636_ = false;
                                                                         }
-                                                                        let _e3411 = phi_6637_;
-                                                                        let _e3413 = phi_6638_;
-                                                                        let _e3415 = phi_6639_;
-                                                                        let _e3417 = phi_6640_;
+                                                                        let _e3411 = phi_6633_;
+                                                                        let _e3413 = phi_6634_;
+                                                                        let _e3415 = phi_6635_;
+                                                                        let _e3417 = phi_6636_;
                                                                         if select(select(_e3417, false, _e3413), true, select(_e3415, true, _e3413)) {
-                                                                            phi_6653_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
+                                                                            phi_6649_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
                                                                         } else {
-                                                                            phi_6653_ = _e3411;
+                                                                            phi_6649_ = _e3411;
                                                                         }
-                                                                        let _e3422 = phi_6653_;
-                                                                        phi_6660_ = select(true, false, (_e3422.member_1 != 4294967295u));
+                                                                        let _e3422 = phi_6649_;
+                                                                        phi_6656_ = select(true, false, (_e3422.member_1 != 4294967295u));
                                                                     } else {
-                                                                        phi_6660_ = false;
+                                                                        phi_6656_ = false;
                                                                     }
-                                                                    let _e3427 = phi_6660_;
+                                                                    let _e3427 = phi_6656_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5976_ = _e2825;
-                                                                        phi_16531_ = _e2800;
-                                                                        phi_12428_ = select(true, false, _e2831);
+                                                                        phi_5973_ = _e2825;
+                                                                        phi_16524_ = _e2800;
+                                                                        phi_12421_ = select(true, false, _e2831);
                                                                         break if !(_e3427);
                                                                     }
                                                                 }
-                                                                let _e3431 = phi_16531_;
-                                                                let _e3433 = phi_12428_;
-                                                                phi_16605_ = _e3431;
-                                                                phi_12429_ = bool();
+                                                                let _e3431 = phi_16524_;
+                                                                let _e3433 = phi_12421_;
+                                                                phi_16598_ = _e3431;
+                                                                phi_12422_ = bool();
                                                                 if _e3431 {
                                                                     break;
                                                                 }
-                                                                phi_16607_ = _e3431;
-                                                                phi_6665_ = _e2804;
-                                                                phi_6666_ = _e3433;
+                                                                phi_16600_ = _e3431;
+                                                                phi_6661_ = _e2804;
+                                                                phi_6662_ = _e3433;
                                                             }
-                                                            let _e3670 = phi_16607_;
-                                                            let _e3672 = phi_6665_;
-                                                            let _e3674 = phi_6666_;
+                                                            let _e3670 = phi_16600_;
+                                                            let _e3672 = phi_6661_;
+                                                            let _e3674 = phi_6662_;
                                                             if _e3674 {
                                                                 let _e3675 = (_e3672 == 0u);
                                                                 if _e3675 {
-                                                                    phi_6682_ = u32();
-                                                                    phi_6683_ = u32();
+                                                                    phi_6678_ = u32();
+                                                                    phi_6679_ = u32();
                                                                 } else {
                                                                     let _e3676 = (_e3672 - 1u);
                                                                     if (_e3676 < 64u) {
                                                                     } else {
-                                                                        phi_16605_ = true;
-                                                                        phi_12429_ = bool();
+                                                                        phi_16598_ = true;
+                                                                        phi_12422_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e3679 = local_9[_e3676];
-                                                                    phi_6682_ = _e3679;
-                                                                    phi_6683_ = _e3676;
+                                                                    phi_6678_ = _e3679;
+                                                                    phi_6679_ = _e3676;
                                                                 }
-                                                                let _e3681 = phi_6682_;
-                                                                let _e3683 = phi_6683_;
-                                                                phi_5549_ = _e3681;
-                                                                phi_5552_ = _e3683;
-                                                                phi_6685_ = select(true, false, _e3675);
-                                                                phi_6686_ = _e3675;
+                                                                let _e3681 = phi_6678_;
+                                                                let _e3683 = phi_6679_;
+                                                                phi_5546_ = _e3681;
+                                                                phi_5549_ = _e3683;
+                                                                phi_6681_ = select(true, false, _e3675);
+                                                                phi_6682_ = _e3675;
                                                             } else {
+                                                                phi_5546_ = u32();
                                                                 phi_5549_ = u32();
-                                                                phi_5552_ = u32();
-                                                                phi_6685_ = false;
-                                                                phi_6686_ = false;
+                                                                phi_6681_ = false;
+                                                                phi_6682_ = false;
                                                             }
-                                                            let _e3686 = phi_5549_;
-                                                            let _e3688 = phi_5552_;
-                                                            let _e3690 = phi_6685_;
-                                                            let _e3692 = phi_6686_;
+                                                            let _e3686 = phi_5546_;
+                                                            let _e3688 = phi_5549_;
+                                                            let _e3690 = phi_6681_;
+                                                            let _e3692 = phi_6682_;
                                                             continue;
                                                             continuing {
-                                                                phi_16535_ = _e3670;
-                                                                phi_5548_ = _e3686;
-                                                                phi_5551_ = _e3688;
-                                                                phi_16605_ = _e3670;
-                                                                phi_12429_ = _e3692;
+                                                                phi_16528_ = _e3670;
+                                                                phi_5545_ = _e3686;
+                                                                phi_5548_ = _e3688;
+                                                                phi_16598_ = _e3670;
+                                                                phi_12422_ = _e3692;
                                                                 break if !(_e3690);
                                                             }
                                                         }
-                                                        let _e3695 = phi_16605_;
-                                                        let _e3697 = phi_12429_;
-                                                        phi_16665_ = _e3695;
+                                                        let _e3695 = phi_16598_;
+                                                        let _e3697 = phi_12422_;
+                                                        phi_16658_ = _e3695;
                                                         if _e3695 {
                                                             break;
                                                         }
                                                         if !(select(false, true, select(true, false, _e3697))) {
-                                                            phi_6700_ = (_e2538 + _e2651);
+                                                            phi_6696_ = (_e2538 + _e2651);
                                                         } else {
-                                                            phi_6700_ = _e2538;
+                                                            phi_6696_ = _e2538;
                                                         }
-                                                        let _e3703 = phi_6700_;
-                                                        phi_16667_ = _e3695;
-                                                        phi_6701_ = _e3703;
+                                                        let _e3703 = phi_6696_;
+                                                        phi_16660_ = _e3695;
+                                                        phi_6697_ = _e3703;
                                                     } else {
-                                                        phi_16667_ = _e2534;
-                                                        phi_6701_ = _e2538;
+                                                        phi_16660_ = _e2534;
+                                                        phi_6697_ = _e2538;
                                                     }
-                                                    let _e3705 = phi_16667_;
-                                                    let _e3707 = phi_6701_;
-                                                    phi_16666_ = _e3705;
-                                                    phi_5167_ = _e3707;
+                                                    let _e3705 = phi_16660_;
+                                                    let _e3707 = phi_6697_;
+                                                    phi_16659_ = _e3705;
+                                                    phi_5164_ = _e3707;
                                                 } else {
-                                                    phi_16666_ = _e2534;
-                                                    phi_5167_ = f32();
+                                                    phi_16659_ = _e2534;
+                                                    phi_5164_ = f32();
                                                 }
-                                                let _e3709 = phi_16666_;
-                                                let _e3711 = phi_5167_;
+                                                let _e3709 = phi_16659_;
+                                                let _e3711 = phi_5164_;
                                                 continue;
                                                 continuing {
-                                                    phi_16557_ = _e3709;
-                                                    phi_5161_ = _e2551;
-                                                    phi_5166_ = _e3711;
-                                                    phi_16665_ = _e3709;
+                                                    phi_16550_ = _e3709;
+                                                    phi_5158_ = _e2551;
+                                                    phi_5163_ = _e3711;
+                                                    phi_16658_ = _e3709;
                                                     break if !(_e2557);
                                                 }
                                             }
-                                            let _e3714 = phi_16665_;
-                                            phi_16671_ = _e3714;
+                                            let _e3714 = phi_16658_;
+                                            phi_16664_ = _e3714;
                                             if _e3714 {
                                                 break;
                                             }
                                             let _e3716 = local_23;
                                             if (_e3716 <= 0f) {
-                                                phi_6730_ = 0f;
+                                                phi_6726_ = 0f;
                                             } else {
                                                 let _e3720 = local_24;
-                                                phi_6730_ = (_e3720 * _e292.member_3);
+                                                phi_6726_ = (_e3720 * _e292.member_3);
                                             }
-                                            let _e3723 = phi_6730_;
-                                            phi_16688_ = _e3714;
-                                            phi_6736_ = _e3723;
+                                            let _e3723 = phi_6726_;
+                                            phi_16681_ = _e3714;
+                                            phi_6732_ = _e3723;
                                         }
-                                        let _e3725 = phi_16688_;
-                                        let _e3727 = phi_6736_;
-                                        phi_16675_ = _e3725;
-                                        phi_9590_ = vec3<f32>((_e292.member_6[0] * _e3727), (_e292.member_6[1] * _e3727), (_e292.member_6[2] * _e3727));
-                                        phi_9591_ = vec3<f32>();
-                                        phi_9592_ = true;
+                                        let _e3725 = phi_16681_;
+                                        let _e3727 = phi_6732_;
+                                        phi_16668_ = _e3725;
+                                        phi_9584_ = vec3<f32>((_e292.member_6[0] * _e3727), (_e292.member_6[1] * _e3727), (_e292.member_6[2] * _e3727));
+                                        phi_9585_ = vec3<f32>();
+                                        phi_9586_ = true;
                                     } else {
                                         let _e323 = (_e292.member_1 == 2u);
                                         if _e323 {
@@ -5678,11 +5678,11 @@ fn function_() {
                                             let _e1425 = select(0f, _e1423, (_e1423 > 0f));
                                             if (_e1425 > 0f) {
                                                 if ((((_e162.member_4[0] * _e1416) + (_e162.member_4[1] * _e1417)) + (_e162.member_4[2] * _e1418)) < 0f) {
-                                                    phi_6782_ = -(_e162.member_9);
+                                                    phi_6778_ = -(_e162.member_9);
                                                 } else {
-                                                    phi_6782_ = _e162.member_9;
+                                                    phi_6778_ = _e162.member_9;
                                                 }
-                                                let _e1435 = phi_6782_;
+                                                let _e1435 = phi_6778_;
                                                 let _e1439 = (_e162.member[0] + (_e162.member_4[0] * _e1435));
                                                 let _e1440 = (_e162.member[1] + (_e162.member_4[1] * _e1435));
                                                 let _e1441 = (_e162.member[2] + (_e162.member_4[2] * _e1435));
@@ -5691,31 +5691,31 @@ fn function_() {
                                                 let _e1444 = abs(_e1418);
                                                 let _e1445 = (_e1442 > _e1443);
                                                 if _e1445 {
-                                                    phi_6808_ = (_e1442 > _e1444);
+                                                    phi_6804_ = (_e1442 > _e1444);
                                                 } else {
-                                                    phi_6808_ = (_e1443 > _e1444);
+                                                    phi_6804_ = (_e1443 > _e1444);
                                                 }
-                                                let _e1449 = phi_6808_;
+                                                let _e1449 = phi_6804_;
                                                 let _e1450 = select(1u, 0u, _e1445);
                                                 if _e1449 {
                                                     let _e1451 = (_e1450 + 1u);
-                                                    phi_6818_ = _e1451;
-                                                    phi_6821_ = select(true, false, (_e1451 == 2u));
+                                                    phi_6814_ = _e1451;
+                                                    phi_6817_ = select(true, false, (_e1451 == 2u));
                                                 } else {
-                                                    phi_6818_ = u32();
-                                                    phi_6821_ = false;
+                                                    phi_6814_ = u32();
+                                                    phi_6817_ = false;
                                                 }
-                                                let _e1455 = phi_6818_;
-                                                let _e1457 = phi_6821_;
+                                                let _e1455 = phi_6814_;
+                                                let _e1457 = phi_6817_;
                                                 let _e1458 = select(true, false, _e1449);
                                                 let _e1459 = select(_e1455, 0u, _e1458);
                                                 let _e1461 = select(_e1457, true, _e1458);
                                                 if _e1461 {
-                                                    phi_6832_ = (_e1459 + 1u);
+                                                    phi_6828_ = (_e1459 + 1u);
                                                 } else {
-                                                    phi_6832_ = 0u;
+                                                    phi_6828_ = 0u;
                                                 }
-                                                let _e1464 = phi_6832_;
+                                                let _e1464 = phi_6828_;
                                                 let _e1465 = select(_e1455, _e1459, _e1461);
                                                 let _e1466 = select(_e1450, select(_e1450, 2u, _e1458), _e1461);
                                                 local_7 = array<f32, 3>(_e1416, _e1417, _e1418);
@@ -5723,7 +5723,7 @@ fn function_() {
                                                 let _e1469 = (_e1466 < 3u);
                                                 if _e1469 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1471 = local_7[_e1466];
@@ -5731,7 +5731,7 @@ fn function_() {
                                                 let _e1473 = (_e1465 < 3u);
                                                 if _e1473 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1475 = local_7[_e1465];
@@ -5739,32 +5739,32 @@ fn function_() {
                                                 let _e1477 = (_e1464 < 3u);
                                                 if _e1477 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1479 = local_7[_e1464];
                                                 let _e1480 = (_e1479 * _e1472);
                                                 if _e1473 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1482 = local_8[_e1465];
                                                 if _e1477 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1484 = local_8[_e1464];
                                                 if _e1469 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1486 = local_8[_e1466];
                                                 if (0u < _e135) {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e1491 = nodes.member[0u].member_7[0u];
@@ -5789,38 +5789,38 @@ fn function_() {
                                                 let _e1533 = (_e1440 - _e1523);
                                                 let _e1534 = (_e1441 - _e1524);
                                                 if (_e1442 > _e1528) {
-                                                    phi_6962_ = (-1f / _e292.member_2[0]);
+                                                    phi_6958_ = (-1f / _e292.member_2[0]);
                                                 } else {
-                                                    phi_6962_ = (1000000000000f / _e1527);
+                                                    phi_6958_ = (1000000000000f / _e1527);
                                                 }
-                                                let _e1539 = phi_6962_;
+                                                let _e1539 = phi_6958_;
                                                 if (_e1443 > _e1528) {
-                                                    phi_6970_ = (-1f / _e292.member_2[1]);
+                                                    phi_6966_ = (-1f / _e292.member_2[1]);
                                                 } else {
-                                                    phi_6970_ = (1000000000000f / _e1527);
+                                                    phi_6966_ = (1000000000000f / _e1527);
                                                 }
-                                                let _e1544 = phi_6970_;
+                                                let _e1544 = phi_6966_;
                                                 if (_e1444 > _e1528) {
-                                                    phi_6978_ = (-1f / _e292.member_2[2]);
+                                                    phi_6974_ = (-1f / _e292.member_2[2]);
                                                 } else {
-                                                    phi_6978_ = (1000000000000f / _e1527);
+                                                    phi_6974_ = (1000000000000f / _e1527);
                                                 }
-                                                let _e1549 = phi_6978_;
+                                                let _e1549 = phi_6974_;
                                                 local_6 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                                phi_16415_ = _e284;
-                                                phi_6981_ = 0u;
-                                                phi_6984_ = 0u;
+                                                phi_16408_ = _e284;
+                                                phi_6977_ = 0u;
+                                                phi_6980_ = 0u;
                                                 loop {
-                                                    let _e1551 = phi_16415_;
-                                                    let _e1553 = phi_6981_;
-                                                    let _e1555 = phi_6984_;
+                                                    let _e1551 = phi_16408_;
+                                                    let _e1553 = phi_6977_;
+                                                    let _e1555 = phi_6980_;
                                                     let _e1556 = (_e1553 & 15u);
                                                     let _e1558 = (_e1553 >> bitcast<u32>(4u));
                                                     if (_e1556 == 0u) {
                                                         if (_e1558 < _e135) {
                                                         } else {
-                                                            phi_16471_ = true;
-                                                            phi_12427_ = bool();
+                                                            phi_16464_ = true;
+                                                            phi_12420_ = bool();
                                                             break;
                                                         }
                                                         let _e2188 = nodes.member[_e1558].member;
@@ -5904,148 +5904,148 @@ fn function_() {
                                                         if (select(340282350000000000000000000000000000000f, _e2323, (_e2323 <= select(340282350000000000000000000000000000000f, _e2363, (_e2363 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e1555 < 64u) {
                                                             } else {
-                                                                phi_16471_ = true;
-                                                                phi_12427_ = bool();
+                                                                phi_16464_ = true;
+                                                                phi_12420_ = bool();
                                                                 break;
                                                             }
                                                             local_6[_e1555] = _e2395;
-                                                            phi_7369_ = (_e1555 + 1u);
+                                                            phi_7365_ = (_e1555 + 1u);
                                                         } else {
-                                                            phi_7369_ = _e1555;
+                                                            phi_7365_ = _e1555;
                                                         }
-                                                        let _e2401 = phi_7369_;
+                                                        let _e2401 = phi_7365_;
                                                         if (select(340282350000000000000000000000000000000f, _e2321, (_e2321 <= select(340282350000000000000000000000000000000f, _e2361, (_e2361 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e2401 < 64u) {
                                                             } else {
-                                                                phi_16471_ = true;
-                                                                phi_12427_ = bool();
+                                                                phi_16464_ = true;
+                                                                phi_12420_ = bool();
                                                                 break;
                                                             }
                                                             local_6[_e2401] = _e2391;
-                                                            phi_7381_ = (_e2401 + 1u);
+                                                            phi_7377_ = (_e2401 + 1u);
                                                         } else {
-                                                            phi_7381_ = _e2401;
+                                                            phi_7377_ = _e2401;
                                                         }
-                                                        let _e2407 = phi_7381_;
+                                                        let _e2407 = phi_7377_;
                                                         if (select(340282350000000000000000000000000000000f, _e2319, (_e2319 <= select(340282350000000000000000000000000000000f, _e2359, (_e2359 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e2407 < 64u) {
                                                             } else {
-                                                                phi_16471_ = true;
-                                                                phi_12427_ = bool();
+                                                                phi_16464_ = true;
+                                                                phi_12420_ = bool();
                                                                 break;
                                                             }
                                                             local_6[_e2407] = _e2387;
-                                                            phi_7393_ = (_e2407 + 1u);
+                                                            phi_7389_ = (_e2407 + 1u);
                                                         } else {
-                                                            phi_7393_ = _e2407;
+                                                            phi_7389_ = _e2407;
                                                         }
-                                                        let _e2413 = phi_7393_;
+                                                        let _e2413 = phi_7389_;
                                                         if (select(340282350000000000000000000000000000000f, _e2317, (_e2317 <= select(340282350000000000000000000000000000000f, _e2357, (_e2357 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e2413 < 64u) {
                                                             } else {
-                                                                phi_16471_ = true;
-                                                                phi_12427_ = bool();
+                                                                phi_16464_ = true;
+                                                                phi_12420_ = bool();
                                                                 break;
                                                             }
                                                             local_6[_e2413] = _e2383;
-                                                            phi_7405_ = (_e2413 + 1u);
+                                                            phi_7401_ = (_e2413 + 1u);
                                                         } else {
-                                                            phi_7405_ = _e2413;
+                                                            phi_7401_ = _e2413;
                                                         }
-                                                        let _e2419 = phi_7405_;
-                                                        phi_16473_ = _e1551;
-                                                        phi_8098_ = _e2419;
-                                                        phi_8099_ = true;
+                                                        let _e2419 = phi_7401_;
+                                                        phi_16466_ = _e1551;
+                                                        phi_8093_ = _e2419;
+                                                        phi_8094_ = true;
                                                     } else {
-                                                        phi_7409_ = type_8(_e1558, (_e1558 + _e1556));
+                                                        phi_7405_ = type_8(_e1558, (_e1558 + _e1556));
                                                         loop {
-                                                            let _e1563 = phi_7409_;
+                                                            let _e1563 = phi_7405_;
                                                             if (_e1563.member < _e1563.member_1) {
-                                                                phi_7410_ = type_8((_e1563.member + 1u), _e1563.member_1);
-                                                                phi_7433_ = type_8(1u, _e1563.member);
+                                                                phi_7406_ = type_8((_e1563.member + 1u), _e1563.member_1);
+                                                                phi_7429_ = type_8(1u, _e1563.member);
                                                             } else {
-                                                                phi_7410_ = _e1563;
-                                                                phi_7433_ = type_8(0u, type_8().member_1);
+                                                                phi_7406_ = _e1563;
+                                                                phi_7429_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1576 = phi_7410_;
-                                                            let _e1578 = phi_7433_;
+                                                            let _e1576 = phi_7406_;
+                                                            let _e1578 = phi_7429_;
                                                             let _e1582 = (bitcast<i32>(_e1578.member) != 0i);
                                                             if _e1582 {
                                                                 let _e1583 = (_e1578.member_1 < _e138);
                                                                 if _e1583 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 if _e1469 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1587 = triangles.member[_e1578.member_1].member[_e1466];
                                                                 let _e1588 = (_e1587 - _e1486);
                                                                 if _e1469 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1592 = triangles.member[_e1578.member_1].member_2[_e1466];
                                                                 let _e1593 = (_e1592 - _e1486);
                                                                 if _e1469 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1597 = triangles.member[_e1578.member_1].member_4[_e1466];
                                                                 let _e1598 = (_e1597 - _e1486);
                                                                 if _e1473 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1602 = triangles.member[_e1578.member_1].member[_e1465];
                                                                 let _e1605 = ((_e1602 - _e1482) - (_e1476 * _e1588));
                                                                 if _e1477 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1609 = triangles.member[_e1578.member_1].member[_e1464];
                                                                 let _e1612 = ((_e1609 - _e1484) - (_e1480 * _e1588));
                                                                 if _e1473 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1616 = triangles.member[_e1578.member_1].member_2[_e1465];
                                                                 let _e1619 = ((_e1616 - _e1482) - (_e1476 * _e1593));
                                                                 if _e1477 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1623 = triangles.member[_e1578.member_1].member_2[_e1464];
                                                                 let _e1626 = ((_e1623 - _e1484) - (_e1480 * _e1593));
                                                                 if _e1473 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1630 = triangles.member[_e1578.member_1].member_4[_e1465];
                                                                 let _e1633 = ((_e1630 - _e1482) - (_e1476 * _e1598));
                                                                 if _e1477 {
                                                                 } else {
-                                                                    phi_16411_ = true;
-                                                                    phi_12426_ = bool();
+                                                                    phi_16404_ = true;
+                                                                    phi_12419_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e1637 = triangles.member[_e1578.member_1].member_4[_e1464];
@@ -6053,7 +6053,7 @@ fn function_() {
                                                                 let _e1641 = (_e1633 * _e1626);
                                                                 let _e1642 = (_e1640 * _e1619);
                                                                 if (_e1641 != _e1642) {
-                                                                    phi_7549_ = (_e1641 - _e1642);
+                                                                    phi_7545_ = (_e1641 - _e1642);
                                                                 } else {
                                                                     let _e1644 = (_e1633 * 4097f);
                                                                     let _e1646 = (_e1644 - (_e1644 - _e1633));
@@ -6067,13 +6067,13 @@ fn function_() {
                                                                     let _e1665 = (_e1663 - (_e1663 - _e1619));
                                                                     let _e1666 = (_e1640 - _e1662);
                                                                     let _e1667 = (_e1619 - _e1665);
-                                                                    phi_7549_ = ((((((_e1646 * _e1649) - _e1641) + (_e1646 * _e1651)) + (_e1650 * _e1649)) + (_e1650 * _e1651)) - (((((_e1662 * _e1665) - _e1642) + (_e1662 * _e1667)) + (_e1666 * _e1665)) + (_e1666 * _e1667)));
+                                                                    phi_7545_ = ((((((_e1646 * _e1649) - _e1641) + (_e1646 * _e1651)) + (_e1650 * _e1649)) + (_e1650 * _e1651)) - (((((_e1662 * _e1665) - _e1642) + (_e1662 * _e1667)) + (_e1666 * _e1665)) + (_e1666 * _e1667)));
                                                                 }
-                                                                let _e1679 = phi_7549_;
+                                                                let _e1679 = phi_7545_;
                                                                 let _e1680 = (_e1605 * _e1640);
                                                                 let _e1681 = (_e1612 * _e1633);
                                                                 if (_e1680 != _e1681) {
-                                                                    phi_7560_ = (_e1680 - _e1681);
+                                                                    phi_7556_ = (_e1680 - _e1681);
                                                                 } else {
                                                                     let _e1683 = (_e1605 * 4097f);
                                                                     let _e1685 = (_e1683 - (_e1683 - _e1605));
@@ -6087,13 +6087,13 @@ fn function_() {
                                                                     let _e1704 = (_e1702 - (_e1702 - _e1633));
                                                                     let _e1705 = (_e1612 - _e1701);
                                                                     let _e1706 = (_e1633 - _e1704);
-                                                                    phi_7560_ = ((((((_e1685 * _e1688) - _e1680) + (_e1685 * _e1690)) + (_e1689 * _e1688)) + (_e1689 * _e1690)) - (((((_e1701 * _e1704) - _e1681) + (_e1701 * _e1706)) + (_e1705 * _e1704)) + (_e1705 * _e1706)));
+                                                                    phi_7556_ = ((((((_e1685 * _e1688) - _e1680) + (_e1685 * _e1690)) + (_e1689 * _e1688)) + (_e1689 * _e1690)) - (((((_e1701 * _e1704) - _e1681) + (_e1701 * _e1706)) + (_e1705 * _e1704)) + (_e1705 * _e1706)));
                                                                 }
-                                                                let _e1718 = phi_7560_;
+                                                                let _e1718 = phi_7556_;
                                                                 let _e1719 = (_e1619 * _e1612);
                                                                 let _e1720 = (_e1626 * _e1605);
                                                                 if (_e1719 != _e1720) {
-                                                                    phi_7571_ = (_e1719 - _e1720);
+                                                                    phi_7567_ = (_e1719 - _e1720);
                                                                 } else {
                                                                     let _e1722 = (_e1619 * 4097f);
                                                                     let _e1724 = (_e1722 - (_e1722 - _e1619));
@@ -6107,71 +6107,71 @@ fn function_() {
                                                                     let _e1743 = (_e1741 - (_e1741 - _e1605));
                                                                     let _e1744 = (_e1626 - _e1740);
                                                                     let _e1745 = (_e1605 - _e1743);
-                                                                    phi_7571_ = ((((((_e1724 * _e1727) - _e1719) + (_e1724 * _e1729)) + (_e1728 * _e1727)) + (_e1728 * _e1729)) - (((((_e1740 * _e1743) - _e1720) + (_e1740 * _e1745)) + (_e1744 * _e1743)) + (_e1744 * _e1745)));
+                                                                    phi_7567_ = ((((((_e1724 * _e1727) - _e1719) + (_e1724 * _e1729)) + (_e1728 * _e1727)) + (_e1728 * _e1729)) - (((((_e1740 * _e1743) - _e1720) + (_e1740 * _e1745)) + (_e1744 * _e1743)) + (_e1744 * _e1745)));
                                                                 }
-                                                                let _e1757 = phi_7571_;
+                                                                let _e1757 = phi_7567_;
                                                                 if (_e1679 < 0f) {
-                                                                    phi_7589_ = f32();
-                                                                    phi_7590_ = true;
+                                                                    phi_7585_ = f32();
+                                                                    phi_7586_ = true;
                                                                 } else {
                                                                     if (_e1718 < 0f) {
-                                                                        phi_7587_ = f32();
-                                                                        phi_7588_ = true;
+                                                                        phi_7583_ = f32();
+                                                                        phi_7584_ = true;
                                                                     } else {
                                                                         let _e1760 = (_e1757 < 0f);
                                                                         if _e1760 {
-                                                                            phi_7586_ = f32();
+                                                                            phi_7582_ = f32();
                                                                         } else {
-                                                                            phi_7586_ = ((_e1679 + _e1718) + _e1757);
+                                                                            phi_7582_ = ((_e1679 + _e1718) + _e1757);
                                                                         }
-                                                                        let _e1764 = phi_7586_;
-                                                                        phi_7587_ = _e1764;
-                                                                        phi_7588_ = _e1760;
+                                                                        let _e1764 = phi_7582_;
+                                                                        phi_7583_ = _e1764;
+                                                                        phi_7584_ = _e1760;
                                                                     }
-                                                                    let _e1766 = phi_7587_;
-                                                                    let _e1768 = phi_7588_;
-                                                                    phi_7589_ = _e1766;
-                                                                    phi_7590_ = _e1768;
+                                                                    let _e1766 = phi_7583_;
+                                                                    let _e1768 = phi_7584_;
+                                                                    phi_7585_ = _e1766;
+                                                                    phi_7586_ = _e1768;
                                                                 }
-                                                                let _e1770 = phi_7589_;
-                                                                let _e1772 = phi_7590_;
+                                                                let _e1770 = phi_7585_;
+                                                                let _e1772 = phi_7586_;
                                                                 if _e1772 {
                                                                     if (_e1679 > 0f) {
-                                                                        phi_7611_ = f32();
-                                                                        phi_7612_ = true;
-                                                                        phi_7613_ = false;
+                                                                        phi_7607_ = f32();
+                                                                        phi_7608_ = true;
+                                                                        phi_7609_ = false;
                                                                     } else {
                                                                         let _e1774 = (_e1718 > 0f);
                                                                         if _e1774 {
-                                                                            phi_7609_ = f32();
-                                                                            phi_7610_ = false;
+                                                                            phi_7605_ = f32();
+                                                                            phi_7606_ = false;
                                                                         } else {
-                                                                            phi_7609_ = ((_e1679 + _e1718) + _e1757);
-                                                                            phi_7610_ = select(true, false, (_e1757 > 0f));
+                                                                            phi_7605_ = ((_e1679 + _e1718) + _e1757);
+                                                                            phi_7606_ = select(true, false, (_e1757 > 0f));
                                                                         }
-                                                                        let _e1780 = phi_7609_;
-                                                                        let _e1782 = phi_7610_;
-                                                                        phi_7611_ = _e1780;
-                                                                        phi_7612_ = _e1774;
-                                                                        phi_7613_ = _e1782;
+                                                                        let _e1780 = phi_7605_;
+                                                                        let _e1782 = phi_7606_;
+                                                                        phi_7607_ = _e1780;
+                                                                        phi_7608_ = _e1774;
+                                                                        phi_7609_ = _e1782;
                                                                     }
-                                                                    let _e1784 = phi_7611_;
-                                                                    let _e1786 = phi_7612_;
-                                                                    let _e1788 = phi_7613_;
-                                                                    phi_7618_ = _e1784;
-                                                                    phi_7619_ = select(_e1788, false, _e1786);
+                                                                    let _e1784 = phi_7607_;
+                                                                    let _e1786 = phi_7608_;
+                                                                    let _e1788 = phi_7609_;
+                                                                    phi_7614_ = _e1784;
+                                                                    phi_7615_ = select(_e1788, false, _e1786);
                                                                 } else {
-                                                                    phi_7618_ = _e1770;
-                                                                    phi_7619_ = true;
+                                                                    phi_7614_ = _e1770;
+                                                                    phi_7615_ = true;
                                                                 }
-                                                                let _e1791 = phi_7618_;
-                                                                let _e1793 = phi_7619_;
+                                                                let _e1791 = phi_7614_;
+                                                                let _e1793 = phi_7615_;
                                                                 if _e1793 {
                                                                     let _e1794 = (_e1791 == 0f);
                                                                     if _e1794 {
-                                                                        phi_7707_ = array<f32, 3>();
-                                                                        phi_7708_ = array<f32, 3>();
-                                                                        phi_7709_ = false;
+                                                                        phi_7703_ = array<f32, 3>();
+                                                                        phi_7704_ = array<f32, 3>();
+                                                                        phi_7705_ = false;
                                                                     } else {
                                                                         let _e1795 = (_e1588 * _e1472);
                                                                         let _e1796 = (_e1593 * _e1472);
@@ -6194,8 +6194,8 @@ fn function_() {
                                                                         let _e1828 = abs(_e1797);
                                                                         let _e1835 = (((select(_e1813, _e1812, (_e1812 > _e1813)) * select(_e1820, _e1819, (_e1819 > _e1820))) * select(_e1828, _e1827, (_e1827 > _e1828))) <= (abs((_e1791 * _e1808)) * 256f));
                                                                         if _e1835 {
-                                                                            phi_7705_ = array<f32, 3>(_e1808, _e1801, _e1802);
-                                                                            phi_7706_ = array<f32, 3>();
+                                                                            phi_7701_ = array<f32, 3>(_e1808, _e1801, _e1802);
+                                                                            phi_7702_ = array<f32, 3>();
                                                                         } else {
                                                                             let _e1837 = (_e1633 * 4097f);
                                                                             let _e1839 = (_e1837 - (_e1837 - _e1633));
@@ -6221,44 +6221,44 @@ fn function_() {
                                                                             let _e1919 = (1f / ((_e1870 + _e1897) + _e1916));
                                                                             let _e1920 = (_e1897 * _e1919);
                                                                             let _e1921 = (_e1916 * _e1919);
-                                                                            phi_7705_ = array<f32, 3>();
-                                                                            phi_7706_ = array<f32, 3>(((((_e1870 * _e1919) * _e1795) + (_e1920 * _e1796)) + (_e1921 * _e1797)), _e1920, _e1921);
+                                                                            phi_7701_ = array<f32, 3>();
+                                                                            phi_7702_ = array<f32, 3>(((((_e1870 * _e1919) * _e1795) + (_e1920 * _e1796)) + (_e1921 * _e1797)), _e1920, _e1921);
                                                                         }
-                                                                        let _e1931 = phi_7705_;
-                                                                        let _e1933 = phi_7706_;
-                                                                        phi_7707_ = _e1931;
-                                                                        phi_7708_ = _e1933;
-                                                                        phi_7709_ = _e1835;
+                                                                        let _e1931 = phi_7701_;
+                                                                        let _e1933 = phi_7702_;
+                                                                        phi_7703_ = _e1931;
+                                                                        phi_7704_ = _e1933;
+                                                                        phi_7705_ = _e1835;
                                                                     }
-                                                                    let _e1935 = phi_7707_;
-                                                                    let _e1937 = phi_7708_;
-                                                                    let _e1939 = phi_7709_;
-                                                                    phi_7710_ = _e1935;
-                                                                    phi_7711_ = _e1937;
-                                                                    phi_7712_ = _e1794;
-                                                                    phi_7713_ = _e1939;
+                                                                    let _e1935 = phi_7703_;
+                                                                    let _e1937 = phi_7704_;
+                                                                    let _e1939 = phi_7705_;
+                                                                    phi_7706_ = _e1935;
+                                                                    phi_7707_ = _e1937;
+                                                                    phi_7708_ = _e1794;
+                                                                    phi_7709_ = _e1939;
                                                                 } else {
-                                                                    phi_7710_ = array<f32, 3>();
-                                                                    phi_7711_ = array<f32, 3>();
-                                                                    phi_7712_ = true;
-                                                                    phi_7713_ = false;
+                                                                    phi_7706_ = array<f32, 3>();
+                                                                    phi_7707_ = array<f32, 3>();
+                                                                    phi_7708_ = true;
+                                                                    phi_7709_ = false;
                                                                 }
-                                                                let _e1941 = phi_7710_;
-                                                                let _e1943 = phi_7711_;
-                                                                let _e1945 = phi_7712_;
-                                                                let _e1947 = phi_7713_;
+                                                                let _e1941 = phi_7706_;
+                                                                let _e1943 = phi_7707_;
+                                                                let _e1945 = phi_7708_;
+                                                                let _e1947 = phi_7709_;
                                                                 if _e1945 {
-                                                                    phi_7718_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                    phi_7714_ = array<f32, 3>(-1f, 0f, 0f);
                                                                 } else {
-                                                                    phi_7718_ = _e1941;
+                                                                    phi_7714_ = _e1941;
                                                                 }
-                                                                let _e1949 = phi_7718_;
+                                                                let _e1949 = phi_7714_;
                                                                 if select(_e1947, true, _e1945) {
-                                                                    phi_7723_ = _e1949;
+                                                                    phi_7719_ = _e1949;
                                                                 } else {
-                                                                    phi_7723_ = _e1943;
+                                                                    phi_7719_ = _e1943;
                                                                 }
-                                                                let _e1952 = phi_7723_;
+                                                                let _e1952 = phi_7719_;
                                                                 let _e1956 = (_e1952[0] >= 0f);
                                                                 if _e1956 {
                                                                     let _e1957 = (_e1952[0] < 340282350000000000000000000000000000000f);
@@ -6266,79 +6266,79 @@ fn function_() {
                                                                         if _e1956 {
                                                                             if _e1583 {
                                                                             } else {
-                                                                                phi_16411_ = true;
-                                                                                phi_12426_ = bool();
+                                                                                phi_16404_ = true;
+                                                                                phi_12419_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1960 = triangles.member[_e1578.member_1].member_3;
                                                                             if ((_e1960 & 1u) == 0u) {
-                                                                                phi_8056_ = true;
+                                                                                phi_8051_ = true;
                                                                             } else {
                                                                                 if _e1583 {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1965 = triangles.member[_e1578.member_1].member_1;
                                                                                 let _e1966 = (_e1965 * 12u);
                                                                                 if ((256u + _e1966) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e1966 + 257u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e1966 + 258u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1973 = (_e1966 + 259u);
                                                                                 if (_e1973 < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1976 = surfaces.member[_e1973];
                                                                                 if ((_e1966 + 260u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e1966 + 261u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e1966 + 262u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1983 = (_e1966 + 263u);
                                                                                 if (_e1983 < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1986 = surfaces.member[_e1983];
                                                                                 let _e1987 = (_e1966 + 264u);
                                                                                 if (_e1987 < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1990 = surfaces.member[_e1987];
@@ -6346,31 +6346,31 @@ fn function_() {
                                                                                 let _e1992 = (_e1966 + 265u);
                                                                                 if (_e1992 < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1995 = surfaces.member[_e1992];
                                                                                 let _e1996 = bitcast<f32>(_e1995);
                                                                                 if ((_e1966 + 266u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e1966 + 267u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16411_ = true;
-                                                                                    phi_12426_ = bool();
+                                                                                    phi_16404_ = true;
+                                                                                    phi_12419_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if (_e1976 == 4294967295u) {
-                                                                                    phi_8051_ = (_e1991 < _e1996);
+                                                                                    phi_8046_ = (_e1991 < _e1996);
                                                                                 } else {
                                                                                     if (_e1578.member_1 < _e141) {
                                                                                     } else {
-                                                                                        phi_16411_ = true;
-                                                                                        phi_12426_ = bool();
+                                                                                        phi_16404_ = true;
+                                                                                        phi_12419_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e2004 = ((1f - _e1952[1]) - _e1952[2]);
@@ -6390,36 +6390,36 @@ fn function_() {
                                                                                     let _e2050 = (_e2048 - _e2049);
                                                                                     let _e2051 = (_e2039 - 1u);
                                                                                     if (_e2049 < 0f) {
-                                                                                        phi_7934_ = _e2051;
+                                                                                        phi_7929_ = _e2051;
                                                                                     } else {
                                                                                         let _e2057 = select(select(u32(_e2049), 0u, (_e2049 < 0f)), 4294967295u, (_e2049 > 4294967000f));
-                                                                                        phi_7934_ = select(_e2057, _e2051, (_e2051 < _e2057));
+                                                                                        phi_7929_ = select(_e2057, _e2051, (_e2051 < _e2057));
                                                                                     }
-                                                                                    let _e2061 = phi_7934_;
+                                                                                    let _e2061 = phi_7929_;
                                                                                     if (_e2061 == _e2051) {
-                                                                                        phi_7940_ = 0u;
+                                                                                        phi_7935_ = 0u;
                                                                                     } else {
-                                                                                        phi_7940_ = (_e2061 + 1u);
+                                                                                        phi_7935_ = (_e2061 + 1u);
                                                                                     }
-                                                                                    let _e2065 = phi_7940_;
+                                                                                    let _e2065 = phi_7935_;
                                                                                     let _e2067 = (_e2038 - floor(_e2038));
                                                                                     let _e2072 = ((select(0f, _e2067, (_e2067 <= 1f)) * f32(_e2041)) - 0.5f);
                                                                                     let _e2073 = floor(_e2072);
                                                                                     let _e2074 = (_e2072 - _e2073);
                                                                                     let _e2075 = (_e2041 - 1u);
                                                                                     if (_e2073 < 0f) {
-                                                                                        phi_7970_ = _e2075;
+                                                                                        phi_7965_ = _e2075;
                                                                                     } else {
                                                                                         let _e2081 = select(select(u32(_e2073), 0u, (_e2073 < 0f)), 4294967295u, (_e2073 > 4294967000f));
-                                                                                        phi_7970_ = select(_e2081, _e2075, (_e2075 < _e2081));
+                                                                                        phi_7965_ = select(_e2081, _e2075, (_e2075 < _e2081));
                                                                                     }
-                                                                                    let _e2085 = phi_7970_;
+                                                                                    let _e2085 = phi_7965_;
                                                                                     if (_e2085 == _e2075) {
-                                                                                        phi_7976_ = 0u;
+                                                                                        phi_7971_ = 0u;
                                                                                     } else {
-                                                                                        phi_7976_ = (_e2085 + 1u);
+                                                                                        phi_7971_ = (_e2085 + 1u);
                                                                                     }
-                                                                                    let _e2089 = phi_7976_;
+                                                                                    let _e2089 = phi_7971_;
                                                                                     let _e2091 = (_e1976 + (_e2085 * _e2039));
                                                                                     let _e2093 = (_e1976 + (_e2089 * _e2039));
                                                                                     let _e2094 = (_e2091 + _e2061);
@@ -6428,181 +6428,181 @@ fn function_() {
                                                                                     let _e2097 = (_e2093 + _e2065);
                                                                                     if (_e2094 < _e144) {
                                                                                     } else {
-                                                                                        phi_16411_ = true;
-                                                                                        phi_12426_ = bool();
+                                                                                        phi_16404_ = true;
+                                                                                        phi_12419_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e2100 = surfaces.member[_e2094];
                                                                                     if (_e2095 < _e144) {
                                                                                     } else {
-                                                                                        phi_16411_ = true;
-                                                                                        phi_12426_ = bool();
+                                                                                        phi_16404_ = true;
+                                                                                        phi_12419_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e2103 = surfaces.member[_e2095];
                                                                                     if (_e2096 < _e144) {
                                                                                     } else {
-                                                                                        phi_16411_ = true;
-                                                                                        phi_12426_ = bool();
+                                                                                        phi_16404_ = true;
+                                                                                        phi_12419_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e2106 = surfaces.member[_e2096];
                                                                                     if (_e2097 < _e144) {
                                                                                     } else {
-                                                                                        phi_16411_ = true;
-                                                                                        phi_12426_ = bool();
+                                                                                        phi_16404_ = true;
+                                                                                        phi_12419_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e2109 = surfaces.member[_e2097];
                                                                                     let _e2126 = (1f - _e2050);
-                                                                                    phi_8051_ = ((_e1991 * (((((f32((_e2100 >> bitcast<u32>(24i))) * 0.003921569f) * _e2126) + ((f32((_e2103 >> bitcast<u32>(24i))) * 0.003921569f) * _e2050)) * (1f - _e2074)) + ((((f32((_e2106 >> bitcast<u32>(24i))) * 0.003921569f) * _e2126) + ((f32((_e2109 >> bitcast<u32>(24i))) * 0.003921569f) * _e2050)) * _e2074))) < _e1996);
+                                                                                    phi_8046_ = ((_e1991 * (((((f32((_e2100 >> bitcast<u32>(24i))) * 0.003921569f) * _e2126) + ((f32((_e2103 >> bitcast<u32>(24i))) * 0.003921569f) * _e2050)) * (1f - _e2074)) + ((((f32((_e2106 >> bitcast<u32>(24i))) * 0.003921569f) * _e2126) + ((f32((_e2109 >> bitcast<u32>(24i))) * 0.003921569f) * _e2050)) * _e2074))) < _e1996);
                                                                                 }
-                                                                                let _e2141 = phi_8051_;
-                                                                                phi_8056_ = select(true, false, _e2141);
+                                                                                let _e2141 = phi_8046_;
+                                                                                phi_8051_ = select(true, false, _e2141);
                                                                             }
-                                                                            let _e2144 = phi_8056_;
+                                                                            let _e2144 = phi_8051_;
                                                                             if _e2144 {
-                                                                                phi_8061_ = type_44(_e1952[0], _e1578.member_1, _e1952[1], _e1952[2]);
+                                                                                phi_8056_ = type_44(_e1952[0], _e1578.member_1, _e1952[1], _e1952[2]);
                                                                             } else {
-                                                                                phi_8061_ = type_44();
+                                                                                phi_8056_ = type_44();
                                                                             }
-                                                                            let _e2147 = phi_8061_;
-                                                                            phi_8063_ = _e2147;
-                                                                            phi_8065_ = select(true, false, _e2144);
+                                                                            let _e2147 = phi_8056_;
+                                                                            phi_8058_ = _e2147;
+                                                                            phi_8060_ = select(true, false, _e2144);
                                                                         } else {
-                                                                            phi_8063_ = type_44();
-                                                                            phi_8065_ = false;
+                                                                            phi_8058_ = type_44();
+                                                                            phi_8060_ = false;
                                                                         }
-                                                                        let _e2150 = phi_8063_;
-                                                                        let _e2152 = phi_8065_;
-                                                                        phi_8066_ = _e2150;
-                                                                        phi_8068_ = select(true, false, _e1956);
-                                                                        phi_8069_ = _e2152;
+                                                                        let _e2150 = phi_8058_;
+                                                                        let _e2152 = phi_8060_;
+                                                                        phi_8061_ = _e2150;
+                                                                        phi_8063_ = select(true, false, _e1956);
+                                                                        phi_8064_ = _e2152;
                                                                     } else {
-                                                                        phi_8066_ = type_44();
-                                                                        phi_8068_ = false;
-                                                                        phi_8069_ = false;
+                                                                        phi_8061_ = type_44();
+                                                                        phi_8063_ = false;
+                                                                        phi_8064_ = false;
                                                                     }
-                                                                    let _e2155 = phi_8066_;
-                                                                    let _e2157 = phi_8068_;
-                                                                    let _e2159 = phi_8069_;
-                                                                    phi_8070_ = _e2155;
-                                                                    phi_8071_ = select(true, false, _e1957);
-                                                                    phi_8072_ = _e2157;
-                                                                    phi_8073_ = _e2159;
+                                                                    let _e2155 = phi_8061_;
+                                                                    let _e2157 = phi_8063_;
+                                                                    let _e2159 = phi_8064_;
+                                                                    phi_8065_ = _e2155;
+                                                                    phi_8066_ = select(true, false, _e1957);
+                                                                    phi_8067_ = _e2157;
+                                                                    phi_8068_ = _e2159;
                                                                 } else {
-                                                                    phi_8070_ = type_44();
-                                                                    phi_8071_ = true;
-                                                                    phi_8072_ = false;
-                                                                    phi_8073_ = false;
+                                                                    phi_8065_ = type_44();
+                                                                    phi_8066_ = true;
+                                                                    phi_8067_ = false;
+                                                                    phi_8068_ = false;
                                                                 }
-                                                                let _e2162 = phi_8070_;
-                                                                let _e2164 = phi_8071_;
-                                                                let _e2166 = phi_8072_;
-                                                                let _e2168 = phi_8073_;
+                                                                let _e2162 = phi_8065_;
+                                                                let _e2164 = phi_8066_;
+                                                                let _e2166 = phi_8067_;
+                                                                let _e2168 = phi_8068_;
                                                                 if select(select(_e2168, false, _e2164), true, select(_e2166, true, _e2164)) {
-                                                                    phi_8086_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
+                                                                    phi_8081_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                                                                 } else {
-                                                                    phi_8086_ = _e2162;
+                                                                    phi_8081_ = _e2162;
                                                                 }
-                                                                let _e2173 = phi_8086_;
-                                                                phi_8093_ = select(true, false, (_e2173.member_1 != 4294967295u));
+                                                                let _e2173 = phi_8081_;
+                                                                phi_8088_ = select(true, false, (_e2173.member_1 != 4294967295u));
                                                             } else {
-                                                                phi_8093_ = false;
+                                                                phi_8088_ = false;
                                                             }
-                                                            let _e2178 = phi_8093_;
+                                                            let _e2178 = phi_8088_;
                                                             continue;
                                                             continuing {
-                                                                phi_7409_ = _e1576;
-                                                                phi_16411_ = _e1551;
-                                                                phi_12426_ = select(true, false, _e1582);
+                                                                phi_7405_ = _e1576;
+                                                                phi_16404_ = _e1551;
+                                                                phi_12419_ = select(true, false, _e1582);
                                                                 break if !(_e2178);
                                                             }
                                                         }
-                                                        let _e2182 = phi_16411_;
-                                                        let _e2184 = phi_12426_;
-                                                        phi_16471_ = _e2182;
-                                                        phi_12427_ = bool();
+                                                        let _e2182 = phi_16404_;
+                                                        let _e2184 = phi_12419_;
+                                                        phi_16464_ = _e2182;
+                                                        phi_12420_ = bool();
                                                         if _e2182 {
                                                             break;
                                                         }
-                                                        phi_16473_ = _e2182;
-                                                        phi_8098_ = _e1555;
-                                                        phi_8099_ = _e2184;
+                                                        phi_16466_ = _e2182;
+                                                        phi_8093_ = _e1555;
+                                                        phi_8094_ = _e2184;
                                                     }
-                                                    let _e2421 = phi_16473_;
-                                                    let _e2423 = phi_8098_;
-                                                    let _e2425 = phi_8099_;
+                                                    let _e2421 = phi_16466_;
+                                                    let _e2423 = phi_8093_;
+                                                    let _e2425 = phi_8094_;
                                                     if _e2425 {
                                                         let _e2426 = (_e2423 == 0u);
                                                         if _e2426 {
-                                                            phi_8115_ = u32();
-                                                            phi_8116_ = u32();
+                                                            phi_8110_ = u32();
+                                                            phi_8111_ = u32();
                                                         } else {
                                                             let _e2427 = (_e2423 - 1u);
                                                             if (_e2427 < 64u) {
                                                             } else {
-                                                                phi_16471_ = true;
-                                                                phi_12427_ = bool();
+                                                                phi_16464_ = true;
+                                                                phi_12420_ = bool();
                                                                 break;
                                                             }
                                                             let _e2430 = local_6[_e2427];
-                                                            phi_8115_ = _e2430;
-                                                            phi_8116_ = _e2427;
+                                                            phi_8110_ = _e2430;
+                                                            phi_8111_ = _e2427;
                                                         }
-                                                        let _e2432 = phi_8115_;
-                                                        let _e2434 = phi_8116_;
-                                                        phi_6982_ = _e2432;
-                                                        phi_6985_ = _e2434;
-                                                        phi_8118_ = select(true, false, _e2426);
-                                                        phi_8119_ = _e2426;
+                                                        let _e2432 = phi_8110_;
+                                                        let _e2434 = phi_8111_;
+                                                        phi_6978_ = _e2432;
+                                                        phi_6981_ = _e2434;
+                                                        phi_8113_ = select(true, false, _e2426);
+                                                        phi_8114_ = _e2426;
                                                     } else {
-                                                        phi_6982_ = u32();
-                                                        phi_6985_ = u32();
-                                                        phi_8118_ = false;
-                                                        phi_8119_ = false;
+                                                        phi_6978_ = u32();
+                                                        phi_6981_ = u32();
+                                                        phi_8113_ = false;
+                                                        phi_8114_ = false;
                                                     }
-                                                    let _e2437 = phi_6982_;
-                                                    let _e2439 = phi_6985_;
-                                                    let _e2441 = phi_8118_;
-                                                    let _e2443 = phi_8119_;
+                                                    let _e2437 = phi_6978_;
+                                                    let _e2439 = phi_6981_;
+                                                    let _e2441 = phi_8113_;
+                                                    let _e2443 = phi_8114_;
                                                     continue;
                                                     continuing {
-                                                        phi_16415_ = _e2421;
-                                                        phi_6981_ = _e2437;
-                                                        phi_6984_ = _e2439;
-                                                        phi_16471_ = _e2421;
-                                                        phi_12427_ = _e2443;
+                                                        phi_16408_ = _e2421;
+                                                        phi_6977_ = _e2437;
+                                                        phi_6980_ = _e2439;
+                                                        phi_16464_ = _e2421;
+                                                        phi_12420_ = _e2443;
                                                         break if !(_e2441);
                                                     }
                                                 }
-                                                let _e2446 = phi_16471_;
-                                                let _e2448 = phi_12427_;
-                                                phi_16671_ = _e2446;
+                                                let _e2446 = phi_16464_;
+                                                let _e2448 = phi_12420_;
+                                                phi_16664_ = _e2446;
                                                 if _e2446 {
                                                     break;
                                                 }
                                                 let _e2450 = select(false, true, select(true, false, _e2448));
                                                 if _e2450 {
-                                                    phi_8135_ = vec3<f32>();
+                                                    phi_8130_ = vec3<f32>();
                                                 } else {
-                                                    phi_8135_ = vec3<f32>((_e292.member_6[0] * _e1425), (_e292.member_6[1] * _e1425), (_e292.member_6[2] * _e1425));
+                                                    phi_8130_ = vec3<f32>((_e292.member_6[0] * _e1425), (_e292.member_6[1] * _e1425), (_e292.member_6[2] * _e1425));
                                                 }
-                                                let _e2456 = phi_8135_;
-                                                phi_16683_ = _e2446;
-                                                phi_8136_ = _e2456;
-                                                phi_8137_ = _e2450;
+                                                let _e2456 = phi_8130_;
+                                                phi_16676_ = _e2446;
+                                                phi_8131_ = _e2456;
+                                                phi_8132_ = _e2450;
                                             } else {
-                                                phi_16683_ = _e284;
-                                                phi_8136_ = vec3<f32>();
-                                                phi_8137_ = true;
+                                                phi_16676_ = _e284;
+                                                phi_8131_ = vec3<f32>();
+                                                phi_8132_ = true;
                                             }
-                                            let _e2458 = phi_16683_;
-                                            let _e2460 = phi_8136_;
-                                            let _e2462 = phi_8137_;
-                                            phi_16676_ = _e2458;
-                                            phi_9588_ = select(_e2460, vec3<f32>(0f, 0f, 0f), vec3(_e2462));
-                                            phi_9589_ = vec3<f32>();
+                                            let _e2458 = phi_16676_;
+                                            let _e2460 = phi_8131_;
+                                            let _e2462 = phi_8132_;
+                                            phi_16669_ = _e2458;
+                                            phi_9582_ = select(_e2460, vec3<f32>(0f, 0f, 0f), vec3(_e2462));
+                                            phi_9583_ = vec3<f32>();
                                         } else {
                                             let _e324 = (_e292.member[0] - _e162.member[0]);
                                             let _e325 = (_e292.member[1] - _e162.member[1]);
@@ -6616,18 +6616,18 @@ fn function_() {
                                                 let _e363 = (((-((((_e324 * _e292.member_2[0]) + (_e325 * _e292.member_2[1])) + (_e326 * _e292.member_2[2]))) / select(0.000000000000000000000000000000000000011754944f, _e332, (_e332 > 0.000000000000000000000000000000000000011754944f))) - _e292.member_4[1]) / select(0.001f, _e360, (_e360 > 0.001f)));
                                                 let _e365 = select(0f, _e363, (_e363 > 0f));
                                                 let _e367 = select(1f, _e365, (_e365 < 1f));
-                                                phi_8208_ = (_e344 * (_e367 * _e367));
+                                                phi_8203_ = (_e344 * (_e367 * _e367));
                                             } else {
-                                                phi_8208_ = _e344;
+                                                phi_8203_ = _e344;
                                             }
-                                            let _e371 = phi_8208_;
+                                            let _e371 = phi_8203_;
                                             if (_e371 > 0f) {
                                                 if ((((_e162.member_4[0] * _e324) + (_e162.member_4[1] * _e325)) + (_e162.member_4[2] * _e326)) < 0f) {
-                                                    phi_8226_ = -(_e162.member_9);
+                                                    phi_8221_ = -(_e162.member_9);
                                                 } else {
-                                                    phi_8226_ = _e162.member_9;
+                                                    phi_8221_ = _e162.member_9;
                                                 }
-                                                let _e381 = phi_8226_;
+                                                let _e381 = phi_8221_;
                                                 let _e385 = (_e162.member[0] + (_e162.member_4[0] * _e381));
                                                 let _e386 = (_e162.member[1] + (_e162.member_4[1] * _e381));
                                                 let _e387 = (_e162.member[2] + (_e162.member_4[2] * _e381));
@@ -6639,31 +6639,31 @@ fn function_() {
                                                 let _e393 = abs(_e390);
                                                 let _e394 = (_e391 > _e392);
                                                 if _e394 {
-                                                    phi_8252_ = (_e391 > _e393);
+                                                    phi_8247_ = (_e391 > _e393);
                                                 } else {
-                                                    phi_8252_ = (_e392 > _e393);
+                                                    phi_8247_ = (_e392 > _e393);
                                                 }
-                                                let _e398 = phi_8252_;
+                                                let _e398 = phi_8247_;
                                                 let _e399 = select(1u, 0u, _e394);
                                                 if _e398 {
                                                     let _e400 = (_e399 + 1u);
-                                                    phi_8262_ = _e400;
-                                                    phi_8265_ = select(true, false, (_e400 == 2u));
+                                                    phi_8257_ = _e400;
+                                                    phi_8260_ = select(true, false, (_e400 == 2u));
                                                 } else {
-                                                    phi_8262_ = u32();
-                                                    phi_8265_ = false;
+                                                    phi_8257_ = u32();
+                                                    phi_8260_ = false;
                                                 }
-                                                let _e404 = phi_8262_;
-                                                let _e406 = phi_8265_;
+                                                let _e404 = phi_8257_;
+                                                let _e406 = phi_8260_;
                                                 let _e407 = select(true, false, _e398);
                                                 let _e408 = select(_e404, 0u, _e407);
                                                 let _e410 = select(_e406, true, _e407);
                                                 if _e410 {
-                                                    phi_8276_ = (_e408 + 1u);
+                                                    phi_8271_ = (_e408 + 1u);
                                                 } else {
-                                                    phi_8276_ = 0u;
+                                                    phi_8271_ = 0u;
                                                 }
-                                                let _e413 = phi_8276_;
+                                                let _e413 = phi_8271_;
                                                 let _e414 = select(_e404, _e408, _e410);
                                                 let _e415 = select(_e399, select(_e399, 2u, _e407), _e410);
                                                 local_4 = array<f32, 3>(_e388, _e389, _e390);
@@ -6671,7 +6671,7 @@ fn function_() {
                                                 let _e418 = (_e415 < 3u);
                                                 if _e418 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e420 = local_4[_e415];
@@ -6679,7 +6679,7 @@ fn function_() {
                                                 let _e422 = (_e414 < 3u);
                                                 if _e422 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e424 = local_4[_e414];
@@ -6687,32 +6687,32 @@ fn function_() {
                                                 let _e426 = (_e413 < 3u);
                                                 if _e426 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e428 = local_4[_e413];
                                                 let _e429 = (_e428 * _e421);
                                                 if _e422 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e431 = local_5[_e414];
                                                 if _e426 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e433 = local_5[_e413];
                                                 if _e418 {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e435 = local_5[_e415];
                                                 if (0u < _e135) {
                                                 } else {
-                                                    phi_16671_ = true;
+                                                    phi_16664_ = true;
                                                     break;
                                                 }
                                                 let _e440 = nodes.member[0u].member_7[0u];
@@ -6737,38 +6737,38 @@ fn function_() {
                                                 let _e482 = (_e386 - _e472);
                                                 let _e483 = (_e387 - _e473);
                                                 if (_e391 > _e477) {
-                                                    phi_8406_ = (1f / _e388);
+                                                    phi_8401_ = (1f / _e388);
                                                 } else {
-                                                    phi_8406_ = (1000000000000f / _e476);
+                                                    phi_8401_ = (1000000000000f / _e476);
                                                 }
-                                                let _e488 = phi_8406_;
+                                                let _e488 = phi_8401_;
                                                 if (_e392 > _e477) {
-                                                    phi_8414_ = (1f / _e389);
+                                                    phi_8409_ = (1f / _e389);
                                                 } else {
-                                                    phi_8414_ = (1000000000000f / _e476);
+                                                    phi_8409_ = (1000000000000f / _e476);
                                                 }
-                                                let _e493 = phi_8414_;
+                                                let _e493 = phi_8409_;
                                                 if (_e393 > _e477) {
-                                                    phi_8422_ = (1f / _e390);
+                                                    phi_8417_ = (1f / _e390);
                                                 } else {
-                                                    phi_8422_ = (1000000000000f / _e476);
+                                                    phi_8417_ = (1000000000000f / _e476);
                                                 }
-                                                let _e498 = phi_8422_;
+                                                let _e498 = phi_8417_;
                                                 local_3 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                                phi_16289_ = _e284;
-                                                phi_8425_ = 0u;
-                                                phi_8428_ = 0u;
+                                                phi_16282_ = _e284;
+                                                phi_8420_ = 0u;
+                                                phi_8423_ = 0u;
                                                 loop {
-                                                    let _e500 = phi_16289_;
-                                                    let _e502 = phi_8425_;
-                                                    let _e504 = phi_8428_;
+                                                    let _e500 = phi_16282_;
+                                                    let _e502 = phi_8420_;
+                                                    let _e504 = phi_8423_;
                                                     let _e505 = (_e502 & 15u);
                                                     let _e507 = (_e502 >> bitcast<u32>(4u));
                                                     if (_e505 == 0u) {
                                                         if (_e507 < _e135) {
                                                         } else {
-                                                            phi_16351_ = true;
-                                                            phi_12425_ = bool();
+                                                            phi_16344_ = true;
+                                                            phi_12418_ = bool();
                                                             break;
                                                         }
                                                         let _e1137 = nodes.member[_e507].member;
@@ -6852,148 +6852,148 @@ fn function_() {
                                                         if (select(340282350000000000000000000000000000000f, _e1272, (_e1272 <= select(0.9999995f, _e1312, (_e1312 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e504 < 64u) {
                                                             } else {
-                                                                phi_16351_ = true;
-                                                                phi_12425_ = bool();
+                                                                phi_16344_ = true;
+                                                                phi_12418_ = bool();
                                                                 break;
                                                             }
                                                             local_3[_e504] = _e1344;
-                                                            phi_8813_ = (_e504 + 1u);
+                                                            phi_8808_ = (_e504 + 1u);
                                                         } else {
-                                                            phi_8813_ = _e504;
+                                                            phi_8808_ = _e504;
                                                         }
-                                                        let _e1350 = phi_8813_;
+                                                        let _e1350 = phi_8808_;
                                                         if (select(340282350000000000000000000000000000000f, _e1270, (_e1270 <= select(0.9999995f, _e1310, (_e1310 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e1350 < 64u) {
                                                             } else {
-                                                                phi_16351_ = true;
-                                                                phi_12425_ = bool();
+                                                                phi_16344_ = true;
+                                                                phi_12418_ = bool();
                                                                 break;
                                                             }
                                                             local_3[_e1350] = _e1340;
-                                                            phi_8825_ = (_e1350 + 1u);
+                                                            phi_8820_ = (_e1350 + 1u);
                                                         } else {
-                                                            phi_8825_ = _e1350;
+                                                            phi_8820_ = _e1350;
                                                         }
-                                                        let _e1356 = phi_8825_;
+                                                        let _e1356 = phi_8820_;
                                                         if (select(340282350000000000000000000000000000000f, _e1268, (_e1268 <= select(0.9999995f, _e1308, (_e1308 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e1356 < 64u) {
                                                             } else {
-                                                                phi_16351_ = true;
-                                                                phi_12425_ = bool();
+                                                                phi_16344_ = true;
+                                                                phi_12418_ = bool();
                                                                 break;
                                                             }
                                                             local_3[_e1356] = _e1336;
-                                                            phi_8837_ = (_e1356 + 1u);
+                                                            phi_8832_ = (_e1356 + 1u);
                                                         } else {
-                                                            phi_8837_ = _e1356;
+                                                            phi_8832_ = _e1356;
                                                         }
-                                                        let _e1362 = phi_8837_;
+                                                        let _e1362 = phi_8832_;
                                                         if (select(340282350000000000000000000000000000000f, _e1266, (_e1266 <= select(0.9999995f, _e1306, (_e1306 < 0.9999995f)))) < 340282350000000000000000000000000000000f) {
                                                             if (_e1362 < 64u) {
                                                             } else {
-                                                                phi_16351_ = true;
-                                                                phi_12425_ = bool();
+                                                                phi_16344_ = true;
+                                                                phi_12418_ = bool();
                                                                 break;
                                                             }
                                                             local_3[_e1362] = _e1332;
-                                                            phi_8849_ = (_e1362 + 1u);
+                                                            phi_8844_ = (_e1362 + 1u);
                                                         } else {
-                                                            phi_8849_ = _e1362;
+                                                            phi_8844_ = _e1362;
                                                         }
-                                                        let _e1368 = phi_8849_;
-                                                        phi_16353_ = _e500;
-                                                        phi_9542_ = _e1368;
-                                                        phi_9543_ = true;
+                                                        let _e1368 = phi_8844_;
+                                                        phi_16346_ = _e500;
+                                                        phi_9536_ = _e1368;
+                                                        phi_9537_ = true;
                                                     } else {
-                                                        phi_8853_ = type_8(_e507, (_e507 + _e505));
+                                                        phi_8848_ = type_8(_e507, (_e507 + _e505));
                                                         loop {
-                                                            let _e512 = phi_8853_;
+                                                            let _e512 = phi_8848_;
                                                             if (_e512.member < _e512.member_1) {
-                                                                phi_8854_ = type_8((_e512.member + 1u), _e512.member_1);
-                                                                phi_8877_ = type_8(1u, _e512.member);
+                                                                phi_8849_ = type_8((_e512.member + 1u), _e512.member_1);
+                                                                phi_8872_ = type_8(1u, _e512.member);
                                                             } else {
-                                                                phi_8854_ = _e512;
-                                                                phi_8877_ = type_8(0u, type_8().member_1);
+                                                                phi_8849_ = _e512;
+                                                                phi_8872_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e525 = phi_8854_;
-                                                            let _e527 = phi_8877_;
+                                                            let _e525 = phi_8849_;
+                                                            let _e527 = phi_8872_;
                                                             let _e531 = (bitcast<i32>(_e527.member) != 0i);
                                                             if _e531 {
                                                                 let _e532 = (_e527.member_1 < _e138);
                                                                 if _e532 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 if _e418 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e536 = triangles.member[_e527.member_1].member[_e415];
                                                                 let _e537 = (_e536 - _e435);
                                                                 if _e418 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e541 = triangles.member[_e527.member_1].member_2[_e415];
                                                                 let _e542 = (_e541 - _e435);
                                                                 if _e418 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e546 = triangles.member[_e527.member_1].member_4[_e415];
                                                                 let _e547 = (_e546 - _e435);
                                                                 if _e422 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e551 = triangles.member[_e527.member_1].member[_e414];
                                                                 let _e554 = ((_e551 - _e431) - (_e425 * _e537));
                                                                 if _e426 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e558 = triangles.member[_e527.member_1].member[_e413];
                                                                 let _e561 = ((_e558 - _e433) - (_e429 * _e537));
                                                                 if _e422 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e565 = triangles.member[_e527.member_1].member_2[_e414];
                                                                 let _e568 = ((_e565 - _e431) - (_e425 * _e542));
                                                                 if _e426 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e572 = triangles.member[_e527.member_1].member_2[_e413];
                                                                 let _e575 = ((_e572 - _e433) - (_e429 * _e542));
                                                                 if _e422 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e579 = triangles.member[_e527.member_1].member_4[_e414];
                                                                 let _e582 = ((_e579 - _e431) - (_e425 * _e547));
                                                                 if _e426 {
                                                                 } else {
-                                                                    phi_16285_ = true;
-                                                                    phi_12424_ = bool();
+                                                                    phi_16278_ = true;
+                                                                    phi_12417_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e586 = triangles.member[_e527.member_1].member_4[_e413];
@@ -7001,7 +7001,7 @@ fn function_() {
                                                                 let _e590 = (_e582 * _e575);
                                                                 let _e591 = (_e589 * _e568);
                                                                 if (_e590 != _e591) {
-                                                                    phi_8993_ = (_e590 - _e591);
+                                                                    phi_8988_ = (_e590 - _e591);
                                                                 } else {
                                                                     let _e593 = (_e582 * 4097f);
                                                                     let _e595 = (_e593 - (_e593 - _e582));
@@ -7015,13 +7015,13 @@ fn function_() {
                                                                     let _e614 = (_e612 - (_e612 - _e568));
                                                                     let _e615 = (_e589 - _e611);
                                                                     let _e616 = (_e568 - _e614);
-                                                                    phi_8993_ = ((((((_e595 * _e598) - _e590) + (_e595 * _e600)) + (_e599 * _e598)) + (_e599 * _e600)) - (((((_e611 * _e614) - _e591) + (_e611 * _e616)) + (_e615 * _e614)) + (_e615 * _e616)));
+                                                                    phi_8988_ = ((((((_e595 * _e598) - _e590) + (_e595 * _e600)) + (_e599 * _e598)) + (_e599 * _e600)) - (((((_e611 * _e614) - _e591) + (_e611 * _e616)) + (_e615 * _e614)) + (_e615 * _e616)));
                                                                 }
-                                                                let _e628 = phi_8993_;
+                                                                let _e628 = phi_8988_;
                                                                 let _e629 = (_e554 * _e589);
                                                                 let _e630 = (_e561 * _e582);
                                                                 if (_e629 != _e630) {
-                                                                    phi_9004_ = (_e629 - _e630);
+                                                                    phi_8999_ = (_e629 - _e630);
                                                                 } else {
                                                                     let _e632 = (_e554 * 4097f);
                                                                     let _e634 = (_e632 - (_e632 - _e554));
@@ -7035,13 +7035,13 @@ fn function_() {
                                                                     let _e653 = (_e651 - (_e651 - _e582));
                                                                     let _e654 = (_e561 - _e650);
                                                                     let _e655 = (_e582 - _e653);
-                                                                    phi_9004_ = ((((((_e634 * _e637) - _e629) + (_e634 * _e639)) + (_e638 * _e637)) + (_e638 * _e639)) - (((((_e650 * _e653) - _e630) + (_e650 * _e655)) + (_e654 * _e653)) + (_e654 * _e655)));
+                                                                    phi_8999_ = ((((((_e634 * _e637) - _e629) + (_e634 * _e639)) + (_e638 * _e637)) + (_e638 * _e639)) - (((((_e650 * _e653) - _e630) + (_e650 * _e655)) + (_e654 * _e653)) + (_e654 * _e655)));
                                                                 }
-                                                                let _e667 = phi_9004_;
+                                                                let _e667 = phi_8999_;
                                                                 let _e668 = (_e568 * _e561);
                                                                 let _e669 = (_e575 * _e554);
                                                                 if (_e668 != _e669) {
-                                                                    phi_9015_ = (_e668 - _e669);
+                                                                    phi_9010_ = (_e668 - _e669);
                                                                 } else {
                                                                     let _e671 = (_e568 * 4097f);
                                                                     let _e673 = (_e671 - (_e671 - _e568));
@@ -7055,71 +7055,71 @@ fn function_() {
                                                                     let _e692 = (_e690 - (_e690 - _e554));
                                                                     let _e693 = (_e575 - _e689);
                                                                     let _e694 = (_e554 - _e692);
-                                                                    phi_9015_ = ((((((_e673 * _e676) - _e668) + (_e673 * _e678)) + (_e677 * _e676)) + (_e677 * _e678)) - (((((_e689 * _e692) - _e669) + (_e689 * _e694)) + (_e693 * _e692)) + (_e693 * _e694)));
+                                                                    phi_9010_ = ((((((_e673 * _e676) - _e668) + (_e673 * _e678)) + (_e677 * _e676)) + (_e677 * _e678)) - (((((_e689 * _e692) - _e669) + (_e689 * _e694)) + (_e693 * _e692)) + (_e693 * _e694)));
                                                                 }
-                                                                let _e706 = phi_9015_;
+                                                                let _e706 = phi_9010_;
                                                                 if (_e628 < 0f) {
-                                                                    phi_9033_ = f32();
-                                                                    phi_9034_ = true;
+                                                                    phi_9028_ = f32();
+                                                                    phi_9029_ = true;
                                                                 } else {
                                                                     if (_e667 < 0f) {
-                                                                        phi_9031_ = f32();
-                                                                        phi_9032_ = true;
+                                                                        phi_9026_ = f32();
+                                                                        phi_9027_ = true;
                                                                     } else {
                                                                         let _e709 = (_e706 < 0f);
                                                                         if _e709 {
-                                                                            phi_9030_ = f32();
+                                                                            phi_9025_ = f32();
                                                                         } else {
-                                                                            phi_9030_ = ((_e628 + _e667) + _e706);
+                                                                            phi_9025_ = ((_e628 + _e667) + _e706);
                                                                         }
-                                                                        let _e713 = phi_9030_;
-                                                                        phi_9031_ = _e713;
-                                                                        phi_9032_ = _e709;
+                                                                        let _e713 = phi_9025_;
+                                                                        phi_9026_ = _e713;
+                                                                        phi_9027_ = _e709;
                                                                     }
-                                                                    let _e715 = phi_9031_;
-                                                                    let _e717 = phi_9032_;
-                                                                    phi_9033_ = _e715;
-                                                                    phi_9034_ = _e717;
+                                                                    let _e715 = phi_9026_;
+                                                                    let _e717 = phi_9027_;
+                                                                    phi_9028_ = _e715;
+                                                                    phi_9029_ = _e717;
                                                                 }
-                                                                let _e719 = phi_9033_;
-                                                                let _e721 = phi_9034_;
+                                                                let _e719 = phi_9028_;
+                                                                let _e721 = phi_9029_;
                                                                 if _e721 {
                                                                     if (_e628 > 0f) {
-                                                                        phi_9055_ = f32();
-                                                                        phi_9056_ = true;
-                                                                        phi_9057_ = false;
+                                                                        phi_9050_ = f32();
+                                                                        phi_9051_ = true;
+                                                                        phi_9052_ = false;
                                                                     } else {
                                                                         let _e723 = (_e667 > 0f);
                                                                         if _e723 {
-                                                                            phi_9053_ = f32();
-                                                                            phi_9054_ = false;
+                                                                            phi_9048_ = f32();
+                                                                            phi_9049_ = false;
                                                                         } else {
-                                                                            phi_9053_ = ((_e628 + _e667) + _e706);
-                                                                            phi_9054_ = select(true, false, (_e706 > 0f));
+                                                                            phi_9048_ = ((_e628 + _e667) + _e706);
+                                                                            phi_9049_ = select(true, false, (_e706 > 0f));
                                                                         }
-                                                                        let _e729 = phi_9053_;
-                                                                        let _e731 = phi_9054_;
-                                                                        phi_9055_ = _e729;
-                                                                        phi_9056_ = _e723;
-                                                                        phi_9057_ = _e731;
+                                                                        let _e729 = phi_9048_;
+                                                                        let _e731 = phi_9049_;
+                                                                        phi_9050_ = _e729;
+                                                                        phi_9051_ = _e723;
+                                                                        phi_9052_ = _e731;
                                                                     }
-                                                                    let _e733 = phi_9055_;
-                                                                    let _e735 = phi_9056_;
-                                                                    let _e737 = phi_9057_;
-                                                                    phi_9062_ = _e733;
-                                                                    phi_9063_ = select(_e737, false, _e735);
+                                                                    let _e733 = phi_9050_;
+                                                                    let _e735 = phi_9051_;
+                                                                    let _e737 = phi_9052_;
+                                                                    phi_9057_ = _e733;
+                                                                    phi_9058_ = select(_e737, false, _e735);
                                                                 } else {
-                                                                    phi_9062_ = _e719;
-                                                                    phi_9063_ = true;
+                                                                    phi_9057_ = _e719;
+                                                                    phi_9058_ = true;
                                                                 }
-                                                                let _e740 = phi_9062_;
-                                                                let _e742 = phi_9063_;
+                                                                let _e740 = phi_9057_;
+                                                                let _e742 = phi_9058_;
                                                                 if _e742 {
                                                                     let _e743 = (_e740 == 0f);
                                                                     if _e743 {
-                                                                        phi_9151_ = array<f32, 3>();
-                                                                        phi_9152_ = array<f32, 3>();
-                                                                        phi_9153_ = false;
+                                                                        phi_9146_ = array<f32, 3>();
+                                                                        phi_9147_ = array<f32, 3>();
+                                                                        phi_9148_ = false;
                                                                     } else {
                                                                         let _e744 = (_e537 * _e421);
                                                                         let _e745 = (_e542 * _e421);
@@ -7142,8 +7142,8 @@ fn function_() {
                                                                         let _e777 = abs(_e746);
                                                                         let _e784 = (((select(_e762, _e761, (_e761 > _e762)) * select(_e769, _e768, (_e768 > _e769))) * select(_e777, _e776, (_e776 > _e777))) <= (abs((_e740 * _e757)) * 256f));
                                                                         if _e784 {
-                                                                            phi_9149_ = array<f32, 3>(_e757, _e750, _e751);
-                                                                            phi_9150_ = array<f32, 3>();
+                                                                            phi_9144_ = array<f32, 3>(_e757, _e750, _e751);
+                                                                            phi_9145_ = array<f32, 3>();
                                                                         } else {
                                                                             let _e786 = (_e582 * 4097f);
                                                                             let _e788 = (_e786 - (_e786 - _e582));
@@ -7169,44 +7169,44 @@ fn function_() {
                                                                             let _e868 = (1f / ((_e819 + _e846) + _e865));
                                                                             let _e869 = (_e846 * _e868);
                                                                             let _e870 = (_e865 * _e868);
-                                                                            phi_9149_ = array<f32, 3>();
-                                                                            phi_9150_ = array<f32, 3>(((((_e819 * _e868) * _e744) + (_e869 * _e745)) + (_e870 * _e746)), _e869, _e870);
+                                                                            phi_9144_ = array<f32, 3>();
+                                                                            phi_9145_ = array<f32, 3>(((((_e819 * _e868) * _e744) + (_e869 * _e745)) + (_e870 * _e746)), _e869, _e870);
                                                                         }
-                                                                        let _e880 = phi_9149_;
-                                                                        let _e882 = phi_9150_;
-                                                                        phi_9151_ = _e880;
-                                                                        phi_9152_ = _e882;
-                                                                        phi_9153_ = _e784;
+                                                                        let _e880 = phi_9144_;
+                                                                        let _e882 = phi_9145_;
+                                                                        phi_9146_ = _e880;
+                                                                        phi_9147_ = _e882;
+                                                                        phi_9148_ = _e784;
                                                                     }
-                                                                    let _e884 = phi_9151_;
-                                                                    let _e886 = phi_9152_;
-                                                                    let _e888 = phi_9153_;
-                                                                    phi_9154_ = _e884;
-                                                                    phi_9155_ = _e886;
-                                                                    phi_9156_ = _e743;
-                                                                    phi_9157_ = _e888;
+                                                                    let _e884 = phi_9146_;
+                                                                    let _e886 = phi_9147_;
+                                                                    let _e888 = phi_9148_;
+                                                                    phi_9149_ = _e884;
+                                                                    phi_9150_ = _e886;
+                                                                    phi_9151_ = _e743;
+                                                                    phi_9152_ = _e888;
                                                                 } else {
-                                                                    phi_9154_ = array<f32, 3>();
-                                                                    phi_9155_ = array<f32, 3>();
-                                                                    phi_9156_ = true;
-                                                                    phi_9157_ = false;
+                                                                    phi_9149_ = array<f32, 3>();
+                                                                    phi_9150_ = array<f32, 3>();
+                                                                    phi_9151_ = true;
+                                                                    phi_9152_ = false;
                                                                 }
-                                                                let _e890 = phi_9154_;
-                                                                let _e892 = phi_9155_;
-                                                                let _e894 = phi_9156_;
-                                                                let _e896 = phi_9157_;
+                                                                let _e890 = phi_9149_;
+                                                                let _e892 = phi_9150_;
+                                                                let _e894 = phi_9151_;
+                                                                let _e896 = phi_9152_;
                                                                 if _e894 {
-                                                                    phi_9162_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                    phi_9157_ = array<f32, 3>(-1f, 0f, 0f);
                                                                 } else {
-                                                                    phi_9162_ = _e890;
+                                                                    phi_9157_ = _e890;
                                                                 }
-                                                                let _e898 = phi_9162_;
+                                                                let _e898 = phi_9157_;
                                                                 if select(_e896, true, _e894) {
-                                                                    phi_9167_ = _e898;
+                                                                    phi_9162_ = _e898;
                                                                 } else {
-                                                                    phi_9167_ = _e892;
+                                                                    phi_9162_ = _e892;
                                                                 }
-                                                                let _e901 = phi_9167_;
+                                                                let _e901 = phi_9162_;
                                                                 let _e905 = (_e901[0] >= 0f);
                                                                 if _e905 {
                                                                     let _e906 = (_e901[0] < 0.9999995f);
@@ -7214,79 +7214,79 @@ fn function_() {
                                                                         if _e905 {
                                                                             if _e532 {
                                                                             } else {
-                                                                                phi_16285_ = true;
-                                                                                phi_12424_ = bool();
+                                                                                phi_16278_ = true;
+                                                                                phi_12417_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e909 = triangles.member[_e527.member_1].member_3;
                                                                             if ((_e909 & 1u) == 0u) {
-                                                                                phi_9500_ = true;
+                                                                                phi_9494_ = true;
                                                                             } else {
                                                                                 if _e532 {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e914 = triangles.member[_e527.member_1].member_1;
                                                                                 let _e915 = (_e914 * 12u);
                                                                                 if ((256u + _e915) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e915 + 257u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e915 + 258u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e922 = (_e915 + 259u);
                                                                                 if (_e922 < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e925 = surfaces.member[_e922];
                                                                                 if ((_e915 + 260u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e915 + 261u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e915 + 262u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e932 = (_e915 + 263u);
                                                                                 if (_e932 < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e935 = surfaces.member[_e932];
                                                                                 let _e936 = (_e915 + 264u);
                                                                                 if (_e936 < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e939 = surfaces.member[_e936];
@@ -7294,31 +7294,31 @@ fn function_() {
                                                                                 let _e941 = (_e915 + 265u);
                                                                                 if (_e941 < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e944 = surfaces.member[_e941];
                                                                                 let _e945 = bitcast<f32>(_e944);
                                                                                 if ((_e915 + 266u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if ((_e915 + 267u) < _e144) {
                                                                                 } else {
-                                                                                    phi_16285_ = true;
-                                                                                    phi_12424_ = bool();
+                                                                                    phi_16278_ = true;
+                                                                                    phi_12417_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 if (_e925 == 4294967295u) {
-                                                                                    phi_9495_ = (_e940 < _e945);
+                                                                                    phi_9489_ = (_e940 < _e945);
                                                                                 } else {
                                                                                     if (_e527.member_1 < _e141) {
                                                                                     } else {
-                                                                                        phi_16285_ = true;
-                                                                                        phi_12424_ = bool();
+                                                                                        phi_16278_ = true;
+                                                                                        phi_12417_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e953 = ((1f - _e901[1]) - _e901[2]);
@@ -7338,36 +7338,36 @@ fn function_() {
                                                                                     let _e999 = (_e997 - _e998);
                                                                                     let _e1000 = (_e988 - 1u);
                                                                                     if (_e998 < 0f) {
-                                                                                        phi_9378_ = _e1000;
+                                                                                        phi_9372_ = _e1000;
                                                                                     } else {
                                                                                         let _e1006 = select(select(u32(_e998), 0u, (_e998 < 0f)), 4294967295u, (_e998 > 4294967000f));
-                                                                                        phi_9378_ = select(_e1006, _e1000, (_e1000 < _e1006));
+                                                                                        phi_9372_ = select(_e1006, _e1000, (_e1000 < _e1006));
                                                                                     }
-                                                                                    let _e1010 = phi_9378_;
+                                                                                    let _e1010 = phi_9372_;
                                                                                     if (_e1010 == _e1000) {
-                                                                                        phi_9384_ = 0u;
+                                                                                        phi_9378_ = 0u;
                                                                                     } else {
-                                                                                        phi_9384_ = (_e1010 + 1u);
+                                                                                        phi_9378_ = (_e1010 + 1u);
                                                                                     }
-                                                                                    let _e1014 = phi_9384_;
+                                                                                    let _e1014 = phi_9378_;
                                                                                     let _e1016 = (_e987 - floor(_e987));
                                                                                     let _e1021 = ((select(0f, _e1016, (_e1016 <= 1f)) * f32(_e990)) - 0.5f);
                                                                                     let _e1022 = floor(_e1021);
                                                                                     let _e1023 = (_e1021 - _e1022);
                                                                                     let _e1024 = (_e990 - 1u);
                                                                                     if (_e1022 < 0f) {
-                                                                                        phi_9414_ = _e1024;
+                                                                                        phi_9408_ = _e1024;
                                                                                     } else {
                                                                                         let _e1030 = select(select(u32(_e1022), 0u, (_e1022 < 0f)), 4294967295u, (_e1022 > 4294967000f));
-                                                                                        phi_9414_ = select(_e1030, _e1024, (_e1024 < _e1030));
+                                                                                        phi_9408_ = select(_e1030, _e1024, (_e1024 < _e1030));
                                                                                     }
-                                                                                    let _e1034 = phi_9414_;
+                                                                                    let _e1034 = phi_9408_;
                                                                                     if (_e1034 == _e1024) {
-                                                                                        phi_9420_ = 0u;
+                                                                                        phi_9414_ = 0u;
                                                                                     } else {
-                                                                                        phi_9420_ = (_e1034 + 1u);
+                                                                                        phi_9414_ = (_e1034 + 1u);
                                                                                     }
-                                                                                    let _e1038 = phi_9420_;
+                                                                                    let _e1038 = phi_9414_;
                                                                                     let _e1040 = (_e925 + (_e1034 * _e988));
                                                                                     let _e1042 = (_e925 + (_e1038 * _e988));
                                                                                     let _e1043 = (_e1040 + _e1010);
@@ -7376,230 +7376,230 @@ fn function_() {
                                                                                     let _e1046 = (_e1042 + _e1014);
                                                                                     if (_e1043 < _e144) {
                                                                                     } else {
-                                                                                        phi_16285_ = true;
-                                                                                        phi_12424_ = bool();
+                                                                                        phi_16278_ = true;
+                                                                                        phi_12417_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e1049 = surfaces.member[_e1043];
                                                                                     if (_e1044 < _e144) {
                                                                                     } else {
-                                                                                        phi_16285_ = true;
-                                                                                        phi_12424_ = bool();
+                                                                                        phi_16278_ = true;
+                                                                                        phi_12417_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e1052 = surfaces.member[_e1044];
                                                                                     if (_e1045 < _e144) {
                                                                                     } else {
-                                                                                        phi_16285_ = true;
-                                                                                        phi_12424_ = bool();
+                                                                                        phi_16278_ = true;
+                                                                                        phi_12417_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e1055 = surfaces.member[_e1045];
                                                                                     if (_e1046 < _e144) {
                                                                                     } else {
-                                                                                        phi_16285_ = true;
-                                                                                        phi_12424_ = bool();
+                                                                                        phi_16278_ = true;
+                                                                                        phi_12417_ = bool();
                                                                                         break;
                                                                                     }
                                                                                     let _e1058 = surfaces.member[_e1046];
                                                                                     let _e1075 = (1f - _e999);
-                                                                                    phi_9495_ = ((_e940 * (((((f32((_e1049 >> bitcast<u32>(24i))) * 0.003921569f) * _e1075) + ((f32((_e1052 >> bitcast<u32>(24i))) * 0.003921569f) * _e999)) * (1f - _e1023)) + ((((f32((_e1055 >> bitcast<u32>(24i))) * 0.003921569f) * _e1075) + ((f32((_e1058 >> bitcast<u32>(24i))) * 0.003921569f) * _e999)) * _e1023))) < _e945);
+                                                                                    phi_9489_ = ((_e940 * (((((f32((_e1049 >> bitcast<u32>(24i))) * 0.003921569f) * _e1075) + ((f32((_e1052 >> bitcast<u32>(24i))) * 0.003921569f) * _e999)) * (1f - _e1023)) + ((((f32((_e1055 >> bitcast<u32>(24i))) * 0.003921569f) * _e1075) + ((f32((_e1058 >> bitcast<u32>(24i))) * 0.003921569f) * _e999)) * _e1023))) < _e945);
                                                                                 }
-                                                                                let _e1090 = phi_9495_;
-                                                                                phi_9500_ = select(true, false, _e1090);
+                                                                                let _e1090 = phi_9489_;
+                                                                                phi_9494_ = select(true, false, _e1090);
                                                                             }
-                                                                            let _e1093 = phi_9500_;
+                                                                            let _e1093 = phi_9494_;
                                                                             if _e1093 {
-                                                                                phi_9505_ = type_44(_e901[0], _e527.member_1, _e901[1], _e901[2]);
+                                                                                phi_9499_ = type_44(_e901[0], _e527.member_1, _e901[1], _e901[2]);
                                                                             } else {
-                                                                                phi_9505_ = type_44();
+                                                                                phi_9499_ = type_44();
                                                                             }
-                                                                            let _e1096 = phi_9505_;
-                                                                            phi_9507_ = _e1096;
-                                                                            phi_9509_ = select(true, false, _e1093);
+                                                                            let _e1096 = phi_9499_;
+                                                                            phi_9501_ = _e1096;
+                                                                            phi_9503_ = select(true, false, _e1093);
                                                                         } else {
-                                                                            phi_9507_ = type_44();
-                                                                            phi_9509_ = false;
+                                                                            phi_9501_ = type_44();
+                                                                            phi_9503_ = false;
                                                                         }
-                                                                        let _e1099 = phi_9507_;
-                                                                        let _e1101 = phi_9509_;
-                                                                        phi_9510_ = _e1099;
-                                                                        phi_9512_ = select(true, false, _e905);
-                                                                        phi_9513_ = _e1101;
+                                                                        let _e1099 = phi_9501_;
+                                                                        let _e1101 = phi_9503_;
+                                                                        phi_9504_ = _e1099;
+                                                                        phi_9506_ = select(true, false, _e905);
+                                                                        phi_9507_ = _e1101;
                                                                     } else {
-                                                                        phi_9510_ = type_44();
-                                                                        phi_9512_ = false;
-                                                                        phi_9513_ = false;
+                                                                        phi_9504_ = type_44();
+                                                                        phi_9506_ = false;
+                                                                        phi_9507_ = false;
                                                                     }
-                                                                    let _e1104 = phi_9510_;
-                                                                    let _e1106 = phi_9512_;
-                                                                    let _e1108 = phi_9513_;
-                                                                    phi_9514_ = _e1104;
-                                                                    phi_9515_ = select(true, false, _e906);
-                                                                    phi_9516_ = _e1106;
-                                                                    phi_9517_ = _e1108;
+                                                                    let _e1104 = phi_9504_;
+                                                                    let _e1106 = phi_9506_;
+                                                                    let _e1108 = phi_9507_;
+                                                                    phi_9508_ = _e1104;
+                                                                    phi_9509_ = select(true, false, _e906);
+                                                                    phi_9510_ = _e1106;
+                                                                    phi_9511_ = _e1108;
                                                                 } else {
-                                                                    phi_9514_ = type_44();
-                                                                    phi_9515_ = true;
-                                                                    phi_9516_ = false;
-                                                                    phi_9517_ = false;
+                                                                    phi_9508_ = type_44();
+                                                                    phi_9509_ = true;
+                                                                    phi_9510_ = false;
+                                                                    phi_9511_ = false;
                                                                 }
-                                                                let _e1111 = phi_9514_;
-                                                                let _e1113 = phi_9515_;
-                                                                let _e1115 = phi_9516_;
-                                                                let _e1117 = phi_9517_;
+                                                                let _e1111 = phi_9508_;
+                                                                let _e1113 = phi_9509_;
+                                                                let _e1115 = phi_9510_;
+                                                                let _e1117 = phi_9511_;
                                                                 if select(select(_e1117, false, _e1113), true, select(_e1115, true, _e1113)) {
-                                                                    phi_9530_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
+                                                                    phi_9524_ = type_44(0.9999995f, 4294967295u, 0f, 0f);
                                                                 } else {
-                                                                    phi_9530_ = _e1111;
+                                                                    phi_9524_ = _e1111;
                                                                 }
-                                                                let _e1122 = phi_9530_;
-                                                                phi_9537_ = select(true, false, (_e1122.member_1 != 4294967295u));
+                                                                let _e1122 = phi_9524_;
+                                                                phi_9531_ = select(true, false, (_e1122.member_1 != 4294967295u));
                                                             } else {
-                                                                phi_9537_ = false;
+                                                                phi_9531_ = false;
                                                             }
-                                                            let _e1127 = phi_9537_;
+                                                            let _e1127 = phi_9531_;
                                                             continue;
                                                             continuing {
-                                                                phi_8853_ = _e525;
-                                                                phi_16285_ = _e500;
-                                                                phi_12424_ = select(true, false, _e531);
+                                                                phi_8848_ = _e525;
+                                                                phi_16278_ = _e500;
+                                                                phi_12417_ = select(true, false, _e531);
                                                                 break if !(_e1127);
                                                             }
                                                         }
-                                                        let _e1131 = phi_16285_;
-                                                        let _e1133 = phi_12424_;
-                                                        phi_16351_ = _e1131;
-                                                        phi_12425_ = bool();
+                                                        let _e1131 = phi_16278_;
+                                                        let _e1133 = phi_12417_;
+                                                        phi_16344_ = _e1131;
+                                                        phi_12418_ = bool();
                                                         if _e1131 {
                                                             break;
                                                         }
-                                                        phi_16353_ = _e1131;
-                                                        phi_9542_ = _e504;
-                                                        phi_9543_ = _e1133;
+                                                        phi_16346_ = _e1131;
+                                                        phi_9536_ = _e504;
+                                                        phi_9537_ = _e1133;
                                                     }
-                                                    let _e1370 = phi_16353_;
-                                                    let _e1372 = phi_9542_;
-                                                    let _e1374 = phi_9543_;
+                                                    let _e1370 = phi_16346_;
+                                                    let _e1372 = phi_9536_;
+                                                    let _e1374 = phi_9537_;
                                                     if _e1374 {
                                                         let _e1375 = (_e1372 == 0u);
                                                         if _e1375 {
-                                                            phi_9559_ = u32();
-                                                            phi_9560_ = u32();
+                                                            phi_9553_ = u32();
+                                                            phi_9554_ = u32();
                                                         } else {
                                                             let _e1376 = (_e1372 - 1u);
                                                             if (_e1376 < 64u) {
                                                             } else {
-                                                                phi_16351_ = true;
-                                                                phi_12425_ = bool();
+                                                                phi_16344_ = true;
+                                                                phi_12418_ = bool();
                                                                 break;
                                                             }
                                                             let _e1379 = local_3[_e1376];
-                                                            phi_9559_ = _e1379;
-                                                            phi_9560_ = _e1376;
+                                                            phi_9553_ = _e1379;
+                                                            phi_9554_ = _e1376;
                                                         }
-                                                        let _e1381 = phi_9559_;
-                                                        let _e1383 = phi_9560_;
-                                                        phi_8426_ = _e1381;
-                                                        phi_8429_ = _e1383;
-                                                        phi_9562_ = select(true, false, _e1375);
-                                                        phi_9563_ = _e1375;
+                                                        let _e1381 = phi_9553_;
+                                                        let _e1383 = phi_9554_;
+                                                        phi_8421_ = _e1381;
+                                                        phi_8424_ = _e1383;
+                                                        phi_9556_ = select(true, false, _e1375);
+                                                        phi_9557_ = _e1375;
                                                     } else {
-                                                        phi_8426_ = u32();
-                                                        phi_8429_ = u32();
-                                                        phi_9562_ = false;
-                                                        phi_9563_ = false;
+                                                        phi_8421_ = u32();
+                                                        phi_8424_ = u32();
+                                                        phi_9556_ = false;
+                                                        phi_9557_ = false;
                                                     }
-                                                    let _e1386 = phi_8426_;
-                                                    let _e1388 = phi_8429_;
-                                                    let _e1390 = phi_9562_;
-                                                    let _e1392 = phi_9563_;
+                                                    let _e1386 = phi_8421_;
+                                                    let _e1388 = phi_8424_;
+                                                    let _e1390 = phi_9556_;
+                                                    let _e1392 = phi_9557_;
                                                     continue;
                                                     continuing {
-                                                        phi_16289_ = _e1370;
-                                                        phi_8425_ = _e1386;
-                                                        phi_8428_ = _e1388;
-                                                        phi_16351_ = _e1370;
-                                                        phi_12425_ = _e1392;
+                                                        phi_16282_ = _e1370;
+                                                        phi_8420_ = _e1386;
+                                                        phi_8423_ = _e1388;
+                                                        phi_16344_ = _e1370;
+                                                        phi_12418_ = _e1392;
                                                         break if !(_e1390);
                                                     }
                                                 }
-                                                let _e1395 = phi_16351_;
-                                                let _e1397 = phi_12425_;
-                                                phi_16671_ = _e1395;
+                                                let _e1395 = phi_16344_;
+                                                let _e1397 = phi_12418_;
+                                                phi_16664_ = _e1395;
                                                 if _e1395 {
                                                     break;
                                                 }
                                                 let _e1400 = !(select(false, true, select(true, false, _e1397)));
                                                 if _e1400 {
-                                                    phi_9580_ = vec3<f32>((_e292.member_6[0] * _e371), (_e292.member_6[1] * _e371), (_e292.member_6[2] * _e371));
+                                                    phi_9574_ = vec3<f32>((_e292.member_6[0] * _e371), (_e292.member_6[1] * _e371), (_e292.member_6[2] * _e371));
                                                 } else {
-                                                    phi_9580_ = vec3<f32>();
+                                                    phi_9574_ = vec3<f32>();
                                                 }
-                                                let _e1406 = phi_9580_;
-                                                phi_16678_ = _e1395;
-                                                phi_9582_ = _e1406;
-                                                phi_9583_ = select(true, false, _e1400);
+                                                let _e1406 = phi_9574_;
+                                                phi_16671_ = _e1395;
+                                                phi_9576_ = _e1406;
+                                                phi_9577_ = select(true, false, _e1400);
                                             } else {
-                                                phi_16678_ = _e284;
-                                                phi_9582_ = vec3<f32>();
-                                                phi_9583_ = true;
+                                                phi_16671_ = _e284;
+                                                phi_9576_ = vec3<f32>();
+                                                phi_9577_ = true;
                                             }
-                                            let _e1409 = phi_16678_;
-                                            let _e1411 = phi_9582_;
-                                            let _e1413 = phi_9583_;
-                                            phi_16676_ = _e1409;
-                                            phi_9588_ = vec3<f32>();
-                                            phi_9589_ = select(_e1411, vec3<f32>(0f, 0f, 0f), vec3(_e1413));
+                                            let _e1409 = phi_16671_;
+                                            let _e1411 = phi_9576_;
+                                            let _e1413 = phi_9577_;
+                                            phi_16669_ = _e1409;
+                                            phi_9582_ = vec3<f32>();
+                                            phi_9583_ = select(_e1411, vec3<f32>(0f, 0f, 0f), vec3(_e1413));
                                         }
-                                        let _e2466 = phi_16676_;
-                                        let _e2468 = phi_9588_;
-                                        let _e2470 = phi_9589_;
-                                        phi_16675_ = _e2466;
-                                        phi_9590_ = _e2468;
-                                        phi_9591_ = _e2470;
-                                        phi_9592_ = _e323;
+                                        let _e2466 = phi_16669_;
+                                        let _e2468 = phi_9582_;
+                                        let _e2470 = phi_9583_;
+                                        phi_16668_ = _e2466;
+                                        phi_9584_ = _e2468;
+                                        phi_9585_ = _e2470;
+                                        phi_9586_ = _e323;
                                     }
-                                    let _e3733 = phi_16675_;
-                                    let _e3735 = phi_9590_;
-                                    let _e3737 = phi_9591_;
-                                    let _e3739 = phi_9592_;
+                                    let _e3733 = phi_16668_;
+                                    let _e3735 = phi_9584_;
+                                    let _e3737 = phi_9585_;
+                                    let _e3739 = phi_9586_;
                                     let _e3741 = select(_e3737, _e3735, vec3(_e3739));
-                                    phi_16673_ = _e3733;
-                                    phi_9612_ = vec3<f32>((_e236.x + (_e3741.x * _e296)), (_e236.y + (_e3741.y * _e296)), (_e236.z + (_e3741.z * _e296)));
+                                    phi_16666_ = _e3733;
+                                    phi_9606_ = vec3<f32>((_e236.x + (_e3741.x * _e296)), (_e236.y + (_e3741.y * _e296)), (_e236.z + (_e3741.z * _e296)));
                                 } else {
-                                    phi_16673_ = _e284;
-                                    phi_9612_ = _e236;
+                                    phi_16666_ = _e284;
+                                    phi_9606_ = _e236;
                                 }
-                                let _e3756 = phi_16673_;
-                                let _e3758 = phi_9612_;
-                                phi_16672_ = _e3756;
-                                phi_4966_ = _e3758;
+                                let _e3756 = phi_16666_;
+                                let _e3758 = phi_9606_;
+                                phi_16665_ = _e3756;
+                                phi_4963_ = _e3758;
                             } else {
-                                phi_16672_ = _e232;
-                                phi_4966_ = vec3<f32>();
+                                phi_16665_ = _e232;
+                                phi_4963_ = vec3<f32>();
                             }
-                            let _e3760 = phi_16672_;
-                            let _e3762 = phi_4966_;
+                            let _e3760 = phi_16665_;
+                            let _e3762 = phi_4963_;
                             continue;
                             continuing {
-                                phi_16283_ = _e3760;
-                                phi_4962_ = _e249;
-                                phi_4965_ = _e3762;
-                                phi_16671_ = _e3760;
+                                phi_16276_ = _e3760;
+                                phi_4959_ = _e249;
+                                phi_4962_ = _e3762;
+                                phi_16664_ = _e3760;
                                 break if !(_e255);
                             }
                         }
-                        let _e3765 = phi_16671_;
+                        let _e3765 = phi_16664_;
                         if _e3765 {
                             break;
                         }
-                        phi_17298_ = _e3765;
+                        phi_17291_ = _e3765;
                         let _e10033 = local_32;
-                        phi_9613_ = _e10033;
+                        phi_9607_ = _e10033;
                     }
-                    let _e8060 = phi_17298_;
-                    let _e8062 = phi_9613_;
+                    let _e8060 = phi_17291_;
+                    let _e8062 = phi_9607_;
                     let _e8065 = params.member.member_4;
                     if (_e8065 > 0u) {
                         let _e8070 = ((_e213 ^ (_e213 >> bitcast<u32>(16i))) * 2146121005u);
@@ -7608,23 +7608,23 @@ fn function_() {
                         let _e8081 = bitcast<f32>((1065353216u | (bitcast<u32>(_e162.member_2[2]) & 2147483648u)));
                         let _e8083 = (-1f / (_e8081 + _e162.member_2[2]));
                         let _e8085 = ((_e162.member_2[0] * _e162.member_2[1]) * _e8083);
-                        phi_17297_ = _e8060;
-                        phi_9653_ = type_8(0u, _e8065);
-                        phi_9656_ = 0i;
+                        phi_17290_ = _e8060;
+                        phi_9647_ = type_8(0u, _e8065);
+                        phi_9650_ = 0i;
                         loop {
-                            let _e8099 = phi_17297_;
-                            let _e8101 = phi_9653_;
-                            let _e8103 = phi_9656_;
+                            let _e8099 = phi_17290_;
+                            let _e8101 = phi_9647_;
+                            let _e8103 = phi_9650_;
                             local_30 = _e8103;
                             if (_e8101.member < _e8101.member_1) {
-                                phi_9654_ = type_8((_e8101.member + 1u), _e8101.member_1);
-                                phi_9679_ = type_8(1u, _e8101.member);
+                                phi_9648_ = type_8((_e8101.member + 1u), _e8101.member_1);
+                                phi_9673_ = type_8(1u, _e8101.member);
                             } else {
-                                phi_9654_ = _e8101;
-                                phi_9679_ = type_8(0u, type_8().member_1);
+                                phi_9648_ = _e8101;
+                                phi_9673_ = type_8(0u, type_8().member_1);
                             }
-                            let _e8116 = phi_9654_;
-                            let _e8118 = phi_9679_;
+                            let _e8116 = phi_9648_;
+                            let _e8118 = phi_9673_;
                             let _e8122 = (bitcast<i32>(_e8118.member) != 0i);
                             if _e8122 {
                                 let _e8126 = ((_e8077 ^ (_e8077 >> bitcast<u32>(16i))) * 2146121005u);
@@ -7634,30 +7634,30 @@ fn function_() {
                                 let _e8145 = ((_e8141 ^ (_e8141 >> bitcast<u32>(15i))) * 2221713035u);
                                 let _e8163 = (0.000000059604645f * (f32(((2147483648u + (_e8118.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e8130 ^ (_e8130 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                 if (_e8163 >= 1f) {
-                                    phi_16027_ = (_e8163 - 1f);
+                                    phi_16020_ = (_e8163 - 1f);
                                 } else {
-                                    phi_16027_ = _e8163;
+                                    phi_16020_ = _e8163;
                                 }
-                                let _e8167 = phi_16027_;
+                                let _e8167 = phi_16020_;
                                 let _e8169 = (0.000000059604645f * (f32(((2147483648u + (_e8118.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e8145 ^ (_e8145 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                 if (_e8169 >= 1f) {
-                                    phi_16035_ = (_e8169 - 1f);
+                                    phi_16028_ = (_e8169 - 1f);
                                 } else {
-                                    phi_16035_ = _e8169;
+                                    phi_16028_ = _e8169;
                                 }
-                                let _e8173 = phi_16035_;
+                                let _e8173 = phi_16028_;
                                 let _e8175 = ((2f * _e8167) - 1f);
                                 let _e8177 = ((2f * _e8173) - 1f);
                                 if (_e8175 == 0f) {
                                     let _e8179 = (_e8177 == 0f);
-                                    phi_9743_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e8179));
-                                    phi_9744_ = select(true, false, _e8179);
+                                    phi_9737_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e8179));
+                                    phi_9738_ = select(true, false, _e8179);
                                 } else {
-                                    phi_9743_ = vec2<f32>();
-                                    phi_9744_ = true;
+                                    phi_9737_ = vec2<f32>();
+                                    phi_9738_ = true;
                                 }
-                                let _e8184 = phi_9743_;
-                                let _e8186 = phi_9744_;
+                                let _e8184 = phi_9737_;
+                                let _e8186 = phi_9738_;
                                 if _e8186 {
                                     if (abs(_e8175) > abs(_e8177)) {
                                         let _e8243 = (_e8177 / _e8175);
@@ -7671,18 +7671,18 @@ fn function_() {
                                         let _e8280 = select(_e8270, _e8261, _e8279);
                                         let _e8281 = select(_e8261, _e8270, _e8279);
                                         if ((_e8277 & 2i) == 0i) {
-                                            phi_9808_ = _e8280;
+                                            phi_9802_ = _e8280;
                                         } else {
-                                            phi_9808_ = -(_e8280);
+                                            phi_9802_ = -(_e8280);
                                         }
-                                        let _e8286 = phi_9808_;
+                                        let _e8286 = phi_9802_;
                                         if (((_e8277 + 1i) & 2i) == 0i) {
-                                            phi_9816_ = _e8281;
+                                            phi_9810_ = _e8281;
                                         } else {
-                                            phi_9816_ = -(_e8281);
+                                            phi_9810_ = -(_e8281);
                                         }
-                                        let _e8292 = phi_9816_;
-                                        phi_9886_ = vec2<f32>((_e8175 * _e8292), (_e8175 * _e8286));
+                                        let _e8292 = phi_9810_;
+                                        phi_9880_ = vec2<f32>((_e8175 * _e8292), (_e8175 * _e8286));
                                     } else {
                                         let _e8190 = (_e8175 / _e8177);
                                         let _e8194 = floor(((_e8190 * 0.5f) + 0.5f));
@@ -7695,36 +7695,36 @@ fn function_() {
                                         let _e8227 = select(_e8217, _e8208, _e8226);
                                         let _e8228 = select(_e8208, _e8217, _e8226);
                                         if ((_e8224 & 2i) == 0i) {
-                                            phi_9874_ = _e8227;
+                                            phi_9868_ = _e8227;
                                         } else {
-                                            phi_9874_ = -(_e8227);
+                                            phi_9868_ = -(_e8227);
                                         }
-                                        let _e8233 = phi_9874_;
+                                        let _e8233 = phi_9868_;
                                         if (((_e8224 + 1i) & 2i) == 0i) {
-                                            phi_9882_ = _e8228;
+                                            phi_9876_ = _e8228;
                                         } else {
-                                            phi_9882_ = -(_e8228);
+                                            phi_9876_ = -(_e8228);
                                         }
-                                        let _e8239 = phi_9882_;
-                                        phi_9886_ = vec2<f32>((_e8177 * _e8233), (_e8177 * _e8239));
+                                        let _e8239 = phi_9876_;
+                                        phi_9880_ = vec2<f32>((_e8177 * _e8233), (_e8177 * _e8239));
                                     }
-                                    let _e8297 = phi_9886_;
-                                    phi_9887_ = _e8297;
+                                    let _e8297 = phi_9880_;
+                                    phi_9881_ = _e8297;
                                 } else {
-                                    phi_9887_ = _e8184;
+                                    phi_9881_ = _e8184;
                                 }
-                                let _e8299 = phi_9887_;
+                                let _e8299 = phi_9881_;
                                 let _e8305 = (1f - ((_e8299.x * _e8299.x) + (_e8299.y * _e8299.y)));
                                 let _e8308 = sqrt(select(0f, _e8305, (_e8305 > 0f)));
                                 let _e8321 = ((((1f + (((_e8081 * _e162.member_2[0]) * _e162.member_2[0]) * _e8083)) * _e8299.x) + (_e8085 * _e8299.y)) + (_e162.member_2[0] * _e8308));
                                 let _e8322 = ((((_e8081 * _e8085) * _e8299.x) + ((_e8081 + ((_e162.member_2[1] * _e162.member_2[1]) * _e8083)) * _e8299.y)) + (_e162.member_2[1] * _e8308));
                                 let _e8323 = ((((-(_e8081) * _e162.member_2[0]) * _e8299.x) + (-(_e162.member_2[1]) * _e8299.y)) + (_e162.member_2[2] * _e8308));
                                 if ((((_e162.member_4[0] * _e8321) + (_e162.member_4[1] * _e8322)) + (_e162.member_4[2] * _e8323)) < 0f) {
-                                    phi_9925_ = -(_e162.member_9);
+                                    phi_9919_ = -(_e162.member_9);
                                 } else {
-                                    phi_9925_ = _e162.member_9;
+                                    phi_9919_ = _e162.member_9;
                                 }
-                                let _e8332 = phi_9925_;
+                                let _e8332 = phi_9919_;
                                 let _e8336 = (_e162.member[0] + (_e162.member_4[0] * _e8332));
                                 let _e8337 = (_e162.member[1] + (_e162.member_4[1] * _e8332));
                                 let _e8338 = (_e162.member[2] + (_e162.member_4[2] * _e8332));
@@ -7733,31 +7733,31 @@ fn function_() {
                                 let _e8341 = abs(_e8323);
                                 let _e8342 = (_e8339 > _e8340);
                                 if _e8342 {
-                                    phi_9948_ = (_e8339 > _e8341);
+                                    phi_9942_ = (_e8339 > _e8341);
                                 } else {
-                                    phi_9948_ = (_e8340 > _e8341);
+                                    phi_9942_ = (_e8340 > _e8341);
                                 }
-                                let _e8346 = phi_9948_;
+                                let _e8346 = phi_9942_;
                                 let _e8347 = select(1u, 0u, _e8342);
                                 if _e8346 {
                                     let _e8348 = (_e8347 + 1u);
-                                    phi_9958_ = _e8348;
-                                    phi_9961_ = select(true, false, (_e8348 == 2u));
+                                    phi_9952_ = _e8348;
+                                    phi_9955_ = select(true, false, (_e8348 == 2u));
                                 } else {
-                                    phi_9958_ = u32();
-                                    phi_9961_ = false;
+                                    phi_9952_ = u32();
+                                    phi_9955_ = false;
                                 }
-                                let _e8352 = phi_9958_;
-                                let _e8354 = phi_9961_;
+                                let _e8352 = phi_9952_;
+                                let _e8354 = phi_9955_;
                                 let _e8355 = select(true, false, _e8346);
                                 let _e8356 = select(_e8352, 0u, _e8355);
                                 let _e8358 = select(_e8354, true, _e8355);
                                 if _e8358 {
-                                    phi_9972_ = (_e8356 + 1u);
+                                    phi_9966_ = (_e8356 + 1u);
                                 } else {
-                                    phi_9972_ = 0u;
+                                    phi_9966_ = 0u;
                                 }
-                                let _e8361 = phi_9972_;
+                                let _e8361 = phi_9966_;
                                 let _e8362 = select(_e8352, _e8356, _e8358);
                                 let _e8363 = select(_e8347, select(_e8347, 2u, _e8355), _e8358);
                                 local_1 = array<f32, 3>(_e8321, _e8322, _e8323);
@@ -7765,7 +7765,7 @@ fn function_() {
                                 let _e8366 = (_e8363 < 3u);
                                 if _e8366 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8368 = local_1[_e8363];
@@ -7773,7 +7773,7 @@ fn function_() {
                                 let _e8370 = (_e8362 < 3u);
                                 if _e8370 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8372 = local_1[_e8362];
@@ -7781,32 +7781,32 @@ fn function_() {
                                 let _e8374 = (_e8361 < 3u);
                                 if _e8374 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8376 = local_1[_e8361];
                                 let _e8377 = (_e8376 * _e8369);
                                 if _e8370 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8379 = local_2[_e8362];
                                 if _e8374 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8381 = local_2[_e8361];
                                 if _e8366 {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8383 = local_2[_e8363];
                                 if (0u < _e135) {
                                 } else {
-                                    phi_17409_ = true;
+                                    phi_17402_ = true;
                                     break;
                                 }
                                 let _e8388 = nodes.member[0u].member_7[0u];
@@ -7831,38 +7831,38 @@ fn function_() {
                                 let _e8430 = (_e8337 - _e8420);
                                 let _e8431 = (_e8338 - _e8421);
                                 if (_e8339 > _e8425) {
-                                    phi_10102_ = (1f / _e8321);
+                                    phi_10096_ = (1f / _e8321);
                                 } else {
-                                    phi_10102_ = (1000000000000f / _e8424);
+                                    phi_10096_ = (1000000000000f / _e8424);
                                 }
-                                let _e8436 = phi_10102_;
+                                let _e8436 = phi_10096_;
                                 if (_e8340 > _e8425) {
-                                    phi_10110_ = (1f / _e8322);
+                                    phi_10104_ = (1f / _e8322);
                                 } else {
-                                    phi_10110_ = (1000000000000f / _e8424);
+                                    phi_10104_ = (1000000000000f / _e8424);
                                 }
-                                let _e8441 = phi_10110_;
+                                let _e8441 = phi_10104_;
                                 if (_e8341 > _e8425) {
-                                    phi_10118_ = (1f / _e8323);
+                                    phi_10112_ = (1f / _e8323);
                                 } else {
-                                    phi_10118_ = (1000000000000f / _e8424);
+                                    phi_10112_ = (1000000000000f / _e8424);
                                 }
-                                let _e8446 = phi_10118_;
+                                let _e8446 = phi_10112_;
                                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                phi_17278_ = _e8099;
-                                phi_10121_ = 0u;
-                                phi_10124_ = 0u;
+                                phi_17271_ = _e8099;
+                                phi_10115_ = 0u;
+                                phi_10118_ = 0u;
                                 loop {
-                                    let _e8448 = phi_17278_;
-                                    let _e8450 = phi_10121_;
-                                    let _e8452 = phi_10124_;
+                                    let _e8448 = phi_17271_;
+                                    let _e8450 = phi_10115_;
+                                    let _e8452 = phi_10118_;
                                     let _e8453 = (_e8450 & 15u);
                                     let _e8455 = (_e8450 >> bitcast<u32>(4u));
                                     if (_e8453 == 0u) {
                                         if (_e8455 < _e135) {
                                         } else {
-                                            phi_17349_ = true;
-                                            phi_12437_ = bool();
+                                            phi_17342_ = true;
+                                            phi_12430_ = bool();
                                             break;
                                         }
                                         let _e9085 = nodes.member[_e8455].member;
@@ -7946,148 +7946,148 @@ fn function_() {
                                         if (select(340282350000000000000000000000000000000f, _e9220, (_e9220 <= select(340282350000000000000000000000000000000f, _e9260, (_e9260 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                             if (_e8452 < 64u) {
                                             } else {
-                                                phi_17349_ = true;
-                                                phi_12437_ = bool();
+                                                phi_17342_ = true;
+                                                phi_12430_ = bool();
                                                 break;
                                             }
                                             local[_e8452] = _e9292;
-                                            phi_10509_ = (_e8452 + 1u);
+                                            phi_10503_ = (_e8452 + 1u);
                                         } else {
-                                            phi_10509_ = _e8452;
+                                            phi_10503_ = _e8452;
                                         }
-                                        let _e9298 = phi_10509_;
+                                        let _e9298 = phi_10503_;
                                         if (select(340282350000000000000000000000000000000f, _e9218, (_e9218 <= select(340282350000000000000000000000000000000f, _e9258, (_e9258 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                             if (_e9298 < 64u) {
                                             } else {
-                                                phi_17349_ = true;
-                                                phi_12437_ = bool();
+                                                phi_17342_ = true;
+                                                phi_12430_ = bool();
                                                 break;
                                             }
                                             local[_e9298] = _e9288;
-                                            phi_10521_ = (_e9298 + 1u);
+                                            phi_10515_ = (_e9298 + 1u);
                                         } else {
-                                            phi_10521_ = _e9298;
+                                            phi_10515_ = _e9298;
                                         }
-                                        let _e9304 = phi_10521_;
+                                        let _e9304 = phi_10515_;
                                         if (select(340282350000000000000000000000000000000f, _e9216, (_e9216 <= select(340282350000000000000000000000000000000f, _e9256, (_e9256 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                             if (_e9304 < 64u) {
                                             } else {
-                                                phi_17349_ = true;
-                                                phi_12437_ = bool();
+                                                phi_17342_ = true;
+                                                phi_12430_ = bool();
                                                 break;
                                             }
                                             local[_e9304] = _e9284;
-                                            phi_10533_ = (_e9304 + 1u);
+                                            phi_10527_ = (_e9304 + 1u);
                                         } else {
-                                            phi_10533_ = _e9304;
+                                            phi_10527_ = _e9304;
                                         }
-                                        let _e9310 = phi_10533_;
+                                        let _e9310 = phi_10527_;
                                         if (select(340282350000000000000000000000000000000f, _e9214, (_e9214 <= select(340282350000000000000000000000000000000f, _e9254, (_e9254 < 340282350000000000000000000000000000000f)))) < 340282350000000000000000000000000000000f) {
                                             if (_e9310 < 64u) {
                                             } else {
-                                                phi_17349_ = true;
-                                                phi_12437_ = bool();
+                                                phi_17342_ = true;
+                                                phi_12430_ = bool();
                                                 break;
                                             }
                                             local[_e9310] = _e9280;
-                                            phi_10545_ = (_e9310 + 1u);
+                                            phi_10539_ = (_e9310 + 1u);
                                         } else {
-                                            phi_10545_ = _e9310;
+                                            phi_10539_ = _e9310;
                                         }
-                                        let _e9316 = phi_10545_;
-                                        phi_17351_ = _e8448;
-                                        phi_11238_ = _e9316;
-                                        phi_11239_ = true;
+                                        let _e9316 = phi_10539_;
+                                        phi_17344_ = _e8448;
+                                        phi_11231_ = _e9316;
+                                        phi_11232_ = true;
                                     } else {
-                                        phi_10549_ = type_8(_e8455, (_e8455 + _e8453));
+                                        phi_10543_ = type_8(_e8455, (_e8455 + _e8453));
                                         loop {
-                                            let _e8460 = phi_10549_;
+                                            let _e8460 = phi_10543_;
                                             if (_e8460.member < _e8460.member_1) {
-                                                phi_10550_ = type_8((_e8460.member + 1u), _e8460.member_1);
-                                                phi_10573_ = type_8(1u, _e8460.member);
+                                                phi_10544_ = type_8((_e8460.member + 1u), _e8460.member_1);
+                                                phi_10567_ = type_8(1u, _e8460.member);
                                             } else {
-                                                phi_10550_ = _e8460;
-                                                phi_10573_ = type_8(0u, type_8().member_1);
+                                                phi_10544_ = _e8460;
+                                                phi_10567_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e8473 = phi_10550_;
-                                            let _e8475 = phi_10573_;
+                                            let _e8473 = phi_10544_;
+                                            let _e8475 = phi_10567_;
                                             let _e8479 = (bitcast<i32>(_e8475.member) != 0i);
                                             if _e8479 {
                                                 let _e8480 = (_e8475.member_1 < _e138);
                                                 if _e8480 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 if _e8366 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8484 = triangles.member[_e8475.member_1].member[_e8363];
                                                 let _e8485 = (_e8484 - _e8383);
                                                 if _e8366 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8489 = triangles.member[_e8475.member_1].member_2[_e8363];
                                                 let _e8490 = (_e8489 - _e8383);
                                                 if _e8366 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8494 = triangles.member[_e8475.member_1].member_4[_e8363];
                                                 let _e8495 = (_e8494 - _e8383);
                                                 if _e8370 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8499 = triangles.member[_e8475.member_1].member[_e8362];
                                                 let _e8502 = ((_e8499 - _e8379) - (_e8373 * _e8485));
                                                 if _e8374 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8506 = triangles.member[_e8475.member_1].member[_e8361];
                                                 let _e8509 = ((_e8506 - _e8381) - (_e8377 * _e8485));
                                                 if _e8370 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8513 = triangles.member[_e8475.member_1].member_2[_e8362];
                                                 let _e8516 = ((_e8513 - _e8379) - (_e8373 * _e8490));
                                                 if _e8374 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8520 = triangles.member[_e8475.member_1].member_2[_e8361];
                                                 let _e8523 = ((_e8520 - _e8381) - (_e8377 * _e8490));
                                                 if _e8370 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8527 = triangles.member[_e8475.member_1].member_4[_e8362];
                                                 let _e8530 = ((_e8527 - _e8379) - (_e8373 * _e8495));
                                                 if _e8374 {
                                                 } else {
-                                                    phi_17274_ = true;
-                                                    phi_12436_ = bool();
+                                                    phi_17267_ = true;
+                                                    phi_12429_ = bool();
                                                     break;
                                                 }
                                                 let _e8534 = triangles.member[_e8475.member_1].member_4[_e8361];
@@ -8095,7 +8095,7 @@ fn function_() {
                                                 let _e8538 = (_e8530 * _e8523);
                                                 let _e8539 = (_e8537 * _e8516);
                                                 if (_e8538 != _e8539) {
-                                                    phi_10689_ = (_e8538 - _e8539);
+                                                    phi_10683_ = (_e8538 - _e8539);
                                                 } else {
                                                     let _e8541 = (_e8530 * 4097f);
                                                     let _e8543 = (_e8541 - (_e8541 - _e8530));
@@ -8109,13 +8109,13 @@ fn function_() {
                                                     let _e8562 = (_e8560 - (_e8560 - _e8516));
                                                     let _e8563 = (_e8537 - _e8559);
                                                     let _e8564 = (_e8516 - _e8562);
-                                                    phi_10689_ = ((((((_e8543 * _e8546) - _e8538) + (_e8543 * _e8548)) + (_e8547 * _e8546)) + (_e8547 * _e8548)) - (((((_e8559 * _e8562) - _e8539) + (_e8559 * _e8564)) + (_e8563 * _e8562)) + (_e8563 * _e8564)));
+                                                    phi_10683_ = ((((((_e8543 * _e8546) - _e8538) + (_e8543 * _e8548)) + (_e8547 * _e8546)) + (_e8547 * _e8548)) - (((((_e8559 * _e8562) - _e8539) + (_e8559 * _e8564)) + (_e8563 * _e8562)) + (_e8563 * _e8564)));
                                                 }
-                                                let _e8576 = phi_10689_;
+                                                let _e8576 = phi_10683_;
                                                 let _e8577 = (_e8502 * _e8537);
                                                 let _e8578 = (_e8509 * _e8530);
                                                 if (_e8577 != _e8578) {
-                                                    phi_10700_ = (_e8577 - _e8578);
+                                                    phi_10694_ = (_e8577 - _e8578);
                                                 } else {
                                                     let _e8580 = (_e8502 * 4097f);
                                                     let _e8582 = (_e8580 - (_e8580 - _e8502));
@@ -8129,13 +8129,13 @@ fn function_() {
                                                     let _e8601 = (_e8599 - (_e8599 - _e8530));
                                                     let _e8602 = (_e8509 - _e8598);
                                                     let _e8603 = (_e8530 - _e8601);
-                                                    phi_10700_ = ((((((_e8582 * _e8585) - _e8577) + (_e8582 * _e8587)) + (_e8586 * _e8585)) + (_e8586 * _e8587)) - (((((_e8598 * _e8601) - _e8578) + (_e8598 * _e8603)) + (_e8602 * _e8601)) + (_e8602 * _e8603)));
+                                                    phi_10694_ = ((((((_e8582 * _e8585) - _e8577) + (_e8582 * _e8587)) + (_e8586 * _e8585)) + (_e8586 * _e8587)) - (((((_e8598 * _e8601) - _e8578) + (_e8598 * _e8603)) + (_e8602 * _e8601)) + (_e8602 * _e8603)));
                                                 }
-                                                let _e8615 = phi_10700_;
+                                                let _e8615 = phi_10694_;
                                                 let _e8616 = (_e8516 * _e8509);
                                                 let _e8617 = (_e8523 * _e8502);
                                                 if (_e8616 != _e8617) {
-                                                    phi_10711_ = (_e8616 - _e8617);
+                                                    phi_10705_ = (_e8616 - _e8617);
                                                 } else {
                                                     let _e8619 = (_e8516 * 4097f);
                                                     let _e8621 = (_e8619 - (_e8619 - _e8516));
@@ -8149,71 +8149,71 @@ fn function_() {
                                                     let _e8640 = (_e8638 - (_e8638 - _e8502));
                                                     let _e8641 = (_e8523 - _e8637);
                                                     let _e8642 = (_e8502 - _e8640);
-                                                    phi_10711_ = ((((((_e8621 * _e8624) - _e8616) + (_e8621 * _e8626)) + (_e8625 * _e8624)) + (_e8625 * _e8626)) - (((((_e8637 * _e8640) - _e8617) + (_e8637 * _e8642)) + (_e8641 * _e8640)) + (_e8641 * _e8642)));
+                                                    phi_10705_ = ((((((_e8621 * _e8624) - _e8616) + (_e8621 * _e8626)) + (_e8625 * _e8624)) + (_e8625 * _e8626)) - (((((_e8637 * _e8640) - _e8617) + (_e8637 * _e8642)) + (_e8641 * _e8640)) + (_e8641 * _e8642)));
                                                 }
-                                                let _e8654 = phi_10711_;
+                                                let _e8654 = phi_10705_;
                                                 if (_e8576 < 0f) {
-                                                    phi_10729_ = f32();
-                                                    phi_10730_ = true;
+                                                    phi_10723_ = f32();
+                                                    phi_10724_ = true;
                                                 } else {
                                                     if (_e8615 < 0f) {
-                                                        phi_10727_ = f32();
-                                                        phi_10728_ = true;
+                                                        phi_10721_ = f32();
+                                                        phi_10722_ = true;
                                                     } else {
                                                         let _e8657 = (_e8654 < 0f);
                                                         if _e8657 {
-                                                            phi_10726_ = f32();
+                                                            phi_10720_ = f32();
                                                         } else {
-                                                            phi_10726_ = ((_e8576 + _e8615) + _e8654);
+                                                            phi_10720_ = ((_e8576 + _e8615) + _e8654);
                                                         }
-                                                        let _e8661 = phi_10726_;
-                                                        phi_10727_ = _e8661;
-                                                        phi_10728_ = _e8657;
+                                                        let _e8661 = phi_10720_;
+                                                        phi_10721_ = _e8661;
+                                                        phi_10722_ = _e8657;
                                                     }
-                                                    let _e8663 = phi_10727_;
-                                                    let _e8665 = phi_10728_;
-                                                    phi_10729_ = _e8663;
-                                                    phi_10730_ = _e8665;
+                                                    let _e8663 = phi_10721_;
+                                                    let _e8665 = phi_10722_;
+                                                    phi_10723_ = _e8663;
+                                                    phi_10724_ = _e8665;
                                                 }
-                                                let _e8667 = phi_10729_;
-                                                let _e8669 = phi_10730_;
+                                                let _e8667 = phi_10723_;
+                                                let _e8669 = phi_10724_;
                                                 if _e8669 {
                                                     if (_e8576 > 0f) {
-                                                        phi_10751_ = f32();
-                                                        phi_10752_ = true;
-                                                        phi_10753_ = false;
+                                                        phi_10745_ = f32();
+                                                        phi_10746_ = true;
+                                                        phi_10747_ = false;
                                                     } else {
                                                         let _e8671 = (_e8615 > 0f);
                                                         if _e8671 {
-                                                            phi_10749_ = f32();
-                                                            phi_10750_ = false;
+                                                            phi_10743_ = f32();
+                                                            phi_10744_ = false;
                                                         } else {
-                                                            phi_10749_ = ((_e8576 + _e8615) + _e8654);
-                                                            phi_10750_ = select(true, false, (_e8654 > 0f));
+                                                            phi_10743_ = ((_e8576 + _e8615) + _e8654);
+                                                            phi_10744_ = select(true, false, (_e8654 > 0f));
                                                         }
-                                                        let _e8677 = phi_10749_;
-                                                        let _e8679 = phi_10750_;
-                                                        phi_10751_ = _e8677;
-                                                        phi_10752_ = _e8671;
-                                                        phi_10753_ = _e8679;
+                                                        let _e8677 = phi_10743_;
+                                                        let _e8679 = phi_10744_;
+                                                        phi_10745_ = _e8677;
+                                                        phi_10746_ = _e8671;
+                                                        phi_10747_ = _e8679;
                                                     }
-                                                    let _e8681 = phi_10751_;
-                                                    let _e8683 = phi_10752_;
-                                                    let _e8685 = phi_10753_;
-                                                    phi_10758_ = _e8681;
-                                                    phi_10759_ = select(_e8685, false, _e8683);
+                                                    let _e8681 = phi_10745_;
+                                                    let _e8683 = phi_10746_;
+                                                    let _e8685 = phi_10747_;
+                                                    phi_10752_ = _e8681;
+                                                    phi_10753_ = select(_e8685, false, _e8683);
                                                 } else {
-                                                    phi_10758_ = _e8667;
-                                                    phi_10759_ = true;
+                                                    phi_10752_ = _e8667;
+                                                    phi_10753_ = true;
                                                 }
-                                                let _e8688 = phi_10758_;
-                                                let _e8690 = phi_10759_;
+                                                let _e8688 = phi_10752_;
+                                                let _e8690 = phi_10753_;
                                                 if _e8690 {
                                                     let _e8691 = (_e8688 == 0f);
                                                     if _e8691 {
-                                                        phi_10847_ = array<f32, 3>();
-                                                        phi_10848_ = array<f32, 3>();
-                                                        phi_10849_ = false;
+                                                        phi_10841_ = array<f32, 3>();
+                                                        phi_10842_ = array<f32, 3>();
+                                                        phi_10843_ = false;
                                                     } else {
                                                         let _e8692 = (_e8485 * _e8369);
                                                         let _e8693 = (_e8490 * _e8369);
@@ -8236,8 +8236,8 @@ fn function_() {
                                                         let _e8725 = abs(_e8694);
                                                         let _e8732 = (((select(_e8710, _e8709, (_e8709 > _e8710)) * select(_e8717, _e8716, (_e8716 > _e8717))) * select(_e8725, _e8724, (_e8724 > _e8725))) <= (abs((_e8688 * _e8705)) * 256f));
                                                         if _e8732 {
-                                                            phi_10845_ = array<f32, 3>(_e8705, _e8698, _e8699);
-                                                            phi_10846_ = array<f32, 3>();
+                                                            phi_10839_ = array<f32, 3>(_e8705, _e8698, _e8699);
+                                                            phi_10840_ = array<f32, 3>();
                                                         } else {
                                                             let _e8734 = (_e8530 * 4097f);
                                                             let _e8736 = (_e8734 - (_e8734 - _e8530));
@@ -8263,44 +8263,44 @@ fn function_() {
                                                             let _e8816 = (1f / ((_e8767 + _e8794) + _e8813));
                                                             let _e8817 = (_e8794 * _e8816);
                                                             let _e8818 = (_e8813 * _e8816);
-                                                            phi_10845_ = array<f32, 3>();
-                                                            phi_10846_ = array<f32, 3>(((((_e8767 * _e8816) * _e8692) + (_e8817 * _e8693)) + (_e8818 * _e8694)), _e8817, _e8818);
+                                                            phi_10839_ = array<f32, 3>();
+                                                            phi_10840_ = array<f32, 3>(((((_e8767 * _e8816) * _e8692) + (_e8817 * _e8693)) + (_e8818 * _e8694)), _e8817, _e8818);
                                                         }
-                                                        let _e8828 = phi_10845_;
-                                                        let _e8830 = phi_10846_;
-                                                        phi_10847_ = _e8828;
-                                                        phi_10848_ = _e8830;
-                                                        phi_10849_ = _e8732;
+                                                        let _e8828 = phi_10839_;
+                                                        let _e8830 = phi_10840_;
+                                                        phi_10841_ = _e8828;
+                                                        phi_10842_ = _e8830;
+                                                        phi_10843_ = _e8732;
                                                     }
-                                                    let _e8832 = phi_10847_;
-                                                    let _e8834 = phi_10848_;
-                                                    let _e8836 = phi_10849_;
-                                                    phi_10850_ = _e8832;
-                                                    phi_10851_ = _e8834;
-                                                    phi_10852_ = _e8691;
-                                                    phi_10853_ = _e8836;
+                                                    let _e8832 = phi_10841_;
+                                                    let _e8834 = phi_10842_;
+                                                    let _e8836 = phi_10843_;
+                                                    phi_10844_ = _e8832;
+                                                    phi_10845_ = _e8834;
+                                                    phi_10846_ = _e8691;
+                                                    phi_10847_ = _e8836;
                                                 } else {
-                                                    phi_10850_ = array<f32, 3>();
-                                                    phi_10851_ = array<f32, 3>();
-                                                    phi_10852_ = true;
-                                                    phi_10853_ = false;
+                                                    phi_10844_ = array<f32, 3>();
+                                                    phi_10845_ = array<f32, 3>();
+                                                    phi_10846_ = true;
+                                                    phi_10847_ = false;
                                                 }
-                                                let _e8838 = phi_10850_;
-                                                let _e8840 = phi_10851_;
-                                                let _e8842 = phi_10852_;
-                                                let _e8844 = phi_10853_;
+                                                let _e8838 = phi_10844_;
+                                                let _e8840 = phi_10845_;
+                                                let _e8842 = phi_10846_;
+                                                let _e8844 = phi_10847_;
                                                 if _e8842 {
-                                                    phi_10858_ = array<f32, 3>(-1f, 0f, 0f);
+                                                    phi_10852_ = array<f32, 3>(-1f, 0f, 0f);
                                                 } else {
-                                                    phi_10858_ = _e8838;
+                                                    phi_10852_ = _e8838;
                                                 }
-                                                let _e8846 = phi_10858_;
+                                                let _e8846 = phi_10852_;
                                                 if select(_e8844, true, _e8842) {
-                                                    phi_10863_ = _e8846;
+                                                    phi_10857_ = _e8846;
                                                 } else {
-                                                    phi_10863_ = _e8840;
+                                                    phi_10857_ = _e8840;
                                                 }
-                                                let _e8849 = phi_10863_;
+                                                let _e8849 = phi_10857_;
                                                 let _e8853 = (_e8849[0] >= 0f);
                                                 if _e8853 {
                                                     let _e8854 = (_e8849[0] < 340282350000000000000000000000000000000f);
@@ -8308,79 +8308,79 @@ fn function_() {
                                                         if _e8853 {
                                                             if _e8480 {
                                                             } else {
-                                                                phi_17274_ = true;
-                                                                phi_12436_ = bool();
+                                                                phi_17267_ = true;
+                                                                phi_12429_ = bool();
                                                                 break;
                                                             }
                                                             let _e8857 = triangles.member[_e8475.member_1].member_3;
                                                             if ((_e8857 & 1u) == 0u) {
-                                                                phi_11196_ = true;
+                                                                phi_11189_ = true;
                                                             } else {
                                                                 if _e8480 {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8862 = triangles.member[_e8475.member_1].member_1;
                                                                 let _e8863 = (_e8862 * 12u);
                                                                 if ((256u + _e8863) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if ((_e8863 + 257u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if ((_e8863 + 258u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8870 = (_e8863 + 259u);
                                                                 if (_e8870 < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8873 = surfaces.member[_e8870];
                                                                 if ((_e8863 + 260u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if ((_e8863 + 261u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if ((_e8863 + 262u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8880 = (_e8863 + 263u);
                                                                 if (_e8880 < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8883 = surfaces.member[_e8880];
                                                                 let _e8884 = (_e8863 + 264u);
                                                                 if (_e8884 < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8887 = surfaces.member[_e8884];
@@ -8388,31 +8388,31 @@ fn function_() {
                                                                 let _e8889 = (_e8863 + 265u);
                                                                 if (_e8889 < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 let _e8892 = surfaces.member[_e8889];
                                                                 let _e8893 = bitcast<f32>(_e8892);
                                                                 if ((_e8863 + 266u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if ((_e8863 + 267u) < _e144) {
                                                                 } else {
-                                                                    phi_17274_ = true;
-                                                                    phi_12436_ = bool();
+                                                                    phi_17267_ = true;
+                                                                    phi_12429_ = bool();
                                                                     break;
                                                                 }
                                                                 if (_e8873 == 4294967295u) {
-                                                                    phi_11191_ = (_e8888 < _e8893);
+                                                                    phi_11184_ = (_e8888 < _e8893);
                                                                 } else {
                                                                     if (_e8475.member_1 < _e141) {
                                                                     } else {
-                                                                        phi_17274_ = true;
-                                                                        phi_12436_ = bool();
+                                                                        phi_17267_ = true;
+                                                                        phi_12429_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e8901 = ((1f - _e8849[1]) - _e8849[2]);
@@ -8432,36 +8432,36 @@ fn function_() {
                                                                     let _e8947 = (_e8945 - _e8946);
                                                                     let _e8948 = (_e8936 - 1u);
                                                                     if (_e8946 < 0f) {
-                                                                        phi_11074_ = _e8948;
+                                                                        phi_11067_ = _e8948;
                                                                     } else {
                                                                         let _e8954 = select(select(u32(_e8946), 0u, (_e8946 < 0f)), 4294967295u, (_e8946 > 4294967000f));
-                                                                        phi_11074_ = select(_e8954, _e8948, (_e8948 < _e8954));
+                                                                        phi_11067_ = select(_e8954, _e8948, (_e8948 < _e8954));
                                                                     }
-                                                                    let _e8958 = phi_11074_;
+                                                                    let _e8958 = phi_11067_;
                                                                     if (_e8958 == _e8948) {
-                                                                        phi_11080_ = 0u;
+                                                                        phi_11073_ = 0u;
                                                                     } else {
-                                                                        phi_11080_ = (_e8958 + 1u);
+                                                                        phi_11073_ = (_e8958 + 1u);
                                                                     }
-                                                                    let _e8962 = phi_11080_;
+                                                                    let _e8962 = phi_11073_;
                                                                     let _e8964 = (_e8935 - floor(_e8935));
                                                                     let _e8969 = ((select(0f, _e8964, (_e8964 <= 1f)) * f32(_e8938)) - 0.5f);
                                                                     let _e8970 = floor(_e8969);
                                                                     let _e8971 = (_e8969 - _e8970);
                                                                     let _e8972 = (_e8938 - 1u);
                                                                     if (_e8970 < 0f) {
-                                                                        phi_11110_ = _e8972;
+                                                                        phi_11103_ = _e8972;
                                                                     } else {
                                                                         let _e8978 = select(select(u32(_e8970), 0u, (_e8970 < 0f)), 4294967295u, (_e8970 > 4294967000f));
-                                                                        phi_11110_ = select(_e8978, _e8972, (_e8972 < _e8978));
+                                                                        phi_11103_ = select(_e8978, _e8972, (_e8972 < _e8978));
                                                                     }
-                                                                    let _e8982 = phi_11110_;
+                                                                    let _e8982 = phi_11103_;
                                                                     if (_e8982 == _e8972) {
-                                                                        phi_11116_ = 0u;
+                                                                        phi_11109_ = 0u;
                                                                     } else {
-                                                                        phi_11116_ = (_e8982 + 1u);
+                                                                        phi_11109_ = (_e8982 + 1u);
                                                                     }
-                                                                    let _e8986 = phi_11116_;
+                                                                    let _e8986 = phi_11109_;
                                                                     let _e8988 = (_e8873 + (_e8982 * _e8936));
                                                                     let _e8990 = (_e8873 + (_e8986 * _e8936));
                                                                     let _e8991 = (_e8988 + _e8958);
@@ -8470,184 +8470,184 @@ fn function_() {
                                                                     let _e8994 = (_e8990 + _e8962);
                                                                     if (_e8991 < _e144) {
                                                                     } else {
-                                                                        phi_17274_ = true;
-                                                                        phi_12436_ = bool();
+                                                                        phi_17267_ = true;
+                                                                        phi_12429_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e8997 = surfaces.member[_e8991];
                                                                     if (_e8992 < _e144) {
                                                                     } else {
-                                                                        phi_17274_ = true;
-                                                                        phi_12436_ = bool();
+                                                                        phi_17267_ = true;
+                                                                        phi_12429_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e9000 = surfaces.member[_e8992];
                                                                     if (_e8993 < _e144) {
                                                                     } else {
-                                                                        phi_17274_ = true;
-                                                                        phi_12436_ = bool();
+                                                                        phi_17267_ = true;
+                                                                        phi_12429_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e9003 = surfaces.member[_e8993];
                                                                     if (_e8994 < _e144) {
                                                                     } else {
-                                                                        phi_17274_ = true;
-                                                                        phi_12436_ = bool();
+                                                                        phi_17267_ = true;
+                                                                        phi_12429_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e9006 = surfaces.member[_e8994];
                                                                     let _e9023 = (1f - _e8947);
-                                                                    phi_11191_ = ((_e8888 * (((((f32((_e8997 >> bitcast<u32>(24i))) * 0.003921569f) * _e9023) + ((f32((_e9000 >> bitcast<u32>(24i))) * 0.003921569f) * _e8947)) * (1f - _e8971)) + ((((f32((_e9003 >> bitcast<u32>(24i))) * 0.003921569f) * _e9023) + ((f32((_e9006 >> bitcast<u32>(24i))) * 0.003921569f) * _e8947)) * _e8971))) < _e8893);
+                                                                    phi_11184_ = ((_e8888 * (((((f32((_e8997 >> bitcast<u32>(24i))) * 0.003921569f) * _e9023) + ((f32((_e9000 >> bitcast<u32>(24i))) * 0.003921569f) * _e8947)) * (1f - _e8971)) + ((((f32((_e9003 >> bitcast<u32>(24i))) * 0.003921569f) * _e9023) + ((f32((_e9006 >> bitcast<u32>(24i))) * 0.003921569f) * _e8947)) * _e8971))) < _e8893);
                                                                 }
-                                                                let _e9038 = phi_11191_;
-                                                                phi_11196_ = select(true, false, _e9038);
+                                                                let _e9038 = phi_11184_;
+                                                                phi_11189_ = select(true, false, _e9038);
                                                             }
-                                                            let _e9041 = phi_11196_;
+                                                            let _e9041 = phi_11189_;
                                                             if _e9041 {
-                                                                phi_11201_ = type_44(_e8849[0], _e8475.member_1, _e8849[1], _e8849[2]);
+                                                                phi_11194_ = type_44(_e8849[0], _e8475.member_1, _e8849[1], _e8849[2]);
                                                             } else {
-                                                                phi_11201_ = type_44();
+                                                                phi_11194_ = type_44();
                                                             }
-                                                            let _e9044 = phi_11201_;
-                                                            phi_11203_ = _e9044;
-                                                            phi_11205_ = select(true, false, _e9041);
+                                                            let _e9044 = phi_11194_;
+                                                            phi_11196_ = _e9044;
+                                                            phi_11198_ = select(true, false, _e9041);
                                                         } else {
-                                                            phi_11203_ = type_44();
-                                                            phi_11205_ = false;
+                                                            phi_11196_ = type_44();
+                                                            phi_11198_ = false;
                                                         }
-                                                        let _e9047 = phi_11203_;
-                                                        let _e9049 = phi_11205_;
-                                                        phi_11206_ = _e9047;
-                                                        phi_11208_ = select(true, false, _e8853);
-                                                        phi_11209_ = _e9049;
+                                                        let _e9047 = phi_11196_;
+                                                        let _e9049 = phi_11198_;
+                                                        phi_11199_ = _e9047;
+                                                        phi_11201_ = select(true, false, _e8853);
+                                                        phi_11202_ = _e9049;
                                                     } else {
-                                                        phi_11206_ = type_44();
-                                                        phi_11208_ = false;
-                                                        phi_11209_ = false;
+                                                        phi_11199_ = type_44();
+                                                        phi_11201_ = false;
+                                                        phi_11202_ = false;
                                                     }
-                                                    let _e9052 = phi_11206_;
-                                                    let _e9054 = phi_11208_;
-                                                    let _e9056 = phi_11209_;
-                                                    phi_11210_ = _e9052;
-                                                    phi_11211_ = select(true, false, _e8854);
-                                                    phi_11212_ = _e9054;
-                                                    phi_11213_ = _e9056;
+                                                    let _e9052 = phi_11199_;
+                                                    let _e9054 = phi_11201_;
+                                                    let _e9056 = phi_11202_;
+                                                    phi_11203_ = _e9052;
+                                                    phi_11204_ = select(true, false, _e8854);
+                                                    phi_11205_ = _e9054;
+                                                    phi_11206_ = _e9056;
                                                 } else {
-                                                    phi_11210_ = type_44();
-                                                    phi_11211_ = true;
-                                                    phi_11212_ = false;
-                                                    phi_11213_ = false;
+                                                    phi_11203_ = type_44();
+                                                    phi_11204_ = true;
+                                                    phi_11205_ = false;
+                                                    phi_11206_ = false;
                                                 }
-                                                let _e9059 = phi_11210_;
-                                                let _e9061 = phi_11211_;
-                                                let _e9063 = phi_11212_;
-                                                let _e9065 = phi_11213_;
+                                                let _e9059 = phi_11203_;
+                                                let _e9061 = phi_11204_;
+                                                let _e9063 = phi_11205_;
+                                                let _e9065 = phi_11206_;
                                                 if select(select(_e9065, false, _e9061), true, select(_e9063, true, _e9061)) {
-                                                    phi_11226_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
+                                                    phi_11219_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                                                 } else {
-                                                    phi_11226_ = _e9059;
+                                                    phi_11219_ = _e9059;
                                                 }
-                                                let _e9070 = phi_11226_;
-                                                phi_11233_ = select(true, false, (_e9070.member_1 != 4294967295u));
+                                                let _e9070 = phi_11219_;
+                                                phi_11226_ = select(true, false, (_e9070.member_1 != 4294967295u));
                                             } else {
-                                                phi_11233_ = false;
+                                                phi_11226_ = false;
                                             }
-                                            let _e9075 = phi_11233_;
+                                            let _e9075 = phi_11226_;
                                             continue;
                                             continuing {
-                                                phi_10549_ = _e8473;
-                                                phi_17274_ = _e8448;
-                                                phi_12436_ = select(true, false, _e8479);
+                                                phi_10543_ = _e8473;
+                                                phi_17267_ = _e8448;
+                                                phi_12429_ = select(true, false, _e8479);
                                                 break if !(_e9075);
                                             }
                                         }
-                                        let _e9079 = phi_17274_;
-                                        let _e9081 = phi_12436_;
-                                        phi_17349_ = _e9079;
-                                        phi_12437_ = bool();
+                                        let _e9079 = phi_17267_;
+                                        let _e9081 = phi_12429_;
+                                        phi_17342_ = _e9079;
+                                        phi_12430_ = bool();
                                         if _e9079 {
                                             break;
                                         }
-                                        phi_17351_ = _e9079;
-                                        phi_11238_ = _e8452;
-                                        phi_11239_ = _e9081;
+                                        phi_17344_ = _e9079;
+                                        phi_11231_ = _e8452;
+                                        phi_11232_ = _e9081;
                                     }
-                                    let _e9318 = phi_17351_;
-                                    let _e9320 = phi_11238_;
-                                    let _e9322 = phi_11239_;
+                                    let _e9318 = phi_17344_;
+                                    let _e9320 = phi_11231_;
+                                    let _e9322 = phi_11232_;
                                     if _e9322 {
                                         let _e9323 = (_e9320 == 0u);
                                         if _e9323 {
-                                            phi_11255_ = u32();
-                                            phi_11256_ = u32();
+                                            phi_11248_ = u32();
+                                            phi_11249_ = u32();
                                         } else {
                                             let _e9324 = (_e9320 - 1u);
                                             if (_e9324 < 64u) {
                                             } else {
-                                                phi_17349_ = true;
-                                                phi_12437_ = bool();
+                                                phi_17342_ = true;
+                                                phi_12430_ = bool();
                                                 break;
                                             }
                                             let _e9327 = local[_e9324];
-                                            phi_11255_ = _e9327;
-                                            phi_11256_ = _e9324;
+                                            phi_11248_ = _e9327;
+                                            phi_11249_ = _e9324;
                                         }
-                                        let _e9329 = phi_11255_;
-                                        let _e9331 = phi_11256_;
-                                        phi_10122_ = _e9329;
-                                        phi_10125_ = _e9331;
-                                        phi_11258_ = select(true, false, _e9323);
-                                        phi_11259_ = _e9323;
+                                        let _e9329 = phi_11248_;
+                                        let _e9331 = phi_11249_;
+                                        phi_10116_ = _e9329;
+                                        phi_10119_ = _e9331;
+                                        phi_11251_ = select(true, false, _e9323);
+                                        phi_11252_ = _e9323;
                                     } else {
-                                        phi_10122_ = u32();
-                                        phi_10125_ = u32();
-                                        phi_11258_ = false;
-                                        phi_11259_ = false;
+                                        phi_10116_ = u32();
+                                        phi_10119_ = u32();
+                                        phi_11251_ = false;
+                                        phi_11252_ = false;
                                     }
-                                    let _e9334 = phi_10122_;
-                                    let _e9336 = phi_10125_;
-                                    let _e9338 = phi_11258_;
-                                    let _e9340 = phi_11259_;
+                                    let _e9334 = phi_10116_;
+                                    let _e9336 = phi_10119_;
+                                    let _e9338 = phi_11251_;
+                                    let _e9340 = phi_11252_;
                                     continue;
                                     continuing {
-                                        phi_17278_ = _e9318;
-                                        phi_10121_ = _e9334;
-                                        phi_10124_ = _e9336;
-                                        phi_17349_ = _e9318;
-                                        phi_12437_ = _e9340;
+                                        phi_17271_ = _e9318;
+                                        phi_10115_ = _e9334;
+                                        phi_10118_ = _e9336;
+                                        phi_17342_ = _e9318;
+                                        phi_12430_ = _e9340;
                                         break if !(_e9338);
                                     }
                                 }
-                                let _e9343 = phi_17349_;
-                                let _e9345 = phi_12437_;
-                                phi_17409_ = _e9343;
+                                let _e9343 = phi_17342_;
+                                let _e9345 = phi_12430_;
+                                phi_17402_ = _e9343;
                                 if _e9343 {
                                     break;
                                 }
                                 if select(false, true, select(true, false, _e9345)) {
-                                    phi_11272_ = _e8103;
+                                    phi_11265_ = _e8103;
                                 } else {
-                                    phi_11272_ = (_e8103 + 1i);
+                                    phi_11265_ = (_e8103 + 1i);
                                 }
-                                let _e9350 = phi_11272_;
-                                phi_17410_ = _e9343;
-                                phi_9657_ = _e9350;
+                                let _e9350 = phi_11265_;
+                                phi_17403_ = _e9343;
+                                phi_9651_ = _e9350;
                             } else {
-                                phi_17410_ = _e8099;
-                                phi_9657_ = i32();
+                                phi_17403_ = _e8099;
+                                phi_9651_ = i32();
                             }
-                            let _e9352 = phi_17410_;
-                            let _e9354 = phi_9657_;
+                            let _e9352 = phi_17403_;
+                            let _e9354 = phi_9651_;
                             continue;
                             continuing {
-                                phi_17297_ = _e9352;
-                                phi_9653_ = _e8116;
-                                phi_9656_ = _e9354;
-                                phi_17409_ = _e9352;
+                                phi_17290_ = _e9352;
+                                phi_9647_ = _e8116;
+                                phi_9650_ = _e9354;
+                                phi_17402_ = _e9352;
                                 break if !(_e8122);
                             }
                         }
-                        let _e9357 = phi_17409_;
+                        let _e9357 = phi_17402_;
                         if _e9357 {
                             break;
                         }
@@ -8655,14 +8655,14 @@ fn function_() {
                         let _e9362 = f32(_e8065);
                         let _e9365 = ((3.1415927f * f32(_e9359)) / select(1f, _e9362, (_e9362 > 1f)));
                         let _e9368 = params.member.member;
-                        phi_11299_ = vec3<f32>((_e8062.x + (_e9368.x * _e9365)), (_e8062.y + (_e9368.y * _e9365)), (_e8062.z + (_e9368.z * _e9365)));
+                        phi_11292_ = vec3<f32>((_e8062.x + (_e9368.x * _e9365)), (_e8062.y + (_e9368.y * _e9365)), (_e8062.z + (_e9368.z * _e9365)));
                     } else {
-                        phi_11299_ = _e8062;
+                        phi_11292_ = _e8062;
                     }
-                    let _e9383 = phi_11299_;
-                    phi_11304_ = vec4<f32>(_e9383.x, _e9383.y, _e9383.z, 0f);
+                    let _e9383 = phi_11292_;
+                    phi_11297_ = vec4<f32>(_e9383.x, _e9383.y, _e9383.z, 0f);
                 }
-                let _e9389 = phi_11304_;
+                let _e9389 = phi_11297_;
                 if (_e157 < arrayLength((&irradiance.member))) {
                 } else {
                     break;

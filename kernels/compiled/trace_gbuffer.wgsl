@@ -126,7 +126,7 @@ fn function_() {
     var phi_497_: f32;
     var phi_505_: f32;
     var phi_513_: f32;
-    var phi_2956_: bool;
+    var phi_2954_: bool;
     var phi_516_: u32;
     var phi_519_: u32;
     var phi_521_: type_42;
@@ -160,25 +160,25 @@ fn function_() {
     var phi_1319_: bool;
     var phi_1324_: array<f32, 3>;
     var phi_1329_: array<f32, 3>;
-    var phi_1541_: u32;
-    var phi_1547_: u32;
-    var phi_1577_: u32;
-    var phi_1583_: u32;
-    var phi_1658_: bool;
-    var phi_1663_: bool;
-    var phi_1668_: type_42;
-    var phi_1670_: type_42;
-    var phi_1672_: bool;
-    var phi_1673_: type_42;
+    var phi_1540_: u32;
+    var phi_1546_: u32;
+    var phi_1576_: u32;
+    var phi_1582_: u32;
+    var phi_1657_: bool;
+    var phi_1662_: bool;
+    var phi_1667_: type_42;
+    var phi_1669_: type_42;
+    var phi_1671_: bool;
+    var phi_1672_: type_42;
+    var phi_1674_: bool;
     var phi_1675_: bool;
-    var phi_1676_: bool;
-    var phi_1677_: type_42;
+    var phi_1676_: type_42;
+    var phi_1677_: bool;
     var phi_1678_: bool;
     var phi_1679_: bool;
-    var phi_1680_: bool;
-    var phi_1693_: type_42;
+    var phi_1692_: type_42;
     var phi_1017_: type_42;
-    var phi_2952_: bool;
+    var phi_2950_: bool;
     var phi_902_: type_50;
     var phi_913_: type_50;
     var phi_924_: type_50;
@@ -187,41 +187,41 @@ fn function_() {
     var phi_968_: u32;
     var phi_986_: u32;
     var phi_1004_: u32;
-    var phi_3017_: bool;
+    var phi_3015_: bool;
+    var phi_1693_: u32;
     var phi_1694_: u32;
-    var phi_1695_: u32;
     var phi_522_: type_42;
     var phi_517_: u32;
     var phi_520_: u32;
+    var phi_1729_: u32;
     var phi_1730_: u32;
     var phi_1731_: u32;
-    var phi_1732_: u32;
-    var phi_1697_: u32;
-    var phi_1699_: u32;
-    var phi_1733_: bool;
-    var phi_3014_: bool;
+    var phi_1696_: u32;
+    var phi_1698_: u32;
+    var phi_1732_: bool;
+    var phi_3012_: bool;
     var local_4: bool;
-    var phi_3081_: bool;
-    var phi_2708_: type_42;
-    var phi_1835_: vec3<f32>;
-    var phi_1837_: vec3<f32>;
-    var phi_1838_: bool;
-    var phi_1859_: vec3<f32>;
-    var phi_2044_: u32;
-    var phi_2050_: u32;
-    var phi_2080_: u32;
-    var phi_2086_: u32;
-    var phi_2303_: type_55;
-    var phi_2369_: vec3<f32>;
-    var phi_2443_: vec3<f32>;
-    var phi_2517_: vec3<f32>;
+    var phi_3079_: bool;
+    var phi_2706_: type_42;
+    var phi_1834_: vec3<f32>;
+    var phi_1836_: vec3<f32>;
+    var phi_1837_: bool;
+    var phi_1858_: vec3<f32>;
+    var phi_2042_: u32;
+    var phi_2048_: u32;
+    var phi_2078_: u32;
+    var phi_2084_: u32;
+    var phi_2301_: type_55;
+    var phi_2367_: vec3<f32>;
+    var phi_2441_: vec3<f32>;
+    var phi_2515_: vec3<f32>;
+    var phi_2560_: vec3<f32>;
     var phi_2562_: vec3<f32>;
-    var phi_2564_: vec3<f32>;
-    var phi_2565_: bool;
-    var phi_2586_: vec3<f32>;
-    var phi_2619_: array<f32, 3>;
-    var phi_2665_: type_22;
-    var phi_2678_: type_22;
+    var phi_2563_: bool;
+    var phi_2584_: vec3<f32>;
+    var phi_2617_: array<f32, 3>;
+    var phi_2663_: type_22;
+    var phi_2676_: type_22;
     var local_5: u32;
     var local_6: u32;
     var local_7: type_42;
@@ -391,12 +391,12 @@ fn function_() {
                 let _e300 = phi_513_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_2956_ = false;
+                phi_2954_ = false;
                 phi_516_ = 0u;
                 phi_519_ = 0u;
                 phi_521_ = type_42(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                 loop {
-                    let _e302 = phi_2956_;
+                    let _e302 = phi_2954_;
                     let _e304 = phi_516_;
                     let _e306 = phi_519_;
                     let _e308 = phi_521_;
@@ -405,8 +405,8 @@ fn function_() {
                     if (_e309 == 0u) {
                         if (_e311 < _e83) {
                         } else {
-                            phi_3081_ = true;
-                            phi_2708_ = type_42();
+                            phi_3079_ = true;
+                            phi_2706_ = type_42();
                             break;
                         }
                         let _e939 = nodes.member[_e311].member;
@@ -525,15 +525,15 @@ fn function_() {
                             let _e1193 = (_e306 < 64u);
                             if _e1193 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local[_e306] = _e1178.member_3;
                             if _e1193 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local_1[_e306] = _e1178.member_2;
@@ -546,15 +546,15 @@ fn function_() {
                             let _e1200 = (_e1198 < 64u);
                             if _e1200 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local[_e1198] = _e1187.member_3;
                             if _e1200 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local_1[_e1198] = _e1187.member_2;
@@ -567,15 +567,15 @@ fn function_() {
                             let _e1207 = (_e1205 < 64u);
                             if _e1207 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local[_e1205] = _e1187.member_1;
                             if _e1207 {
                             } else {
-                                phi_3081_ = true;
-                                phi_2708_ = type_42();
+                                phi_3079_ = true;
+                                phi_2706_ = type_42();
                                 break;
                             }
                             local_1[_e1205] = _e1187.member;
@@ -584,9 +584,9 @@ fn function_() {
                             phi_1004_ = _e1205;
                         }
                         let _e1212 = phi_1004_;
-                        phi_3017_ = _e302;
-                        phi_1694_ = select(0u, _e1169.member_1, (_e1169.member < 340282350000000000000000000000000000000f));
-                        phi_1695_ = _e1212;
+                        phi_3015_ = _e302;
+                        phi_1693_ = select(0u, _e1169.member_1, (_e1169.member < 340282350000000000000000000000000000000f));
+                        phi_1694_ = _e1212;
                         phi_522_ = _e308;
                     } else {
                         phi_1013_ = type_8(_e311, (_e311 + _e309));
@@ -609,68 +609,68 @@ fn function_() {
                                 let _e338 = (_e333.member_1 < _e86);
                                 if _e338 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 if _e220 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e342 = triangles.member[_e333.member_1].member[_e217];
                                 let _e343 = (_e342 - _e237);
                                 if _e220 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e347 = triangles.member[_e333.member_1].member_2[_e217];
                                 let _e348 = (_e347 - _e237);
                                 if _e220 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e352 = triangles.member[_e333.member_1].member_4[_e217];
                                 let _e353 = (_e352 - _e237);
                                 if _e224 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e357 = triangles.member[_e333.member_1].member[_e216];
                                 let _e360 = ((_e357 - _e233) - (_e227 * _e343));
                                 if _e228 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e364 = triangles.member[_e333.member_1].member[_e215];
                                 let _e367 = ((_e364 - _e235) - (_e231 * _e343));
                                 if _e224 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e371 = triangles.member[_e333.member_1].member_2[_e216];
                                 let _e374 = ((_e371 - _e233) - (_e227 * _e348));
                                 if _e228 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e378 = triangles.member[_e333.member_1].member_2[_e215];
                                 let _e381 = ((_e378 - _e235) - (_e231 * _e348));
                                 if _e224 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e385 = triangles.member[_e333.member_1].member_4[_e216];
                                 let _e388 = ((_e385 - _e233) - (_e227 * _e353));
                                 if _e228 {
                                 } else {
-                                    phi_2952_ = true;
+                                    phi_2950_ = true;
                                     break;
                                 }
                                 let _e392 = triangles.member[_e333.member_1].member_4[_e215];
@@ -891,68 +891,68 @@ fn function_() {
                                         if _e711 {
                                             if _e338 {
                                             } else {
-                                                phi_2952_ = true;
+                                                phi_2950_ = true;
                                                 break;
                                             }
                                             let _e716 = triangles.member[_e333.member_1].member_3;
                                             if ((_e716 & 1u) == 0u) {
-                                                phi_1663_ = true;
+                                                phi_1662_ = true;
                                             } else {
                                                 if _e338 {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e721 = triangles.member[_e333.member_1].member_1;
                                                 let _e722 = (_e721 * 12u);
                                                 if ((256u + _e722) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if ((_e722 + 257u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if ((_e722 + 258u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e729 = (_e722 + 259u);
                                                 if (_e729 < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e732 = surfaces.member[_e729];
                                                 if ((_e722 + 260u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if ((_e722 + 261u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if ((_e722 + 262u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e739 = (_e722 + 263u);
                                                 if (_e739 < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e742 = surfaces.member[_e739];
                                                 let _e743 = (_e722 + 264u);
                                                 if (_e743 < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e746 = surfaces.member[_e743];
@@ -960,27 +960,27 @@ fn function_() {
                                                 let _e748 = (_e722 + 265u);
                                                 if (_e748 < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 let _e751 = surfaces.member[_e748];
                                                 let _e752 = bitcast<f32>(_e751);
                                                 if ((_e722 + 266u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if ((_e722 + 267u) < _e92) {
                                                 } else {
-                                                    phi_2952_ = true;
+                                                    phi_2950_ = true;
                                                     break;
                                                 }
                                                 if (_e732 == 4294967295u) {
-                                                    phi_1658_ = (_e747 < _e752);
+                                                    phi_1657_ = (_e747 < _e752);
                                                 } else {
                                                     if (_e333.member_1 < _e89) {
                                                     } else {
-                                                        phi_2952_ = true;
+                                                        phi_2950_ = true;
                                                         break;
                                                     }
                                                     let _e760 = ((1f - _e707[1]) - _e707[2]);
@@ -1000,36 +1000,36 @@ fn function_() {
                                                     let _e806 = (_e804 - _e805);
                                                     let _e807 = (_e795 - 1u);
                                                     if (_e805 < 0f) {
-                                                        phi_1541_ = _e807;
+                                                        phi_1540_ = _e807;
                                                     } else {
                                                         let _e813 = select(select(u32(_e805), 0u, (_e805 < 0f)), 4294967295u, (_e805 > 4294967000f));
-                                                        phi_1541_ = select(_e813, _e807, (_e807 < _e813));
+                                                        phi_1540_ = select(_e813, _e807, (_e807 < _e813));
                                                     }
-                                                    let _e817 = phi_1541_;
+                                                    let _e817 = phi_1540_;
                                                     if (_e817 == _e807) {
-                                                        phi_1547_ = 0u;
+                                                        phi_1546_ = 0u;
                                                     } else {
-                                                        phi_1547_ = (_e817 + 1u);
+                                                        phi_1546_ = (_e817 + 1u);
                                                     }
-                                                    let _e821 = phi_1547_;
+                                                    let _e821 = phi_1546_;
                                                     let _e823 = (_e794 - floor(_e794));
                                                     let _e828 = ((select(0f, _e823, (_e823 <= 1f)) * f32(_e797)) - 0.5f);
                                                     let _e829 = floor(_e828);
                                                     let _e830 = (_e828 - _e829);
                                                     let _e831 = (_e797 - 1u);
                                                     if (_e829 < 0f) {
-                                                        phi_1577_ = _e831;
+                                                        phi_1576_ = _e831;
                                                     } else {
                                                         let _e837 = select(select(u32(_e829), 0u, (_e829 < 0f)), 4294967295u, (_e829 > 4294967000f));
-                                                        phi_1577_ = select(_e837, _e831, (_e831 < _e837));
+                                                        phi_1576_ = select(_e837, _e831, (_e831 < _e837));
                                                     }
-                                                    let _e841 = phi_1577_;
+                                                    let _e841 = phi_1576_;
                                                     if (_e841 == _e831) {
-                                                        phi_1583_ = 0u;
+                                                        phi_1582_ = 0u;
                                                     } else {
-                                                        phi_1583_ = (_e841 + 1u);
+                                                        phi_1582_ = (_e841 + 1u);
                                                     }
-                                                    let _e845 = phi_1583_;
+                                                    let _e845 = phi_1582_;
                                                     let _e847 = (_e732 + (_e841 * _e795));
                                                     let _e849 = (_e732 + (_e845 * _e795));
                                                     let _e850 = (_e847 + _e817);
@@ -1038,80 +1038,80 @@ fn function_() {
                                                     let _e853 = (_e849 + _e821);
                                                     if (_e850 < _e92) {
                                                     } else {
-                                                        phi_2952_ = true;
+                                                        phi_2950_ = true;
                                                         break;
                                                     }
                                                     let _e856 = surfaces.member[_e850];
                                                     if (_e851 < _e92) {
                                                     } else {
-                                                        phi_2952_ = true;
+                                                        phi_2950_ = true;
                                                         break;
                                                     }
                                                     let _e859 = surfaces.member[_e851];
                                                     if (_e852 < _e92) {
                                                     } else {
-                                                        phi_2952_ = true;
+                                                        phi_2950_ = true;
                                                         break;
                                                     }
                                                     let _e862 = surfaces.member[_e852];
                                                     if (_e853 < _e92) {
                                                     } else {
-                                                        phi_2952_ = true;
+                                                        phi_2950_ = true;
                                                         break;
                                                     }
                                                     let _e865 = surfaces.member[_e853];
                                                     let _e882 = (1f - _e806);
-                                                    phi_1658_ = ((_e747 * (((((f32((_e856 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e859 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * (1f - _e830)) + ((((f32((_e862 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e865 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * _e830))) < _e752);
+                                                    phi_1657_ = ((_e747 * (((((f32((_e856 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e859 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * (1f - _e830)) + ((((f32((_e862 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e865 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * _e830))) < _e752);
                                                 }
-                                                let _e897 = phi_1658_;
-                                                phi_1663_ = select(true, false, _e897);
+                                                let _e897 = phi_1657_;
+                                                phi_1662_ = select(true, false, _e897);
                                             }
-                                            let _e900 = phi_1663_;
+                                            let _e900 = phi_1662_;
                                             if _e900 {
-                                                phi_1668_ = type_42(_e707[0], _e333.member_1, _e707[1], _e707[2]);
+                                                phi_1667_ = type_42(_e707[0], _e333.member_1, _e707[1], _e707[2]);
                                             } else {
-                                                phi_1668_ = type_42();
+                                                phi_1667_ = type_42();
                                             }
-                                            let _e903 = phi_1668_;
-                                            phi_1670_ = _e903;
-                                            phi_1672_ = select(true, false, _e900);
+                                            let _e903 = phi_1667_;
+                                            phi_1669_ = _e903;
+                                            phi_1671_ = select(true, false, _e900);
                                         } else {
-                                            phi_1670_ = type_42();
-                                            phi_1672_ = false;
+                                            phi_1669_ = type_42();
+                                            phi_1671_ = false;
                                         }
-                                        let _e906 = phi_1670_;
-                                        let _e908 = phi_1672_;
-                                        phi_1673_ = _e906;
-                                        phi_1675_ = select(true, false, _e711);
-                                        phi_1676_ = _e908;
+                                        let _e906 = phi_1669_;
+                                        let _e908 = phi_1671_;
+                                        phi_1672_ = _e906;
+                                        phi_1674_ = select(true, false, _e711);
+                                        phi_1675_ = _e908;
                                     } else {
-                                        phi_1673_ = type_42();
+                                        phi_1672_ = type_42();
+                                        phi_1674_ = false;
                                         phi_1675_ = false;
-                                        phi_1676_ = false;
                                     }
-                                    let _e911 = phi_1673_;
-                                    let _e913 = phi_1675_;
-                                    let _e915 = phi_1676_;
-                                    phi_1677_ = _e911;
-                                    phi_1678_ = select(true, false, _e713);
-                                    phi_1679_ = _e913;
-                                    phi_1680_ = _e915;
+                                    let _e911 = phi_1672_;
+                                    let _e913 = phi_1674_;
+                                    let _e915 = phi_1675_;
+                                    phi_1676_ = _e911;
+                                    phi_1677_ = select(true, false, _e713);
+                                    phi_1678_ = _e913;
+                                    phi_1679_ = _e915;
                                 } else {
-                                    phi_1677_ = type_42();
-                                    phi_1678_ = true;
+                                    phi_1676_ = type_42();
+                                    phi_1677_ = true;
+                                    phi_1678_ = false;
                                     phi_1679_ = false;
-                                    phi_1680_ = false;
                                 }
-                                let _e918 = phi_1677_;
-                                let _e920 = phi_1678_;
-                                let _e922 = phi_1679_;
-                                let _e924 = phi_1680_;
+                                let _e918 = phi_1676_;
+                                let _e920 = phi_1677_;
+                                let _e922 = phi_1678_;
+                                let _e924 = phi_1679_;
                                 if select(select(_e924, false, _e920), true, select(_e922, true, _e920)) {
-                                    phi_1693_ = _e318;
+                                    phi_1692_ = _e318;
                                 } else {
-                                    phi_1693_ = _e918;
+                                    phi_1692_ = _e918;
                                 }
-                                let _e929 = phi_1693_;
+                                let _e929 = phi_1692_;
                                 phi_1017_ = _e929;
                             } else {
                                 phi_1017_ = type_42();
@@ -1121,25 +1121,25 @@ fn function_() {
                             continuing {
                                 phi_1013_ = _e331;
                                 phi_1016_ = _e931;
-                                phi_2952_ = _e302;
+                                phi_2950_ = _e302;
                                 break if !(_e337);
                             }
                         }
-                        let _e934 = phi_2952_;
-                        phi_3081_ = _e934;
-                        phi_2708_ = type_42();
+                        let _e934 = phi_2950_;
+                        phi_3079_ = _e934;
+                        phi_2706_ = type_42();
                         if _e934 {
                             break;
                         }
-                        phi_3017_ = _e934;
-                        phi_1694_ = 0u;
-                        phi_1695_ = _e306;
+                        phi_3015_ = _e934;
+                        phi_1693_ = 0u;
+                        phi_1694_ = _e306;
                         let _e2040 = local_7;
                         phi_522_ = _e2040;
                     }
-                    let _e1216 = phi_3017_;
-                    let _e1218 = phi_1694_;
-                    let _e1220 = phi_1695_;
+                    let _e1216 = phi_3015_;
+                    let _e1218 = phi_1693_;
+                    let _e1220 = phi_1694_;
                     let _e1222 = phi_522_;
                     phi_517_ = _e1218;
                     phi_520_ = _e1220;
@@ -1157,71 +1157,71 @@ fn function_() {
                                 let _e1230 = (_e1229 < 64u);
                                 if _e1230 {
                                 } else {
-                                    phi_3014_ = true;
+                                    phi_3012_ = true;
                                     break;
                                 }
                                 let _e1232 = local_1[_e1229];
                                 if (_e1232 <= _e1222.member) {
                                     if _e1230 {
                                     } else {
-                                        phi_3014_ = true;
+                                        phi_3012_ = true;
                                         break;
                                     }
                                     let _e1236 = local[_e1229];
-                                    phi_1730_ = _e1236;
+                                    phi_1729_ = _e1236;
                                 } else {
-                                    phi_1730_ = _e1224;
+                                    phi_1729_ = _e1224;
                                 }
-                                let _e1238 = phi_1730_;
-                                phi_1731_ = _e1238;
-                                phi_1732_ = _e1229;
+                                let _e1238 = phi_1729_;
+                                phi_1730_ = _e1238;
+                                phi_1731_ = _e1229;
                             } else {
+                                phi_1730_ = u32();
                                 phi_1731_ = u32();
-                                phi_1732_ = u32();
                             }
-                            let _e1240 = phi_1731_;
-                            let _e1242 = phi_1732_;
-                            phi_1697_ = _e1240;
-                            phi_1699_ = _e1242;
-                            phi_1733_ = _e1228;
+                            let _e1240 = phi_1730_;
+                            let _e1242 = phi_1731_;
+                            phi_1696_ = _e1240;
+                            phi_1698_ = _e1242;
+                            phi_1732_ = _e1228;
                         } else {
-                            phi_1697_ = u32();
-                            phi_1699_ = u32();
-                            phi_1733_ = false;
+                            phi_1696_ = u32();
+                            phi_1698_ = u32();
+                            phi_1732_ = false;
                         }
-                        let _e1244 = phi_1697_;
-                        let _e1246 = phi_1699_;
-                        let _e1248 = phi_1733_;
+                        let _e1244 = phi_1696_;
+                        let _e1246 = phi_1698_;
+                        let _e1248 = phi_1732_;
                         continue;
                         continuing {
                             phi_517_ = _e1244;
                             phi_520_ = _e1246;
-                            phi_3014_ = _e1216;
+                            phi_3012_ = _e1216;
                             break if !(_e1248);
                         }
                     }
-                    let _e1251 = phi_3014_;
-                    phi_3081_ = _e1251;
-                    phi_2708_ = type_42();
+                    let _e1251 = phi_3012_;
+                    phi_3079_ = _e1251;
+                    phi_2706_ = type_42();
                     if _e1251 {
                         break;
                     }
                     let _e1253 = local_4;
                     continue;
                     continuing {
-                        phi_2956_ = _e1251;
+                        phi_2954_ = _e1251;
                         let _e1973 = local_5;
                         phi_516_ = _e1973;
                         let _e1976 = local_6;
                         phi_519_ = _e1976;
                         phi_521_ = _e1222;
-                        phi_3081_ = _e1251;
-                        phi_2708_ = _e1222;
+                        phi_3079_ = _e1251;
+                        phi_2706_ = _e1222;
                         break if !(select(true, false, _e1253));
                     }
                 }
-                let _e1257 = phi_3081_;
-                let _e1259 = phi_2708_;
+                let _e1257 = phi_3079_;
+                let _e1259 = phi_2706_;
                 if _e1257 {
                     break;
                 }
@@ -1255,27 +1255,27 @@ fn function_() {
                             let _e1320 = (_e1306 / _e1316);
                             let _e1321 = (_e1309 / _e1316);
                             let _e1327 = sqrt((((_e1319 * _e1319) + (_e1320 * _e1320)) + (_e1321 * _e1321)));
-                            phi_1835_ = vec3<f32>((_e1319 / _e1327), (_e1320 / _e1327), (_e1321 / _e1327));
+                            phi_1834_ = vec3<f32>((_e1319 / _e1327), (_e1320 / _e1327), (_e1321 / _e1327));
                         } else {
-                            phi_1835_ = vec3<f32>();
+                            phi_1834_ = vec3<f32>();
                         }
-                        let _e1333 = phi_1835_;
-                        phi_1837_ = _e1333;
-                        phi_1838_ = select(true, false, _e1318);
+                        let _e1333 = phi_1834_;
+                        phi_1836_ = _e1333;
+                        phi_1837_ = select(true, false, _e1318);
                     } else {
-                        phi_1837_ = vec3<f32>();
-                        phi_1838_ = true;
+                        phi_1836_ = vec3<f32>();
+                        phi_1837_ = true;
                     }
-                    let _e1336 = phi_1837_;
-                    let _e1338 = phi_1838_;
+                    let _e1336 = phi_1836_;
+                    let _e1338 = phi_1837_;
                     let _e1340 = select(_e1336, vec3<f32>(0f, 1f, 0f), vec3(_e1338));
                     let _e1349 = ((((_e1340.x * _e189.x) + (_e1340.y * _e189.y)) + (_e1340.z * _e189.z)) < 0f);
                     if _e1349 {
-                        phi_1859_ = _e1340;
+                        phi_1858_ = _e1340;
                     } else {
-                        phi_1859_ = -(_e1340);
+                        phi_1858_ = -(_e1340);
                     }
-                    let _e1352 = phi_1859_;
+                    let _e1352 = phi_1858_;
                     if (_e1259.member_1 < _e89) {
                     } else {
                         break;
@@ -1362,7 +1362,7 @@ fn function_() {
                     let _e1441 = attributes.member[_e1259.member_1].member[5u];
                     let _e1443 = (((_e1430 * _e1409) + (_e1435 * _e1259.member_2)) + (_e1441 * _e1259.member_3));
                     if (_e1376 == 4294967295u) {
-                        phi_2303_ = type_55(vec3<f32>(_e1362, _e1367, _e1372), _e1401);
+                        phi_2301_ = type_55(vec3<f32>(_e1362, _e1367, _e1372), _e1401);
                     } else {
                         let _e1446 = (_e1396 & 65535u);
                         let _e1448 = (_e1396 >> bitcast<u32>(16i));
@@ -1372,36 +1372,36 @@ fn function_() {
                         let _e1457 = (_e1455 - _e1456);
                         let _e1458 = (_e1446 - 1u);
                         if (_e1456 < 0f) {
-                            phi_2044_ = _e1458;
+                            phi_2042_ = _e1458;
                         } else {
                             let _e1464 = select(select(u32(_e1456), 0u, (_e1456 < 0f)), 4294967295u, (_e1456 > 4294967000f));
-                            phi_2044_ = select(_e1464, _e1458, (_e1458 < _e1464));
+                            phi_2042_ = select(_e1464, _e1458, (_e1458 < _e1464));
                         }
-                        let _e1468 = phi_2044_;
+                        let _e1468 = phi_2042_;
                         if (_e1468 == _e1458) {
-                            phi_2050_ = 0u;
+                            phi_2048_ = 0u;
                         } else {
-                            phi_2050_ = (_e1468 + 1u);
+                            phi_2048_ = (_e1468 + 1u);
                         }
-                        let _e1472 = phi_2050_;
+                        let _e1472 = phi_2048_;
                         let _e1474 = (_e1443 - floor(_e1443));
                         let _e1479 = ((select(0f, _e1474, (_e1474 <= 1f)) * f32(_e1448)) - 0.5f);
                         let _e1480 = floor(_e1479);
                         let _e1481 = (_e1479 - _e1480);
                         let _e1482 = (_e1448 - 1u);
                         if (_e1480 < 0f) {
-                            phi_2080_ = _e1482;
+                            phi_2078_ = _e1482;
                         } else {
                             let _e1488 = select(select(u32(_e1480), 0u, (_e1480 < 0f)), 4294967295u, (_e1480 > 4294967000f));
-                            phi_2080_ = select(_e1488, _e1482, (_e1482 < _e1488));
+                            phi_2078_ = select(_e1488, _e1482, (_e1482 < _e1488));
                         }
-                        let _e1492 = phi_2080_;
+                        let _e1492 = phi_2078_;
                         if (_e1492 == _e1482) {
-                            phi_2086_ = 0u;
+                            phi_2084_ = 0u;
                         } else {
-                            phi_2086_ = (_e1492 + 1u);
+                            phi_2084_ = (_e1492 + 1u);
                         }
-                        let _e1496 = phi_2086_;
+                        let _e1496 = phi_2084_;
                         let _e1498 = (_e1376 + (_e1492 * _e1446));
                         let _e1500 = (_e1376 + (_e1496 * _e1446));
                         let _e1501 = (_e1498 + _e1468);
@@ -1502,9 +1502,9 @@ fn function_() {
                         }
                         let _e1604 = surfaces.member[_e1601];
                         let _e1612 = (1f - _e1481);
-                        phi_2303_ = type_55(vec3<f32>((_e1362 * ((((bitcast<f32>(_e1520) * _e1536) + (bitcast<f32>(_e1543) * _e1457)) * _e1612) + (((bitcast<f32>(_e1568) * _e1536) + (bitcast<f32>(_e1590) * _e1457)) * _e1481))), (_e1367 * ((((bitcast<f32>(_e1527) * _e1536) + (bitcast<f32>(_e1550) * _e1457)) * _e1612) + (((bitcast<f32>(_e1575) * _e1536) + (bitcast<f32>(_e1597) * _e1457)) * _e1481))), (_e1372 * ((((bitcast<f32>(_e1534) * _e1536) + (bitcast<f32>(_e1557) * _e1457)) * _e1612) + (((bitcast<f32>(_e1582) * _e1536) + (bitcast<f32>(_e1604) * _e1457)) * _e1481)))), (_e1401 * (((((f32((_e1507 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1510 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1612) + ((((f32((_e1513 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1516 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1481))));
+                        phi_2301_ = type_55(vec3<f32>((_e1362 * ((((bitcast<f32>(_e1520) * _e1536) + (bitcast<f32>(_e1543) * _e1457)) * _e1612) + (((bitcast<f32>(_e1568) * _e1536) + (bitcast<f32>(_e1590) * _e1457)) * _e1481))), (_e1367 * ((((bitcast<f32>(_e1527) * _e1536) + (bitcast<f32>(_e1550) * _e1457)) * _e1612) + (((bitcast<f32>(_e1575) * _e1536) + (bitcast<f32>(_e1597) * _e1457)) * _e1481))), (_e1372 * ((((bitcast<f32>(_e1534) * _e1536) + (bitcast<f32>(_e1557) * _e1457)) * _e1612) + (((bitcast<f32>(_e1582) * _e1536) + (bitcast<f32>(_e1604) * _e1457)) * _e1481)))), (_e1401 * (((((f32((_e1507 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1510 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1612) + ((((f32((_e1513 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1516 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1481))));
                     }
-                    let _e1655 = phi_2303_;
+                    let _e1655 = phi_2301_;
                     let _e1660 = attributes.member[_e1259.member_1].member_1[0u];
                     let _e1670 = (f32((bitcast<i32>((_e1660 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
                     let _e1672 = select(-1f, _e1670, (_e1670 > -1f));
@@ -1518,11 +1518,11 @@ fn function_() {
                     let _e1700 = (((_e1690 * _e1690) + (_e1695 * _e1695)) + (_e1680 * _e1680));
                     if (_e1700 >= 0.000000000000000000000000000000000000011754944f) {
                         let _e1703 = (1f / sqrt(_e1700));
-                        phi_2369_ = vec3<f32>((_e1690 * _e1703), (_e1695 * _e1703), (_e1680 * _e1703));
+                        phi_2367_ = vec3<f32>((_e1690 * _e1703), (_e1695 * _e1703), (_e1680 * _e1703));
                     } else {
-                        phi_2369_ = vec3<f32>(0f, 0f, 0f);
+                        phi_2367_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e1709 = phi_2369_;
+                    let _e1709 = phi_2367_;
                     let _e1719 = attributes.member[_e1259.member_1].member_1[1u];
                     let _e1729 = (f32((bitcast<i32>((_e1719 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
                     let _e1731 = select(-1f, _e1729, (_e1729 > -1f));
@@ -1536,11 +1536,11 @@ fn function_() {
                     let _e1759 = (((_e1749 * _e1749) + (_e1754 * _e1754)) + (_e1739 * _e1739));
                     if (_e1759 >= 0.000000000000000000000000000000000000011754944f) {
                         let _e1762 = (1f / sqrt(_e1759));
-                        phi_2443_ = vec3<f32>((_e1749 * _e1762), (_e1754 * _e1762), (_e1739 * _e1762));
+                        phi_2441_ = vec3<f32>((_e1749 * _e1762), (_e1754 * _e1762), (_e1739 * _e1762));
                     } else {
-                        phi_2443_ = vec3<f32>(0f, 0f, 0f);
+                        phi_2441_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e1768 = phi_2443_;
+                    let _e1768 = phi_2441_;
                     let _e1781 = attributes.member[_e1259.member_1].member_1[2u];
                     let _e1791 = (f32((bitcast<i32>((_e1781 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
                     let _e1793 = select(-1f, _e1791, (_e1791 > -1f));
@@ -1554,11 +1554,11 @@ fn function_() {
                     let _e1821 = (((_e1811 * _e1811) + (_e1816 * _e1816)) + (_e1801 * _e1801));
                     if (_e1821 >= 0.000000000000000000000000000000000000011754944f) {
                         let _e1824 = (1f / sqrt(_e1821));
-                        phi_2517_ = vec3<f32>((_e1811 * _e1824), (_e1816 * _e1824), (_e1801 * _e1824));
+                        phi_2515_ = vec3<f32>((_e1811 * _e1824), (_e1816 * _e1824), (_e1801 * _e1824));
                     } else {
-                        phi_2517_ = vec3<f32>(0f, 0f, 0f);
+                        phi_2515_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e1830 = phi_2517_;
+                    let _e1830 = phi_2515_;
                     let _e1837 = (((_e1709.x * _e1409) + (_e1768.x * _e1259.member_2)) + (_e1830.x * _e1259.member_3));
                     let _e1838 = (((_e1709.y * _e1409) + (_e1768.y * _e1259.member_2)) + (_e1830.y * _e1259.member_3));
                     let _e1839 = (((_e1709.z * _e1409) + (_e1768.z * _e1259.member_2)) + (_e1830.z * _e1259.member_3));
@@ -1574,32 +1574,32 @@ fn function_() {
                             let _e1850 = (_e1838 / _e1846);
                             let _e1851 = (_e1839 / _e1846);
                             let _e1857 = sqrt((((_e1849 * _e1849) + (_e1850 * _e1850)) + (_e1851 * _e1851)));
-                            phi_2562_ = vec3<f32>((_e1849 / _e1857), (_e1850 / _e1857), (_e1851 / _e1857));
+                            phi_2560_ = vec3<f32>((_e1849 / _e1857), (_e1850 / _e1857), (_e1851 / _e1857));
                         } else {
-                            phi_2562_ = vec3<f32>();
+                            phi_2560_ = vec3<f32>();
                         }
-                        let _e1863 = phi_2562_;
-                        phi_2564_ = _e1863;
-                        phi_2565_ = select(true, false, _e1848);
+                        let _e1863 = phi_2560_;
+                        phi_2562_ = _e1863;
+                        phi_2563_ = select(true, false, _e1848);
                     } else {
-                        phi_2564_ = vec3<f32>();
-                        phi_2565_ = true;
+                        phi_2562_ = vec3<f32>();
+                        phi_2563_ = true;
                     }
-                    let _e1866 = phi_2564_;
-                    let _e1868 = phi_2565_;
+                    let _e1866 = phi_2562_;
+                    let _e1868 = phi_2563_;
                     let _e1870 = select(_e1866, _e1352, vec3(_e1868));
                     if ((((_e1870.x * _e189.x) + (_e1870.y * _e189.y)) + (_e1870.z * _e189.z)) > 0f) {
-                        phi_2586_ = -(_e1870);
+                        phi_2584_ = -(_e1870);
                     } else {
-                        phi_2586_ = _e1870;
+                        phi_2584_ = _e1870;
                     }
-                    let _e1882 = phi_2586_;
+                    let _e1882 = phi_2584_;
                     if _e1349 {
-                        phi_2619_ = array<f32, 3>(bitcast<f32>(_e1380), bitcast<f32>(_e1385), bitcast<f32>(_e1390));
+                        phi_2617_ = array<f32, 3>(bitcast<f32>(_e1380), bitcast<f32>(_e1385), bitcast<f32>(_e1390));
                     } else {
-                        phi_2619_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_2617_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e1908 = phi_2619_;
+                    let _e1908 = phi_2617_;
                     let _e1909 = abs(_e1265[0]);
                     let _e1910 = abs(_e1265[1]);
                     let _e1912 = select(_e1910, _e1909, (_e1909 > _e1910));
@@ -1612,18 +1612,18 @@ fn function_() {
                     let _e1925 = abs(_e1285);
                     let _e1927 = select(_e1925, _e1924, (_e1924 > _e1925));
                     let _e1928 = abs(_e1286);
-                    phi_2665_ = type_22(array<f32, 3>(((_e1265[0] + (_e1281 * _e1259.member_2)) + (_e1284 * _e1259.member_3)), ((_e1265[1] + (_e1282 * _e1259.member_2)) + (_e1285 * _e1259.member_3)), ((_e1265[2] + (_e1283 * _e1259.member_2)) + (_e1286 * _e1259.member_3))), _e1259.member_1, array<f32, 3>(_e1882.x, _e1882.y, _e1882.z), (_e1259.member * sqrt((((_e189.x * _e189.x) + (_e189.y * _e189.y)) + (_e189.z * _e189.z)))), array<f32, 3>(_e1352.x, _e1352.y, _e1352.z), select(0u, 1u, _e1349), array<f32, 3>(_e1655.member.x, _e1655.member.y, _e1655.member.z), _e1356, _e1908, ((select(_e1913, _e1912, (_e1912 > _e1913)) * 0.00000047683716f) + ((select(_e1921, _e1920, (_e1920 > _e1921)) + select(_e1928, _e1927, (_e1927 > _e1928))) * 0.0000010728836f)));
+                    phi_2663_ = type_22(array<f32, 3>(((_e1265[0] + (_e1281 * _e1259.member_2)) + (_e1284 * _e1259.member_3)), ((_e1265[1] + (_e1282 * _e1259.member_2)) + (_e1285 * _e1259.member_3)), ((_e1265[2] + (_e1283 * _e1259.member_2)) + (_e1286 * _e1259.member_3))), _e1259.member_1, array<f32, 3>(_e1882.x, _e1882.y, _e1882.z), (_e1259.member * sqrt((((_e189.x * _e189.x) + (_e189.y * _e189.y)) + (_e189.z * _e189.z)))), array<f32, 3>(_e1352.x, _e1352.y, _e1352.z), select(0u, 1u, _e1349), array<f32, 3>(_e1655.member.x, _e1655.member.y, _e1655.member.z), _e1356, _e1908, ((select(_e1913, _e1912, (_e1912 > _e1913)) * 0.00000047683716f) + ((select(_e1921, _e1920, (_e1920 > _e1921)) + select(_e1928, _e1927, (_e1927 > _e1928))) * 0.0000010728836f)));
                 } else {
-                    phi_2665_ = type_22(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_2663_ = type_22(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
-                let _e1936 = phi_2665_;
+                let _e1936 = phi_2663_;
                 if _e1261 {
-                    phi_2678_ = _e1936;
+                    phi_2676_ = _e1936;
                 } else {
                     let _e1939 = params.member.member_4;
-                    phi_2678_ = type_22(_e1936.member, _e1936.member_1, _e1936.member_2, _e1936.member_3, _e1936.member_4, _e1936.member_5, _e1936.member_6, _e1936.member_7, array<f32, 3>(_e1939.x, _e1939.y, _e1939.z), _e1936.member_9);
+                    phi_2676_ = type_22(_e1936.member, _e1936.member_1, _e1936.member_2, _e1936.member_3, _e1936.member_4, _e1936.member_5, _e1936.member_6, _e1936.member_7, array<f32, 3>(_e1939.x, _e1939.y, _e1939.z), _e1936.member_9);
                 }
-                let _e1956 = phi_2678_;
+                let _e1956 = phi_2676_;
                 if (_e105 < arrayLength((&surfels.member))) {
                 } else {
                     break;

@@ -113,7 +113,7 @@ fn function_() {
     var phi_366_: f32;
     var phi_374_: f32;
     var phi_382_: f32;
-    var phi_1926_: bool;
+    var phi_1925_: bool;
     var phi_385_: u32;
     var phi_388_: u32;
     var phi_390_: type_42;
@@ -147,25 +147,25 @@ fn function_() {
     var phi_1188_: bool;
     var phi_1193_: array<f32, 3>;
     var phi_1198_: array<f32, 3>;
-    var phi_1410_: u32;
-    var phi_1416_: u32;
-    var phi_1446_: u32;
-    var phi_1452_: u32;
-    var phi_1527_: bool;
-    var phi_1532_: bool;
-    var phi_1537_: type_42;
-    var phi_1539_: type_42;
-    var phi_1541_: bool;
-    var phi_1542_: type_42;
+    var phi_1409_: u32;
+    var phi_1415_: u32;
+    var phi_1445_: u32;
+    var phi_1451_: u32;
+    var phi_1526_: bool;
+    var phi_1531_: bool;
+    var phi_1536_: type_42;
+    var phi_1538_: type_42;
+    var phi_1540_: bool;
+    var phi_1541_: type_42;
+    var phi_1543_: bool;
     var phi_1544_: bool;
-    var phi_1545_: bool;
-    var phi_1546_: type_42;
+    var phi_1545_: type_42;
+    var phi_1546_: bool;
     var phi_1547_: bool;
     var phi_1548_: bool;
-    var phi_1549_: bool;
-    var phi_1562_: type_42;
+    var phi_1561_: type_42;
     var phi_886_: type_42;
-    var phi_1922_: bool;
+    var phi_1921_: bool;
     var phi_771_: type_53;
     var phi_782_: type_53;
     var phi_793_: type_53;
@@ -174,22 +174,22 @@ fn function_() {
     var phi_837_: u32;
     var phi_855_: u32;
     var phi_873_: u32;
-    var phi_1982_: bool;
+    var phi_1981_: bool;
+    var phi_1562_: u32;
     var phi_1563_: u32;
-    var phi_1564_: u32;
     var phi_391_: type_42;
     var phi_386_: u32;
     var phi_389_: u32;
+    var phi_1598_: u32;
     var phi_1599_: u32;
     var phi_1600_: u32;
-    var phi_1601_: u32;
-    var phi_1566_: u32;
-    var phi_1568_: u32;
-    var phi_1602_: bool;
-    var phi_1979_: bool;
+    var phi_1565_: u32;
+    var phi_1567_: u32;
+    var phi_1601_: bool;
+    var phi_1978_: bool;
     var local_4: bool;
-    var phi_2046_: bool;
-    var phi_1678_: type_42;
+    var phi_2045_: bool;
+    var phi_1677_: type_42;
     var local_5: u32;
     var local_6: u32;
     var local_7: type_42;
@@ -325,12 +325,12 @@ fn function_() {
                 let _e221 = phi_382_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_1926_ = false;
+                phi_1925_ = false;
                 phi_385_ = 0u;
                 phi_388_ = 0u;
                 phi_390_ = type_42(_e107, 4294967295u, 0f, 0f);
                 loop {
-                    let _e224 = phi_1926_;
+                    let _e224 = phi_1925_;
                     let _e226 = phi_385_;
                     let _e228 = phi_388_;
                     let _e230 = phi_390_;
@@ -339,8 +339,8 @@ fn function_() {
                     if (_e231 == 0u) {
                         if (_e233 < _e69) {
                         } else {
-                            phi_2046_ = true;
-                            phi_1678_ = type_42();
+                            phi_2045_ = true;
+                            phi_1677_ = type_42();
                             break;
                         }
                         let _e862 = nodes.member[_e233].member;
@@ -459,15 +459,15 @@ fn function_() {
                             let _e1116 = (_e228 < 64u);
                             if _e1116 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local[_e228] = _e1101.member_3;
                             if _e1116 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local_1[_e228] = _e1101.member_2;
@@ -480,15 +480,15 @@ fn function_() {
                             let _e1123 = (_e1121 < 64u);
                             if _e1123 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local[_e1121] = _e1110.member_3;
                             if _e1123 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local_1[_e1121] = _e1110.member_2;
@@ -501,15 +501,15 @@ fn function_() {
                             let _e1130 = (_e1128 < 64u);
                             if _e1130 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local[_e1128] = _e1110.member_1;
                             if _e1130 {
                             } else {
-                                phi_2046_ = true;
-                                phi_1678_ = type_42();
+                                phi_2045_ = true;
+                                phi_1677_ = type_42();
                                 break;
                             }
                             local_1[_e1128] = _e1110.member;
@@ -518,9 +518,9 @@ fn function_() {
                             phi_873_ = _e1128;
                         }
                         let _e1135 = phi_873_;
-                        phi_1982_ = _e224;
-                        phi_1563_ = select(0u, _e1092.member_1, (_e1092.member < 340282350000000000000000000000000000000f));
-                        phi_1564_ = _e1135;
+                        phi_1981_ = _e224;
+                        phi_1562_ = select(0u, _e1092.member_1, (_e1092.member < 340282350000000000000000000000000000000f));
+                        phi_1563_ = _e1135;
                         phi_391_ = _e230;
                     } else {
                         phi_882_ = type_8(_e233, (_e233 + _e231));
@@ -543,68 +543,68 @@ fn function_() {
                                 let _e260 = (_e255.member_1 < arrayLength((&triangles.member)));
                                 if _e260 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 if _e141 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e264 = triangles.member[_e255.member_1].member[_e138];
                                 let _e265 = (_e264 - _e158);
                                 if _e141 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e269 = triangles.member[_e255.member_1].member_2[_e138];
                                 let _e270 = (_e269 - _e158);
                                 if _e141 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e274 = triangles.member[_e255.member_1].member_4[_e138];
                                 let _e275 = (_e274 - _e158);
                                 if _e145 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e279 = triangles.member[_e255.member_1].member[_e137];
                                 let _e282 = ((_e279 - _e154) - (_e148 * _e265));
                                 if _e149 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e286 = triangles.member[_e255.member_1].member[_e136];
                                 let _e289 = ((_e286 - _e156) - (_e152 * _e265));
                                 if _e145 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e293 = triangles.member[_e255.member_1].member_2[_e137];
                                 let _e296 = ((_e293 - _e154) - (_e148 * _e270));
                                 if _e149 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e300 = triangles.member[_e255.member_1].member_2[_e136];
                                 let _e303 = ((_e300 - _e156) - (_e152 * _e270));
                                 if _e145 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e307 = triangles.member[_e255.member_1].member_4[_e137];
                                 let _e310 = ((_e307 - _e154) - (_e148 * _e275));
                                 if _e149 {
                                 } else {
-                                    phi_1922_ = true;
+                                    phi_1921_ = true;
                                     break;
                                 }
                                 let _e314 = triangles.member[_e255.member_1].member_4[_e136];
@@ -825,68 +825,68 @@ fn function_() {
                                         if _e636 {
                                             if _e260 {
                                             } else {
-                                                phi_1922_ = true;
+                                                phi_1921_ = true;
                                                 break;
                                             }
                                             let _e639 = triangles.member[_e255.member_1].member_3;
                                             if ((_e639 & 1u) == 0u) {
-                                                phi_1532_ = true;
+                                                phi_1531_ = true;
                                             } else {
                                                 if _e260 {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e644 = triangles.member[_e255.member_1].member_1;
                                                 let _e645 = (_e644 * 12u);
                                                 if ((256u + _e645) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if ((_e645 + 257u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if ((_e645 + 258u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e652 = (_e645 + 259u);
                                                 if (_e652 < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e655 = surfaces.member[_e652];
                                                 if ((_e645 + 260u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if ((_e645 + 261u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if ((_e645 + 262u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e662 = (_e645 + 263u);
                                                 if (_e662 < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e665 = surfaces.member[_e662];
                                                 let _e666 = (_e645 + 264u);
                                                 if (_e666 < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e669 = surfaces.member[_e666];
@@ -894,27 +894,27 @@ fn function_() {
                                                 let _e671 = (_e645 + 265u);
                                                 if (_e671 < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 let _e674 = surfaces.member[_e671];
                                                 let _e675 = bitcast<f32>(_e674);
                                                 if ((_e645 + 266u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if ((_e645 + 267u) < _e78) {
                                                 } else {
-                                                    phi_1922_ = true;
+                                                    phi_1921_ = true;
                                                     break;
                                                 }
                                                 if (_e655 == 4294967295u) {
-                                                    phi_1527_ = (_e670 < _e675);
+                                                    phi_1526_ = (_e670 < _e675);
                                                 } else {
                                                     if (_e255.member_1 < arrayLength((&attributes.member))) {
                                                     } else {
-                                                        phi_1922_ = true;
+                                                        phi_1921_ = true;
                                                         break;
                                                     }
                                                     let _e683 = ((1f - _e629[1]) - _e629[2]);
@@ -934,36 +934,36 @@ fn function_() {
                                                     let _e729 = (_e727 - _e728);
                                                     let _e730 = (_e718 - 1u);
                                                     if (_e728 < 0f) {
-                                                        phi_1410_ = _e730;
+                                                        phi_1409_ = _e730;
                                                     } else {
                                                         let _e736 = select(select(u32(_e728), 0u, (_e728 < 0f)), 4294967295u, (_e728 > 4294967000f));
-                                                        phi_1410_ = select(_e736, _e730, (_e730 < _e736));
+                                                        phi_1409_ = select(_e736, _e730, (_e730 < _e736));
                                                     }
-                                                    let _e740 = phi_1410_;
+                                                    let _e740 = phi_1409_;
                                                     if (_e740 == _e730) {
-                                                        phi_1416_ = 0u;
+                                                        phi_1415_ = 0u;
                                                     } else {
-                                                        phi_1416_ = (_e740 + 1u);
+                                                        phi_1415_ = (_e740 + 1u);
                                                     }
-                                                    let _e744 = phi_1416_;
+                                                    let _e744 = phi_1415_;
                                                     let _e746 = (_e717 - floor(_e717));
                                                     let _e751 = ((select(0f, _e746, (_e746 <= 1f)) * f32(_e720)) - 0.5f);
                                                     let _e752 = floor(_e751);
                                                     let _e753 = (_e751 - _e752);
                                                     let _e754 = (_e720 - 1u);
                                                     if (_e752 < 0f) {
-                                                        phi_1446_ = _e754;
+                                                        phi_1445_ = _e754;
                                                     } else {
                                                         let _e760 = select(select(u32(_e752), 0u, (_e752 < 0f)), 4294967295u, (_e752 > 4294967000f));
-                                                        phi_1446_ = select(_e760, _e754, (_e754 < _e760));
+                                                        phi_1445_ = select(_e760, _e754, (_e754 < _e760));
                                                     }
-                                                    let _e764 = phi_1446_;
+                                                    let _e764 = phi_1445_;
                                                     if (_e764 == _e754) {
-                                                        phi_1452_ = 0u;
+                                                        phi_1451_ = 0u;
                                                     } else {
-                                                        phi_1452_ = (_e764 + 1u);
+                                                        phi_1451_ = (_e764 + 1u);
                                                     }
-                                                    let _e768 = phi_1452_;
+                                                    let _e768 = phi_1451_;
                                                     let _e770 = (_e655 + (_e764 * _e718));
                                                     let _e772 = (_e655 + (_e768 * _e718));
                                                     let _e773 = (_e770 + _e740);
@@ -972,80 +972,80 @@ fn function_() {
                                                     let _e776 = (_e772 + _e744);
                                                     if (_e773 < _e78) {
                                                     } else {
-                                                        phi_1922_ = true;
+                                                        phi_1921_ = true;
                                                         break;
                                                     }
                                                     let _e779 = surfaces.member[_e773];
                                                     if (_e774 < _e78) {
                                                     } else {
-                                                        phi_1922_ = true;
+                                                        phi_1921_ = true;
                                                         break;
                                                     }
                                                     let _e782 = surfaces.member[_e774];
                                                     if (_e775 < _e78) {
                                                     } else {
-                                                        phi_1922_ = true;
+                                                        phi_1921_ = true;
                                                         break;
                                                     }
                                                     let _e785 = surfaces.member[_e775];
                                                     if (_e776 < _e78) {
                                                     } else {
-                                                        phi_1922_ = true;
+                                                        phi_1921_ = true;
                                                         break;
                                                     }
                                                     let _e788 = surfaces.member[_e776];
                                                     let _e805 = (1f - _e729);
-                                                    phi_1527_ = ((_e670 * (((((f32((_e779 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e782 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * (1f - _e753)) + ((((f32((_e785 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e788 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * _e753))) < _e675);
+                                                    phi_1526_ = ((_e670 * (((((f32((_e779 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e782 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * (1f - _e753)) + ((((f32((_e785 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e788 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * _e753))) < _e675);
                                                 }
-                                                let _e820 = phi_1527_;
-                                                phi_1532_ = select(true, false, _e820);
+                                                let _e820 = phi_1526_;
+                                                phi_1531_ = select(true, false, _e820);
                                             }
-                                            let _e823 = phi_1532_;
+                                            let _e823 = phi_1531_;
                                             if _e823 {
-                                                phi_1537_ = type_42(_e629[0], _e255.member_1, _e629[1], _e629[2]);
+                                                phi_1536_ = type_42(_e629[0], _e255.member_1, _e629[1], _e629[2]);
                                             } else {
-                                                phi_1537_ = type_42();
+                                                phi_1536_ = type_42();
                                             }
-                                            let _e826 = phi_1537_;
-                                            phi_1539_ = _e826;
-                                            phi_1541_ = select(true, false, _e823);
+                                            let _e826 = phi_1536_;
+                                            phi_1538_ = _e826;
+                                            phi_1540_ = select(true, false, _e823);
                                         } else {
-                                            phi_1539_ = type_42();
-                                            phi_1541_ = false;
+                                            phi_1538_ = type_42();
+                                            phi_1540_ = false;
                                         }
-                                        let _e829 = phi_1539_;
-                                        let _e831 = phi_1541_;
-                                        phi_1542_ = _e829;
-                                        phi_1544_ = select(true, false, _e636);
-                                        phi_1545_ = _e831;
+                                        let _e829 = phi_1538_;
+                                        let _e831 = phi_1540_;
+                                        phi_1541_ = _e829;
+                                        phi_1543_ = select(true, false, _e636);
+                                        phi_1544_ = _e831;
                                     } else {
-                                        phi_1542_ = type_42();
+                                        phi_1541_ = type_42();
+                                        phi_1543_ = false;
                                         phi_1544_ = false;
-                                        phi_1545_ = false;
                                     }
-                                    let _e834 = phi_1542_;
-                                    let _e836 = phi_1544_;
-                                    let _e838 = phi_1545_;
-                                    phi_1546_ = _e834;
-                                    phi_1547_ = select(true, false, _e635);
-                                    phi_1548_ = _e836;
-                                    phi_1549_ = _e838;
+                                    let _e834 = phi_1541_;
+                                    let _e836 = phi_1543_;
+                                    let _e838 = phi_1544_;
+                                    phi_1545_ = _e834;
+                                    phi_1546_ = select(true, false, _e635);
+                                    phi_1547_ = _e836;
+                                    phi_1548_ = _e838;
                                 } else {
-                                    phi_1546_ = type_42();
-                                    phi_1547_ = true;
+                                    phi_1545_ = type_42();
+                                    phi_1546_ = true;
+                                    phi_1547_ = false;
                                     phi_1548_ = false;
-                                    phi_1549_ = false;
                                 }
-                                let _e841 = phi_1546_;
-                                let _e843 = phi_1547_;
-                                let _e845 = phi_1548_;
-                                let _e847 = phi_1549_;
+                                let _e841 = phi_1545_;
+                                let _e843 = phi_1546_;
+                                let _e845 = phi_1547_;
+                                let _e847 = phi_1548_;
                                 if select(select(_e847, false, _e843), true, select(_e845, true, _e843)) {
-                                    phi_1562_ = _e240;
+                                    phi_1561_ = _e240;
                                 } else {
-                                    phi_1562_ = _e841;
+                                    phi_1561_ = _e841;
                                 }
-                                let _e852 = phi_1562_;
+                                let _e852 = phi_1561_;
                                 phi_886_ = _e852;
                             } else {
                                 phi_886_ = type_42();
@@ -1055,25 +1055,25 @@ fn function_() {
                             continuing {
                                 phi_882_ = _e253;
                                 phi_885_ = _e854;
-                                phi_1922_ = _e224;
+                                phi_1921_ = _e224;
                                 break if !(_e259);
                             }
                         }
-                        let _e857 = phi_1922_;
-                        phi_2046_ = _e857;
-                        phi_1678_ = type_42();
+                        let _e857 = phi_1921_;
+                        phi_2045_ = _e857;
+                        phi_1677_ = type_42();
                         if _e857 {
                             break;
                         }
-                        phi_1982_ = _e857;
-                        phi_1563_ = 0u;
-                        phi_1564_ = _e228;
+                        phi_1981_ = _e857;
+                        phi_1562_ = 0u;
+                        phi_1563_ = _e228;
                         let _e1263 = local_7;
                         phi_391_ = _e1263;
                     }
-                    let _e1139 = phi_1982_;
-                    let _e1141 = phi_1563_;
-                    let _e1143 = phi_1564_;
+                    let _e1139 = phi_1981_;
+                    let _e1141 = phi_1562_;
+                    let _e1143 = phi_1563_;
                     let _e1145 = phi_391_;
                     phi_386_ = _e1141;
                     phi_389_ = _e1143;
@@ -1091,71 +1091,71 @@ fn function_() {
                                 let _e1153 = (_e1152 < 64u);
                                 if _e1153 {
                                 } else {
-                                    phi_1979_ = true;
+                                    phi_1978_ = true;
                                     break;
                                 }
                                 let _e1155 = local_1[_e1152];
                                 if (_e1155 <= _e1145.member) {
                                     if _e1153 {
                                     } else {
-                                        phi_1979_ = true;
+                                        phi_1978_ = true;
                                         break;
                                     }
                                     let _e1159 = local[_e1152];
-                                    phi_1599_ = _e1159;
+                                    phi_1598_ = _e1159;
                                 } else {
-                                    phi_1599_ = _e1147;
+                                    phi_1598_ = _e1147;
                                 }
-                                let _e1161 = phi_1599_;
-                                phi_1600_ = _e1161;
-                                phi_1601_ = _e1152;
+                                let _e1161 = phi_1598_;
+                                phi_1599_ = _e1161;
+                                phi_1600_ = _e1152;
                             } else {
+                                phi_1599_ = u32();
                                 phi_1600_ = u32();
-                                phi_1601_ = u32();
                             }
-                            let _e1163 = phi_1600_;
-                            let _e1165 = phi_1601_;
-                            phi_1566_ = _e1163;
-                            phi_1568_ = _e1165;
-                            phi_1602_ = _e1151;
+                            let _e1163 = phi_1599_;
+                            let _e1165 = phi_1600_;
+                            phi_1565_ = _e1163;
+                            phi_1567_ = _e1165;
+                            phi_1601_ = _e1151;
                         } else {
-                            phi_1566_ = u32();
-                            phi_1568_ = u32();
-                            phi_1602_ = false;
+                            phi_1565_ = u32();
+                            phi_1567_ = u32();
+                            phi_1601_ = false;
                         }
-                        let _e1167 = phi_1566_;
-                        let _e1169 = phi_1568_;
-                        let _e1171 = phi_1602_;
+                        let _e1167 = phi_1565_;
+                        let _e1169 = phi_1567_;
+                        let _e1171 = phi_1601_;
                         continue;
                         continuing {
                             phi_386_ = _e1167;
                             phi_389_ = _e1169;
-                            phi_1979_ = _e1139;
+                            phi_1978_ = _e1139;
                             break if !(_e1171);
                         }
                     }
-                    let _e1174 = phi_1979_;
-                    phi_2046_ = _e1174;
-                    phi_1678_ = type_42();
+                    let _e1174 = phi_1978_;
+                    phi_2045_ = _e1174;
+                    phi_1677_ = type_42();
                     if _e1174 {
                         break;
                     }
                     let _e1176 = local_4;
                     continue;
                     continuing {
-                        phi_1926_ = _e1174;
+                        phi_1925_ = _e1174;
                         let _e1196 = local_5;
                         phi_385_ = _e1196;
                         let _e1199 = local_6;
                         phi_388_ = _e1199;
                         phi_390_ = _e1145;
-                        phi_2046_ = _e1174;
-                        phi_1678_ = _e1145;
+                        phi_2045_ = _e1174;
+                        phi_1677_ = _e1145;
                         break if !(select(true, false, _e1176));
                     }
                 }
-                let _e1180 = phi_2046_;
-                let _e1182 = phi_1678_;
+                let _e1180 = phi_2045_;
+                let _e1182 = phi_1677_;
                 if _e1180 {
                     break;
                 }

@@ -7,12 +7,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_20 {
-    member: f32,
-    member_1: f32,
-}
-
-struct type_23 {
+struct type_22 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -21,26 +16,26 @@ struct type_23 {
     member_5: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_34 {
+struct type_33 {
     member: vec3<f32>,
     member_1: f32,
 }
 
-struct type_35 {
+struct type_34 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -57,14 +52,15 @@ struct type_35 {
     member_13: u32,
     member_14: u32,
     member_15: vec4<f32>,
-    member_16: vec4<u32>,
+    member_16: vec4<f32>,
+    member_17: vec4<u32>,
 }
 
-struct type_36 {
-    member: type_35,
+struct type_35 {
+    member: type_34,
 }
 
-struct type_38 {
+struct type_37 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: vec3<f32>,
@@ -77,8 +73,8 @@ struct type_38 {
     member_9: i32,
 }
 
-struct type_39 {
-    member: type_38,
+struct type_38 {
+    member: type_37,
     member_1: i32,
     member_2: i32,
     member_3: i32,
@@ -89,6 +85,11 @@ struct type_39 {
     member_8: i32,
     member_9: i32,
     member_10: bool,
+}
+
+struct type_40 {
+    member: f32,
+    member_1: f32,
 }
 
 struct type_43 {
@@ -102,11 +103,11 @@ struct type_48 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_36;
+var<uniform> params: type_35;
 @group(0) @binding(1) 
-var<storage> triangles: type_25;
+var<storage> triangles: type_24;
 @group(0) @binding(2) 
-var<storage> attributes: type_31;
+var<storage> attributes: type_30;
 @group(0) @binding(3) 
 var<storage> surfaces: type_11;
 @group(0) @binding(4) 
@@ -130,7 +131,7 @@ fn function_() {
     var phi_715_: u32;
     var phi_713_: u32;
     var phi_716_: u32;
-    var phi_5368_: bool;
+    var phi_5367_: bool;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
@@ -152,52 +153,53 @@ fn function_() {
     var local_11: u32;
     var local_12: u32;
     var local_13: u32;
-    var phi_1195_: u32;
-    var phi_4733_: bool;
-    var phi_4772_: bool;
-    var phi_4811_: bool;
+    var phi_1194_: u32;
+    var phi_4732_: bool;
+    var phi_4771_: bool;
+    var phi_4810_: bool;
+    var phi_1390_: bool;
     var phi_1391_: bool;
     var phi_1392_: bool;
-    var phi_1393_: bool;
-    var phi_1402_: type_39;
-    var phi_5764_: bool;
-    var phi_5382_: i32;
-    var phi_5379_: i32;
-    var phi_5376_: i32;
-    var phi_5373_: i32;
+    var phi_1401_: type_38;
+    var phi_5763_: bool;
     var phi_5381_: i32;
     var phi_5378_: i32;
     var phi_5375_: i32;
     var phi_5372_: i32;
+    var phi_5380_: i32;
+    var phi_5377_: i32;
     var phi_5374_: i32;
-    var phi_1622_: bool;
-    var phi_1652_: bool;
+    var phi_5371_: i32;
+    var phi_5373_: i32;
+    var phi_1621_: bool;
+    var phi_1651_: bool;
+    var phi_1681_: bool;
     var phi_1682_: bool;
     var phi_1683_: bool;
     var phi_1684_: bool;
-    var phi_1685_: bool;
-    var phi_1719_: bool;
-    var phi_1749_: bool;
+    var phi_1718_: bool;
+    var phi_1748_: bool;
+    var phi_1778_: bool;
     var phi_1779_: bool;
     var phi_1780_: bool;
     var phi_1781_: bool;
-    var phi_1782_: bool;
-    var phi_1816_: bool;
-    var phi_1846_: bool;
+    var phi_1815_: bool;
+    var phi_1845_: bool;
+    var phi_1875_: bool;
     var phi_1876_: bool;
     var phi_1877_: bool;
     var phi_1878_: bool;
-    var phi_1879_: bool;
-    var phi_1911_: bool;
+    var phi_1910_: bool;
+    var phi_1920_: vec3<f32>;
     var phi_1921_: vec3<f32>;
-    var phi_1922_: vec3<f32>;
-    var phi_1974_: bool;
-    var phi_1983_: vec3<f32>;
+    var phi_1973_: bool;
+    var phi_1982_: vec3<f32>;
+    var phi_2023_: bool;
     var phi_2024_: bool;
     var phi_2025_: bool;
     var phi_2026_: bool;
     var phi_2027_: bool;
-    var phi_2028_: bool;
+    var phi_2031_: bool;
     var phi_2032_: bool;
     var phi_2033_: bool;
     var phi_2034_: bool;
@@ -214,231 +216,230 @@ fn function_() {
     var phi_2045_: bool;
     var phi_2046_: bool;
     var phi_2047_: bool;
-    var phi_2048_: bool;
-    var phi_5672_: i32;
-    var phi_2061_: bool;
-    var local_14: bool;
-    var phi_5531_: i32;
-    var phi_2114_: vec3<f32>;
-    var phi_2115_: vec3<f32>;
-    var phi_4861_: type_20;
-    var phi_4864_: type_20;
-    var phi_4865_: bool;
-    var phi_4870_: type_20;
-    var phi_4872_: type_20;
-    var phi_4908_: type_20;
-    var phi_4911_: type_20;
-    var phi_4912_: bool;
-    var phi_4917_: type_20;
-    var phi_4919_: type_20;
-    var phi_4967_: type_20;
-    var phi_5016_: type_20;
-    var phi_5019_: type_20;
-    var phi_5020_: bool;
-    var phi_5025_: type_20;
-    var phi_5027_: type_20;
-    var phi_5063_: type_20;
-    var phi_5066_: type_20;
-    var phi_5067_: bool;
-    var phi_5072_: type_20;
-    var phi_5074_: type_20;
-    var phi_5122_: type_20;
-    var phi_5171_: type_20;
-    var phi_5174_: type_20;
-    var phi_5175_: bool;
-    var phi_5180_: type_20;
-    var phi_5182_: type_20;
-    var phi_5218_: type_20;
-    var phi_5221_: type_20;
-    var phi_5222_: bool;
-    var phi_5227_: type_20;
-    var phi_5229_: type_20;
-    var phi_5277_: type_20;
-    var phi_2157_: type_20;
-    var phi_6383_: i32;
     var phi_5671_: i32;
-    var phi_5647_: i32;
-    var phi_5617_: i32;
+    var phi_2060_: bool;
+    var local_14: bool;
+    var phi_5530_: i32;
+    var phi_2113_: vec3<f32>;
+    var phi_2114_: vec3<f32>;
+    var phi_4860_: type_40;
+    var phi_4863_: type_40;
+    var phi_4864_: bool;
+    var phi_4869_: type_40;
+    var phi_4871_: type_40;
+    var phi_4907_: type_40;
+    var phi_4910_: type_40;
+    var phi_4911_: bool;
+    var phi_4916_: type_40;
+    var phi_4918_: type_40;
+    var phi_4966_: type_40;
+    var phi_5015_: type_40;
+    var phi_5018_: type_40;
+    var phi_5019_: bool;
+    var phi_5024_: type_40;
+    var phi_5026_: type_40;
+    var phi_5062_: type_40;
+    var phi_5065_: type_40;
+    var phi_5066_: bool;
+    var phi_5071_: type_40;
+    var phi_5073_: type_40;
+    var phi_5121_: type_40;
+    var phi_5170_: type_40;
+    var phi_5173_: type_40;
+    var phi_5174_: bool;
+    var phi_5179_: type_40;
+    var phi_5181_: type_40;
+    var phi_5217_: type_40;
+    var phi_5220_: type_40;
+    var phi_5221_: bool;
+    var phi_5226_: type_40;
+    var phi_5228_: type_40;
+    var phi_5276_: type_40;
+    var phi_2156_: type_40;
     var phi_6382_: i32;
     var phi_5670_: i32;
     var phi_5646_: i32;
     var phi_5616_: i32;
-    var phi_2197_: bool;
+    var phi_6381_: i32;
+    var phi_5669_: i32;
+    var phi_5645_: i32;
+    var phi_5615_: i32;
+    var phi_2196_: bool;
     var local_15: bool;
     var local_16: i32;
     var local_17: i32;
     var local_18: i32;
-    var phi_2227_: u32;
+    var phi_2226_: u32;
+    var phi_2237_: vec3<f32>;
     var phi_2238_: vec3<f32>;
-    var phi_2239_: vec3<f32>;
+    var phi_2296_: type_8;
+    var phi_2299_: f32;
     var phi_2297_: type_8;
+    var phi_2322_: type_8;
     var phi_2300_: f32;
-    var phi_2298_: type_8;
-    var phi_2323_: type_8;
-    var phi_2301_: f32;
-    var phi_5753_: bool;
+    var phi_5752_: bool;
     var local_19: f32;
+    var phi_2400_: type_8;
+    var phi_2403_: f32;
+    var phi_2405_: vec3<f32>;
+    var phi_2407_: u32;
     var phi_2401_: type_8;
+    var phi_2430_: type_8;
+    var phi_2490_: u32;
+    var phi_2491_: u32;
+    var phi_2507_: u32;
+    var phi_2508_: u32;
     var phi_2404_: f32;
     var phi_2406_: vec3<f32>;
     var phi_2408_: u32;
-    var phi_2402_: type_8;
-    var phi_2431_: type_8;
-    var phi_2491_: u32;
-    var phi_2492_: u32;
-    var phi_2508_: u32;
-    var phi_2509_: u32;
-    var phi_2405_: f32;
-    var phi_2407_: vec3<f32>;
-    var phi_2409_: u32;
-    var phi_5963_: bool;
+    var phi_5962_: bool;
     var local_20: u32;
-    var phi_5976_: bool;
     var phi_5975_: bool;
+    var phi_5974_: bool;
+    var phi_2521_: type_8;
+    var phi_2524_: f32;
     var phi_2522_: type_8;
+    var phi_2547_: type_8;
     var phi_2525_: f32;
-    var phi_2523_: type_8;
-    var phi_2548_: type_8;
-    var phi_2526_: f32;
-    var phi_5971_: bool;
+    var phi_5970_: bool;
     var local_21: f32;
+    var phi_2619_: type_8;
+    var phi_2622_: f32;
+    var phi_2624_: vec3<f32>;
+    var phi_2626_: u32;
     var phi_2620_: type_8;
+    var phi_2649_: type_8;
+    var phi_2706_: u32;
+    var phi_2707_: u32;
+    var phi_2723_: u32;
+    var phi_2724_: u32;
     var phi_2623_: f32;
     var phi_2625_: vec3<f32>;
     var phi_2627_: u32;
-    var phi_2621_: type_8;
-    var phi_2650_: type_8;
-    var phi_2707_: u32;
-    var phi_2708_: u32;
-    var phi_2724_: u32;
-    var phi_2725_: u32;
-    var phi_2624_: f32;
-    var phi_2626_: vec3<f32>;
-    var phi_2628_: u32;
-    var phi_5978_: bool;
+    var phi_5977_: bool;
     var local_22: u32;
-    var phi_5991_: bool;
     var phi_5990_: bool;
+    var phi_5989_: bool;
+    var phi_2731_: type_8;
+    var phi_2734_: f32;
     var phi_2732_: type_8;
+    var phi_2757_: type_8;
     var phi_2735_: f32;
-    var phi_2733_: type_8;
-    var phi_2758_: type_8;
-    var phi_2736_: f32;
-    var phi_5986_: bool;
+    var phi_5985_: bool;
     var local_23: f32;
+    var phi_2835_: type_8;
+    var phi_2838_: f32;
+    var phi_2840_: vec3<f32>;
+    var phi_2842_: u32;
     var phi_2836_: type_8;
+    var phi_2865_: type_8;
+    var phi_2925_: u32;
+    var phi_2926_: u32;
+    var phi_2942_: u32;
+    var phi_2943_: u32;
     var phi_2839_: f32;
     var phi_2841_: vec3<f32>;
     var phi_2843_: u32;
-    var phi_2837_: type_8;
-    var phi_2866_: type_8;
-    var phi_2926_: u32;
-    var phi_2927_: u32;
-    var phi_2943_: u32;
-    var phi_2944_: u32;
-    var phi_2840_: f32;
-    var phi_2842_: vec3<f32>;
-    var phi_2844_: u32;
-    var phi_5993_: bool;
+    var phi_5992_: bool;
     var local_24: u32;
-    var phi_6006_: bool;
     var phi_6005_: bool;
+    var phi_6004_: bool;
+    var phi_2956_: type_8;
+    var phi_2959_: f32;
     var phi_2957_: type_8;
+    var phi_2982_: type_8;
     var phi_2960_: f32;
-    var phi_2958_: type_8;
-    var phi_2983_: type_8;
-    var phi_2961_: f32;
-    var phi_6001_: bool;
+    var phi_6000_: bool;
     var local_25: f32;
+    var phi_3054_: type_8;
+    var phi_3057_: f32;
+    var phi_3059_: vec3<f32>;
+    var phi_3061_: u32;
     var phi_3055_: type_8;
+    var phi_3084_: type_8;
+    var phi_3141_: u32;
+    var phi_3142_: u32;
+    var phi_3158_: u32;
+    var phi_3159_: u32;
     var phi_3058_: f32;
     var phi_3060_: vec3<f32>;
     var phi_3062_: u32;
-    var phi_3056_: type_8;
-    var phi_3085_: type_8;
-    var phi_3142_: u32;
-    var phi_3143_: u32;
-    var phi_3159_: u32;
-    var phi_3160_: u32;
-    var phi_3059_: f32;
-    var phi_3061_: vec3<f32>;
-    var phi_3063_: u32;
-    var phi_6008_: bool;
+    var phi_6007_: bool;
     var local_26: u32;
-    var phi_6021_: bool;
     var phi_6020_: bool;
+    var phi_6019_: bool;
+    var phi_3166_: type_8;
+    var phi_3169_: f32;
     var phi_3167_: type_8;
+    var phi_3192_: type_8;
     var phi_3170_: f32;
-    var phi_3168_: type_8;
-    var phi_3193_: type_8;
-    var phi_3171_: f32;
-    var phi_6016_: bool;
+    var phi_6015_: bool;
     var local_27: f32;
+    var phi_3270_: type_8;
+    var phi_3273_: f32;
+    var phi_3275_: vec3<f32>;
+    var phi_3277_: u32;
     var phi_3271_: type_8;
+    var phi_3300_: type_8;
+    var phi_3360_: u32;
+    var phi_3361_: u32;
+    var phi_3377_: u32;
+    var phi_3378_: u32;
     var phi_3274_: f32;
     var phi_3276_: vec3<f32>;
     var phi_3278_: u32;
-    var phi_3272_: type_8;
-    var phi_3301_: type_8;
-    var phi_3361_: u32;
-    var phi_3362_: u32;
-    var phi_3378_: u32;
-    var phi_3379_: u32;
-    var phi_3275_: f32;
-    var phi_3277_: vec3<f32>;
-    var phi_3279_: u32;
-    var phi_6023_: bool;
+    var phi_6022_: bool;
     var local_28: u32;
-    var phi_6036_: bool;
     var phi_6035_: bool;
+    var phi_6034_: bool;
+    var phi_3391_: type_8;
+    var phi_3394_: f32;
     var phi_3392_: type_8;
+    var phi_3417_: type_8;
     var phi_3395_: f32;
-    var phi_3393_: type_8;
-    var phi_3418_: type_8;
-    var phi_3396_: f32;
-    var phi_6031_: bool;
+    var phi_6030_: bool;
     var local_29: f32;
+    var phi_3489_: type_8;
+    var phi_3492_: f32;
+    var phi_3494_: vec3<f32>;
+    var phi_3496_: u32;
     var phi_3490_: type_8;
+    var phi_3519_: type_8;
+    var phi_3576_: u32;
+    var phi_3577_: u32;
+    var phi_3593_: u32;
+    var phi_3594_: u32;
     var phi_3493_: f32;
     var phi_3495_: vec3<f32>;
     var phi_3497_: u32;
-    var phi_3491_: type_8;
-    var phi_3520_: type_8;
-    var phi_3577_: u32;
-    var phi_3578_: u32;
-    var phi_3594_: u32;
-    var phi_3595_: u32;
-    var phi_3494_: f32;
-    var phi_3496_: vec3<f32>;
-    var phi_3498_: u32;
-    var phi_6038_: bool;
+    var phi_6037_: bool;
     var local_30: u32;
-    var phi_6051_: bool;
     var phi_6050_: bool;
+    var phi_6049_: bool;
+    var phi_3606_: type_8;
+    var phi_3609_: vec3<f32>;
+    var phi_3611_: f32;
+    var phi_3613_: f32;
+    var phi_3615_: f32;
+    var phi_3617_: f32;
     var phi_3607_: type_8;
+    var phi_3640_: type_8;
+    var phi_3754_: vec3<f32>;
+    var phi_3755_: f32;
     var phi_3610_: vec3<f32>;
     var phi_3612_: f32;
     var phi_3614_: f32;
     var phi_3616_: f32;
     var phi_3618_: f32;
-    var phi_3608_: type_8;
-    var phi_3641_: type_8;
-    var phi_3755_: vec3<f32>;
-    var phi_3756_: f32;
-    var phi_3611_: vec3<f32>;
-    var phi_3613_: f32;
-    var phi_3615_: f32;
-    var phi_3617_: f32;
-    var phi_3619_: f32;
-    var phi_6046_: bool;
+    var phi_6045_: bool;
     var local_31: f32;
     var local_32: f32;
     var local_33: f32;
+    var phi_3771_: bool;
     var phi_3772_: bool;
     var phi_3773_: bool;
     var phi_3774_: bool;
     var phi_3775_: bool;
-    var phi_3776_: bool;
     var local_34: f32;
     var local_35: vec3<f32>;
     var local_36: f32;
@@ -446,34 +447,34 @@ fn function_() {
     var local_38: f32;
     var local_39: vec3<f32>;
     var local_40: f32;
-    var phi_3793_: vec3<f32>;
+    var phi_3792_: vec3<f32>;
     var local_41: f32;
     var local_42: u32;
-    var phi_3865_: f32;
+    var phi_3864_: f32;
     var local_43: u32;
     var local_44: u32;
     var local_45: u32;
     var local_46: u32;
     var local_47: u32;
     var local_48: u32;
-    var phi_3955_: u32;
-    var phi_3961_: u32;
-    var phi_3991_: u32;
-    var phi_3997_: u32;
-    var phi_4214_: type_34;
-    var phi_4244_: u32;
+    var phi_3954_: u32;
+    var phi_3960_: u32;
+    var phi_3990_: u32;
+    var phi_3996_: u32;
+    var phi_4213_: type_33;
+    var phi_4243_: u32;
+    var phi_4254_: vec3<f32>;
     var phi_4255_: vec3<f32>;
-    var phi_4256_: vec3<f32>;
+    var phi_4295_: type_8;
+    var phi_4298_: u32;
     var phi_4296_: type_8;
+    var phi_4321_: type_8;
+    var phi_4351_: u32;
     var phi_4299_: u32;
-    var phi_4297_: type_8;
-    var phi_4322_: type_8;
-    var phi_4352_: u32;
-    var phi_4300_: u32;
-    var phi_6056_: bool;
+    var phi_6055_: bool;
     var local_49: u32;
-    var phi_6095_: bool;
     var phi_6094_: bool;
+    var phi_6093_: bool;
     var local_50: i32;
     var local_51: i32;
     var local_52: i32;
@@ -515,7 +516,7 @@ fn function_() {
                         let _e125 = ((_e121 + _e119) / 2u);
                         if (_e125 < _e100) {
                         } else {
-                            phi_5368_ = true;
+                            phi_5367_ = true;
                             break;
                         }
                         let _e129 = tile_first.member[_e125];
@@ -532,11 +533,11 @@ fn function_() {
                     continuing {
                         phi_712_ = _e134;
                         phi_715_ = _e136;
-                        phi_5368_ = false;
+                        phi_5367_ = false;
                         break if !(_e123);
                     }
                 }
-                let _e139 = phi_5368_;
+                let _e139 = phi_5367_;
                 if _e139 {
                     break;
                 }
@@ -657,7 +658,7 @@ fn function_() {
                 let _e320 = select(_e316, _e315, (_e315 < _e316));
                 let _e327 = select(0i, select(select(i32(_e318), i32(-2147483648), (_e318 < -2147483600f)), 2147483647i, (_e318 > 2147483500f)), (_e318 == _e318));
                 let _e334 = select(0i, select(select(i32(_e320), i32(-2147483648), (_e320 < -2147483600f)), 2147483647i, (_e320 > 2147483500f)), (_e320 == _e320));
-                let _e335 = type_38(_e250, _e257, _e264, vec3<f32>(_e206, _e209, _e212), _e225, _e243, _e292, _e299, _e327, _e334);
+                let _e335 = type_37(_e250, _e257, _e264, vec3<f32>(_e206, _e209, _e212), _e225, _e243, _e292, _e299, _e327, _e334);
                 if _e217 {
                     phi_1031_ = select(true, false, (_e214 >= _e216));
                 } else {
@@ -768,11 +769,11 @@ fn function_() {
                 let _e443 = tile_first.member[_e441];
                 let _e444 = (_e110 - _e443);
                 if (_e299 < _e292) {
-                    phi_1195_ = 0u;
+                    phi_1194_ = 0u;
                 } else {
-                    phi_1195_ = ((bitcast<u32>((_e299 - _e292)) / 4u) + 1u);
+                    phi_1194_ = ((bitcast<u32>((_e299 - _e292)) / 4u) + 1u);
                 }
-                let _e451 = phi_1195_;
+                let _e451 = phi_1194_;
                 let _e453 = select(1u, _e451, (1u < _e451));
                 if (_e453 == 0u) {
                     break;
@@ -817,14 +818,14 @@ fn function_() {
                 let _e558 = ((_e551 * _e550) - (_e552 * _e549));
                 let _e561 = (abs(_e551) + abs(_e552));
                 if (select(_e558, _e555, (_e555 < _e558)) > (0.5f * _e561)) {
-                    phi_4733_ = true;
+                    phi_4732_ = true;
                 } else {
-                    phi_4733_ = (select(_e558, _e555, (_e555 > _e558)) < (_e561 * -0.5f));
+                    phi_4732_ = (select(_e558, _e555, (_e555 > _e558)) < (_e561 * -0.5f));
                 }
-                let _e571 = phi_4733_;
+                let _e571 = phi_4732_;
                 if _e571 {
-                    phi_1392_ = bool();
-                    phi_1393_ = true;
+                    phi_1391_ = bool();
+                    phi_1392_ = true;
                 } else {
                     let _e572 = (_e549 - _e545);
                     let _e573 = (_e550 - _e546);
@@ -832,13 +833,13 @@ fn function_() {
                     let _e579 = ((_e572 * _e542) - (_e573 * _e541));
                     let _e582 = (abs(_e572) + abs(_e573));
                     if (select(_e579, _e576, (_e576 < _e579)) > (0.5f * _e582)) {
-                        phi_4772_ = true;
+                        phi_4771_ = true;
                     } else {
-                        phi_4772_ = (select(_e579, _e576, (_e576 > _e579)) < (_e582 * -0.5f));
+                        phi_4771_ = (select(_e579, _e576, (_e576 > _e579)) < (_e582 * -0.5f));
                     }
-                    let _e592 = phi_4772_;
+                    let _e592 = phi_4771_;
                     if _e592 {
-                        phi_1391_ = bool();
+                        phi_1390_ = bool();
                     } else {
                         let _e593 = (_e541 - _e549);
                         let _e594 = (_e542 - _e550);
@@ -846,50 +847,50 @@ fn function_() {
                         let _e600 = ((_e593 * _e546) - (_e594 * _e545));
                         let _e603 = (abs(_e593) + abs(_e594));
                         if (select(_e600, _e597, (_e597 < _e600)) > (0.5f * _e603)) {
-                            phi_4811_ = true;
+                            phi_4810_ = true;
                         } else {
-                            phi_4811_ = (select(_e600, _e597, (_e597 > _e600)) < (_e603 * -0.5f));
+                            phi_4810_ = (select(_e600, _e597, (_e597 > _e600)) < (_e603 * -0.5f));
                         }
-                        let _e613 = phi_4811_;
-                        phi_1391_ = _e613;
+                        let _e613 = phi_4810_;
+                        phi_1390_ = _e613;
                     }
-                    let _e615 = phi_1391_;
-                    phi_1392_ = _e615;
-                    phi_1393_ = _e592;
+                    let _e615 = phi_1390_;
+                    phi_1391_ = _e615;
+                    phi_1392_ = _e592;
                 }
-                let _e617 = phi_1392_;
-                let _e619 = phi_1393_;
+                let _e617 = phi_1391_;
+                let _e619 = phi_1392_;
                 if select(_e617, true, _e619) {
-                    phi_1402_ = type_39(_e335, _e460, _e528, _e463, _e491, _e498, _e533, _e463, 0i, -1i, _e524);
+                    phi_1401_ = type_38(_e335, _e460, _e528, _e463, _e491, _e498, _e533, _e463, 0i, -1i, _e524);
                 } else {
-                    phi_1402_ = type_39(_e335, _e460, _e528, select(_e529, _e530, (_e530 < _e529)), _e491, _e498, _e533, _e463, 0i, -1i, _e524);
+                    phi_1401_ = type_38(_e335, _e460, _e528, select(_e529, _e530, (_e530 < _e529)), _e491, _e498, _e533, _e463, 0i, -1i, _e524);
                 }
-                let _e623 = phi_1402_;
-                phi_5764_ = _e139;
-                phi_5382_ = _e623.member_6;
-                phi_5379_ = _e623.member_9;
-                phi_5376_ = _e623.member_8;
-                phi_5373_ = _e623.member_7;
+                let _e623 = phi_1401_;
+                phi_5763_ = _e139;
+                phi_5381_ = _e623.member_6;
+                phi_5378_ = _e623.member_9;
+                phi_5375_ = _e623.member_8;
+                phi_5372_ = _e623.member_7;
                 loop {
-                    let _e642 = phi_5764_;
-                    let _e644 = phi_5382_;
-                    let _e646 = phi_5379_;
-                    let _e648 = phi_5376_;
-                    let _e650 = phi_5373_;
-                    phi_5381_ = _e644;
-                    phi_5378_ = _e646;
-                    phi_5375_ = _e648;
-                    phi_5372_ = _e650;
+                    let _e642 = phi_5763_;
+                    let _e644 = phi_5381_;
+                    let _e646 = phi_5378_;
+                    let _e648 = phi_5375_;
+                    let _e650 = phi_5372_;
+                    phi_5380_ = _e644;
+                    phi_5377_ = _e646;
+                    phi_5374_ = _e648;
+                    phi_5371_ = _e650;
                     loop {
-                        let _e652 = phi_5381_;
-                        let _e654 = phi_5378_;
-                        let _e656 = phi_5375_;
-                        let _e658 = phi_5372_;
+                        let _e652 = phi_5380_;
+                        let _e654 = phi_5377_;
+                        let _e656 = phi_5374_;
+                        let _e658 = phi_5371_;
                         let _e659 = (_e658 < _e623.member_3);
                         if _e659 {
-                            phi_5374_ = _e656;
+                            phi_5373_ = _e656;
                             loop {
-                                let _e661 = phi_5374_;
+                                let _e661 = phi_5373_;
                                 let _e662 = (_e661 < _e654);
                                 if _e662 {
                                     let _e663 = (_e661 + 1i);
@@ -913,34 +914,34 @@ fn function_() {
                                     let _e709 = select(_e681, _e673, (_e673 > _e681));
                                     let _e713 = select(_e683, _e675, (_e675 > _e683));
                                     if (select(_e686, _e693, (_e693 < _e686)) > 0.5f) {
-                                        phi_2046_ = bool();
-                                        phi_2047_ = true;
-                                        phi_2048_ = false;
+                                        phi_2045_ = bool();
+                                        phi_2046_ = true;
+                                        phi_2047_ = false;
                                     } else {
                                         if (select(_e688, _e697, (_e697 < _e688)) > 0.5f) {
-                                            phi_2043_ = bool();
-                                            phi_2044_ = true;
-                                            phi_2045_ = false;
+                                            phi_2042_ = bool();
+                                            phi_2043_ = true;
+                                            phi_2044_ = false;
                                         } else {
                                             if (select(_e690, _e701, (_e701 < _e690)) > 0.5f) {
-                                                phi_2040_ = bool();
-                                                phi_2041_ = true;
-                                                phi_2042_ = false;
+                                                phi_2039_ = bool();
+                                                phi_2040_ = true;
+                                                phi_2041_ = false;
                                             } else {
                                                 if (select(_e686, _e705, (_e705 > _e686)) < -0.5f) {
-                                                    phi_2037_ = bool();
-                                                    phi_2038_ = true;
-                                                    phi_2039_ = false;
+                                                    phi_2036_ = bool();
+                                                    phi_2037_ = true;
+                                                    phi_2038_ = false;
                                                 } else {
                                                     if (select(_e688, _e709, (_e709 > _e688)) < -0.5f) {
-                                                        phi_2034_ = bool();
-                                                        phi_2035_ = true;
-                                                        phi_2036_ = false;
+                                                        phi_2033_ = bool();
+                                                        phi_2034_ = true;
+                                                        phi_2035_ = false;
                                                     } else {
                                                         let _e721 = (select(_e690, _e713, (_e713 > _e690)) < -0.5f);
                                                         if _e721 {
-                                                            phi_2032_ = bool();
-                                                            phi_2033_ = false;
+                                                            phi_2031_ = bool();
+                                                            phi_2032_ = false;
                                                         } else {
                                                             let _e722 = (_e679 - _e671);
                                                             let _e723 = (_e681 - _e673);
@@ -960,48 +961,48 @@ fn function_() {
                                                             let _e741 = abs(_e724);
                                                             let _e742 = (_e740 + _e741);
                                                             if (select(_e739, _e736, (_e736 < _e739)) > (0.5f * _e742)) {
-                                                                phi_1622_ = true;
+                                                                phi_1621_ = true;
                                                             } else {
-                                                                phi_1622_ = (select(_e739, _e736, (_e736 > _e739)) < (_e742 * -0.5f));
+                                                                phi_1621_ = (select(_e739, _e736, (_e736 > _e739)) < (_e742 * -0.5f));
                                                             }
-                                                            let _e752 = phi_1622_;
+                                                            let _e752 = phi_1621_;
                                                             if _e752 {
-                                                                phi_1684_ = bool();
-                                                                phi_1685_ = true;
+                                                                phi_1683_ = bool();
+                                                                phi_1684_ = true;
                                                             } else {
                                                                 let _e755 = ((_e724 * _e671) - (_e722 * _e675));
                                                                 let _e758 = ((_e724 * _e686) - (_e722 * _e690));
                                                                 let _e759 = abs(_e722);
                                                                 let _e760 = (_e741 + _e759);
                                                                 if (select(_e758, _e755, (_e755 < _e758)) > (0.5f * _e760)) {
-                                                                    phi_1652_ = true;
+                                                                    phi_1651_ = true;
                                                                 } else {
-                                                                    phi_1652_ = (select(_e758, _e755, (_e755 > _e758)) < (_e760 * -0.5f));
+                                                                    phi_1651_ = (select(_e758, _e755, (_e755 > _e758)) < (_e760 * -0.5f));
                                                                 }
-                                                                let _e770 = phi_1652_;
+                                                                let _e770 = phi_1651_;
                                                                 if _e770 {
-                                                                    phi_1683_ = bool();
+                                                                    phi_1682_ = bool();
                                                                 } else {
                                                                     let _e773 = ((_e722 * _e673) - (_e723 * _e671));
                                                                     let _e776 = ((_e722 * _e688) - (_e723 * _e686));
                                                                     let _e777 = (_e759 + _e740);
                                                                     if (select(_e776, _e773, (_e773 < _e776)) > (0.5f * _e777)) {
-                                                                        phi_1682_ = true;
+                                                                        phi_1681_ = true;
                                                                     } else {
-                                                                        phi_1682_ = (select(_e776, _e773, (_e773 > _e776)) < (_e777 * -0.5f));
+                                                                        phi_1681_ = (select(_e776, _e773, (_e773 > _e776)) < (_e777 * -0.5f));
                                                                     }
-                                                                    let _e787 = phi_1682_;
-                                                                    phi_1683_ = _e787;
+                                                                    let _e787 = phi_1681_;
+                                                                    phi_1682_ = _e787;
                                                                 }
-                                                                let _e789 = phi_1683_;
-                                                                phi_1684_ = _e789;
-                                                                phi_1685_ = _e770;
+                                                                let _e789 = phi_1682_;
+                                                                phi_1683_ = _e789;
+                                                                phi_1684_ = _e770;
                                                             }
-                                                            let _e791 = phi_1684_;
-                                                            let _e793 = phi_1685_;
+                                                            let _e791 = phi_1683_;
+                                                            let _e793 = phi_1684_;
                                                             if select(_e791, true, _e793) {
-                                                                phi_2027_ = bool();
-                                                                phi_2028_ = true;
+                                                                phi_2026_ = bool();
+                                                                phi_2027_ = true;
                                                             } else {
                                                                 let _e797 = ((_e727 * _e683) - (_e728 * _e681));
                                                                 let _e800 = ((_e727 * _e675) - (_e728 * _e673));
@@ -1009,48 +1010,48 @@ fn function_() {
                                                                 let _e802 = abs(_e728);
                                                                 let _e803 = (_e801 + _e802);
                                                                 if (select(_e800, _e797, (_e797 < _e800)) > (0.5f * _e803)) {
-                                                                    phi_1719_ = true;
+                                                                    phi_1718_ = true;
                                                                 } else {
-                                                                    phi_1719_ = (select(_e800, _e797, (_e797 > _e800)) < (_e803 * -0.5f));
+                                                                    phi_1718_ = (select(_e800, _e797, (_e797 > _e800)) < (_e803 * -0.5f));
                                                                 }
-                                                                let _e813 = phi_1719_;
+                                                                let _e813 = phi_1718_;
                                                                 if _e813 {
-                                                                    phi_1781_ = bool();
-                                                                    phi_1782_ = true;
+                                                                    phi_1780_ = bool();
+                                                                    phi_1781_ = true;
                                                                 } else {
                                                                     let _e816 = ((_e728 * _e679) - (_e726 * _e683));
                                                                     let _e819 = ((_e728 * _e671) - (_e726 * _e675));
                                                                     let _e820 = abs(_e726);
                                                                     let _e821 = (_e802 + _e820);
                                                                     if (select(_e819, _e816, (_e816 < _e819)) > (0.5f * _e821)) {
-                                                                        phi_1749_ = true;
+                                                                        phi_1748_ = true;
                                                                     } else {
-                                                                        phi_1749_ = (select(_e819, _e816, (_e816 > _e819)) < (_e821 * -0.5f));
+                                                                        phi_1748_ = (select(_e819, _e816, (_e816 > _e819)) < (_e821 * -0.5f));
                                                                     }
-                                                                    let _e831 = phi_1749_;
+                                                                    let _e831 = phi_1748_;
                                                                     if _e831 {
-                                                                        phi_1780_ = bool();
+                                                                        phi_1779_ = bool();
                                                                     } else {
                                                                         let _e834 = ((_e726 * _e681) - (_e727 * _e679));
                                                                         let _e837 = ((_e726 * _e673) - (_e727 * _e671));
                                                                         let _e838 = (_e820 + _e801);
                                                                         if (select(_e837, _e834, (_e834 < _e837)) > (0.5f * _e838)) {
-                                                                            phi_1779_ = true;
+                                                                            phi_1778_ = true;
                                                                         } else {
-                                                                            phi_1779_ = (select(_e837, _e834, (_e834 > _e837)) < (_e838 * -0.5f));
+                                                                            phi_1778_ = (select(_e837, _e834, (_e834 > _e837)) < (_e838 * -0.5f));
                                                                         }
-                                                                        let _e848 = phi_1779_;
-                                                                        phi_1780_ = _e848;
+                                                                        let _e848 = phi_1778_;
+                                                                        phi_1779_ = _e848;
                                                                     }
-                                                                    let _e850 = phi_1780_;
-                                                                    phi_1781_ = _e850;
-                                                                    phi_1782_ = _e831;
+                                                                    let _e850 = phi_1779_;
+                                                                    phi_1780_ = _e850;
+                                                                    phi_1781_ = _e831;
                                                                 }
-                                                                let _e852 = phi_1781_;
-                                                                let _e854 = phi_1782_;
+                                                                let _e852 = phi_1780_;
+                                                                let _e854 = phi_1781_;
                                                                 if select(_e852, true, _e854) {
-                                                                    phi_2025_ = bool();
-                                                                    phi_2026_ = true;
+                                                                    phi_2024_ = bool();
+                                                                    phi_2025_ = true;
                                                                 } else {
                                                                     let _e858 = ((_e731 * _e690) - (_e732 * _e688));
                                                                     let _e861 = ((_e731 * _e683) - (_e732 * _e681));
@@ -1058,68 +1059,68 @@ fn function_() {
                                                                     let _e863 = abs(_e732);
                                                                     let _e864 = (_e862 + _e863);
                                                                     if (select(_e861, _e858, (_e858 < _e861)) > (0.5f * _e864)) {
-                                                                        phi_1816_ = true;
+                                                                        phi_1815_ = true;
                                                                     } else {
-                                                                        phi_1816_ = (select(_e861, _e858, (_e858 > _e861)) < (_e864 * -0.5f));
+                                                                        phi_1815_ = (select(_e861, _e858, (_e858 > _e861)) < (_e864 * -0.5f));
                                                                     }
-                                                                    let _e874 = phi_1816_;
+                                                                    let _e874 = phi_1815_;
                                                                     if _e874 {
-                                                                        phi_1878_ = bool();
-                                                                        phi_1879_ = true;
+                                                                        phi_1877_ = bool();
+                                                                        phi_1878_ = true;
                                                                     } else {
                                                                         let _e877 = ((_e732 * _e686) - (_e730 * _e690));
                                                                         let _e880 = ((_e732 * _e679) - (_e730 * _e683));
                                                                         let _e881 = abs(_e730);
                                                                         let _e882 = (_e863 + _e881);
                                                                         if (select(_e880, _e877, (_e877 < _e880)) > (0.5f * _e882)) {
-                                                                            phi_1846_ = true;
+                                                                            phi_1845_ = true;
                                                                         } else {
-                                                                            phi_1846_ = (select(_e880, _e877, (_e877 > _e880)) < (_e882 * -0.5f));
+                                                                            phi_1845_ = (select(_e880, _e877, (_e877 > _e880)) < (_e882 * -0.5f));
                                                                         }
-                                                                        let _e892 = phi_1846_;
+                                                                        let _e892 = phi_1845_;
                                                                         if _e892 {
-                                                                            phi_1877_ = bool();
+                                                                            phi_1876_ = bool();
                                                                         } else {
                                                                             let _e895 = ((_e730 * _e688) - (_e731 * _e686));
                                                                             let _e898 = ((_e730 * _e681) - (_e731 * _e679));
                                                                             let _e899 = (_e881 + _e862);
                                                                             if (select(_e898, _e895, (_e895 < _e898)) > (0.5f * _e899)) {
-                                                                                phi_1876_ = true;
+                                                                                phi_1875_ = true;
                                                                             } else {
-                                                                                phi_1876_ = (select(_e898, _e895, (_e895 > _e898)) < (_e899 * -0.5f));
+                                                                                phi_1875_ = (select(_e898, _e895, (_e895 > _e898)) < (_e899 * -0.5f));
                                                                             }
-                                                                            let _e909 = phi_1876_;
-                                                                            phi_1877_ = _e909;
+                                                                            let _e909 = phi_1875_;
+                                                                            phi_1876_ = _e909;
                                                                         }
-                                                                        let _e911 = phi_1877_;
-                                                                        phi_1878_ = _e911;
-                                                                        phi_1879_ = _e892;
+                                                                        let _e911 = phi_1876_;
+                                                                        phi_1877_ = _e911;
+                                                                        phi_1878_ = _e892;
                                                                     }
-                                                                    let _e913 = phi_1878_;
-                                                                    let _e915 = phi_1879_;
+                                                                    let _e913 = phi_1877_;
+                                                                    let _e915 = phi_1878_;
                                                                     let _e916 = select(_e913, true, _e915);
                                                                     if _e916 {
-                                                                        phi_2024_ = bool();
+                                                                        phi_2023_ = bool();
                                                                     } else {
                                                                         let _e919 = ((abs(_e722) + _e740) + _e741);
                                                                         let _e922 = ((abs(_e726) + _e801) + _e802);
                                                                         let _e925 = ((abs(_e730) + _e862) + _e863);
                                                                         if (_e919 >= _e922) {
-                                                                            phi_1911_ = select(true, false, (_e919 >= _e925));
+                                                                            phi_1910_ = select(true, false, (_e919 >= _e925));
                                                                         } else {
-                                                                            phi_1911_ = true;
+                                                                            phi_1910_ = true;
                                                                         }
-                                                                        let _e930 = phi_1911_;
+                                                                        let _e930 = phi_1910_;
                                                                         if _e930 {
                                                                             let _e932 = vec3((_e922 >= _e925));
-                                                                            phi_1921_ = select(_e725, _e733, _e932);
-                                                                            phi_1922_ = select(_e729, _e725, _e932);
+                                                                            phi_1920_ = select(_e725, _e733, _e932);
+                                                                            phi_1921_ = select(_e729, _e725, _e932);
                                                                         } else {
-                                                                            phi_1921_ = _e729;
-                                                                            phi_1922_ = _e733;
+                                                                            phi_1920_ = _e729;
+                                                                            phi_1921_ = _e733;
                                                                         }
-                                                                        let _e936 = phi_1921_;
-                                                                        let _e938 = phi_1922_;
+                                                                        let _e936 = phi_1920_;
+                                                                        let _e938 = phi_1921_;
                                                                         let _e945 = ((_e936.y * _e938.z) - (_e938.y * _e936.z));
                                                                         let _e950 = ((_e936.z * _e938.x) - (_e938.z * _e936.x));
                                                                         let _e953 = ((_e936.x * _e938.y) - (_e938.x * _e936.y));
@@ -1127,86 +1128,86 @@ fn function_() {
                                                                         let _e969 = ((abs(_e679) + abs(_e681)) + abs(_e683));
                                                                         let _e974 = ((abs(_e686) + abs(_e688)) + abs(_e690));
                                                                         if (_e964 <= _e969) {
-                                                                            phi_1974_ = select(true, false, (_e964 <= _e974));
+                                                                            phi_1973_ = select(true, false, (_e964 <= _e974));
                                                                         } else {
-                                                                            phi_1974_ = true;
+                                                                            phi_1973_ = true;
                                                                         }
-                                                                        let _e979 = phi_1974_;
+                                                                        let _e979 = phi_1973_;
                                                                         if _e979 {
-                                                                            phi_1983_ = select((_e623.member.member_2 - _e676), (_e623.member.member_1 - _e676), vec3((_e969 <= _e974)));
+                                                                            phi_1982_ = select((_e623.member.member_2 - _e676), (_e623.member.member_1 - _e676), vec3((_e969 <= _e974)));
                                                                         } else {
-                                                                            phi_1983_ = (_e623.member.member - _e676);
+                                                                            phi_1982_ = (_e623.member.member - _e676);
                                                                         }
-                                                                        let _e984 = phi_1983_;
+                                                                        let _e984 = phi_1982_;
                                                                         let _e986 = select(_e969, _e964, (_e964 < _e969));
-                                                                        phi_2024_ = (abs((((_e945 * _e984.x) + (_e950 * _e984.y)) + (_e953 * _e984.z))) <= ((0.5f * ((abs(_e945) + abs(_e950)) + abs(_e953))) + (((0.00000036f * select(_e974, _e986, (_e986 < _e974))) * ((abs(_e936.x) + abs(_e936.y)) + abs(_e936.z))) * ((abs(_e938.x) + abs(_e938.y)) + abs(_e938.z)))));
+                                                                        phi_2023_ = (abs((((_e945 * _e984.x) + (_e950 * _e984.y)) + (_e953 * _e984.z))) <= ((0.5f * ((abs(_e945) + abs(_e950)) + abs(_e953))) + (((0.00000036f * select(_e974, _e986, (_e986 < _e974))) * ((abs(_e936.x) + abs(_e936.y)) + abs(_e936.z))) * ((abs(_e938.x) + abs(_e938.y)) + abs(_e938.z)))));
                                                                     }
-                                                                    let _e1014 = phi_2024_;
-                                                                    phi_2025_ = _e1014;
-                                                                    phi_2026_ = _e916;
+                                                                    let _e1014 = phi_2023_;
+                                                                    phi_2024_ = _e1014;
+                                                                    phi_2025_ = _e916;
                                                                 }
-                                                                let _e1016 = phi_2025_;
-                                                                let _e1018 = phi_2026_;
-                                                                phi_2027_ = _e1016;
-                                                                phi_2028_ = _e1018;
+                                                                let _e1016 = phi_2024_;
+                                                                let _e1018 = phi_2025_;
+                                                                phi_2026_ = _e1016;
+                                                                phi_2027_ = _e1018;
                                                             }
-                                                            let _e1020 = phi_2027_;
-                                                            let _e1022 = phi_2028_;
-                                                            phi_2032_ = _e1020;
-                                                            phi_2033_ = _e1022;
+                                                            let _e1020 = phi_2026_;
+                                                            let _e1022 = phi_2027_;
+                                                            phi_2031_ = _e1020;
+                                                            phi_2032_ = _e1022;
                                                         }
-                                                        let _e1024 = phi_2032_;
-                                                        let _e1026 = phi_2033_;
-                                                        phi_2034_ = _e1024;
-                                                        phi_2035_ = _e721;
-                                                        phi_2036_ = _e1026;
+                                                        let _e1024 = phi_2031_;
+                                                        let _e1026 = phi_2032_;
+                                                        phi_2033_ = _e1024;
+                                                        phi_2034_ = _e721;
+                                                        phi_2035_ = _e1026;
                                                     }
-                                                    let _e1028 = phi_2034_;
-                                                    let _e1030 = phi_2035_;
-                                                    let _e1032 = phi_2036_;
-                                                    phi_2037_ = _e1028;
-                                                    phi_2038_ = _e1030;
-                                                    phi_2039_ = _e1032;
+                                                    let _e1028 = phi_2033_;
+                                                    let _e1030 = phi_2034_;
+                                                    let _e1032 = phi_2035_;
+                                                    phi_2036_ = _e1028;
+                                                    phi_2037_ = _e1030;
+                                                    phi_2038_ = _e1032;
                                                 }
-                                                let _e1034 = phi_2037_;
-                                                let _e1036 = phi_2038_;
-                                                let _e1038 = phi_2039_;
-                                                phi_2040_ = _e1034;
-                                                phi_2041_ = _e1036;
-                                                phi_2042_ = _e1038;
+                                                let _e1034 = phi_2036_;
+                                                let _e1036 = phi_2037_;
+                                                let _e1038 = phi_2038_;
+                                                phi_2039_ = _e1034;
+                                                phi_2040_ = _e1036;
+                                                phi_2041_ = _e1038;
                                             }
-                                            let _e1040 = phi_2040_;
-                                            let _e1042 = phi_2041_;
-                                            let _e1044 = phi_2042_;
-                                            phi_2043_ = _e1040;
-                                            phi_2044_ = _e1042;
-                                            phi_2045_ = _e1044;
+                                            let _e1040 = phi_2039_;
+                                            let _e1042 = phi_2040_;
+                                            let _e1044 = phi_2041_;
+                                            phi_2042_ = _e1040;
+                                            phi_2043_ = _e1042;
+                                            phi_2044_ = _e1044;
                                         }
-                                        let _e1046 = phi_2043_;
-                                        let _e1048 = phi_2044_;
-                                        let _e1050 = phi_2045_;
-                                        phi_2046_ = _e1046;
-                                        phi_2047_ = _e1048;
-                                        phi_2048_ = _e1050;
+                                        let _e1046 = phi_2042_;
+                                        let _e1048 = phi_2043_;
+                                        let _e1050 = phi_2044_;
+                                        phi_2045_ = _e1046;
+                                        phi_2046_ = _e1048;
+                                        phi_2047_ = _e1050;
                                     }
-                                    let _e1052 = phi_2046_;
-                                    let _e1054 = phi_2047_;
-                                    let _e1056 = phi_2048_;
-                                    phi_5672_ = _e663;
-                                    phi_2061_ = select(true, false, select(_e1052, false, select(_e1056, true, _e1054)));
+                                    let _e1052 = phi_2045_;
+                                    let _e1054 = phi_2046_;
+                                    let _e1056 = phi_2047_;
+                                    phi_5671_ = _e663;
+                                    phi_2060_ = select(true, false, select(_e1052, false, select(_e1056, true, _e1054)));
                                 } else {
-                                    phi_5672_ = _e661;
-                                    phi_2061_ = false;
+                                    phi_5671_ = _e661;
+                                    phi_2060_ = false;
                                 }
-                                let _e1061 = phi_5672_;
-                                let _e1063 = phi_2061_;
+                                let _e1061 = phi_5671_;
+                                let _e1063 = phi_2060_;
                                 let _e1064 = select(true, false, _e662);
                                 local_14 = _e1064;
                                 local_54 = _e1061;
                                 local_55 = _e1064;
                                 continue;
                                 continuing {
-                                    phi_5374_ = _e1061;
+                                    phi_5373_ = _e1061;
                                     break if !(_e1063);
                                 }
                             }
@@ -1215,11 +1216,11 @@ fn function_() {
                                 let _e1068 = (_e652 + 1i);
                                 let _e1069 = (_e1068 >= _e623.member_2);
                                 if _e1069 {
-                                    phi_5531_ = (_e658 + 1i);
+                                    phi_5530_ = (_e658 + 1i);
                                 } else {
-                                    phi_5531_ = _e658;
+                                    phi_5530_ = _e658;
                                 }
-                                let _e1072 = phi_5531_;
+                                let _e1072 = phi_5530_;
                                 let _e1073 = select(_e1068, _e623.member_1, _e1069);
                                 if _e623.member_10 {
                                     let _e1120 = (_e623.member.member_1.x - _e623.member.member.x);
@@ -1234,32 +1235,32 @@ fn function_() {
                                         if (_e1129 <= 0f) {
                                             let _e1142 = (_e1131 >= 0f);
                                             if _e1142 {
-                                                phi_4861_ = type_20(0f, 1f);
+                                                phi_4860_ = type_40(0f, 1f);
                                             } else {
-                                                phi_4861_ = type_20();
+                                                phi_4860_ = type_40();
                                             }
-                                            let _e1144 = phi_4861_;
-                                            phi_4864_ = _e1144;
-                                            phi_4865_ = select(true, false, _e1142);
+                                            let _e1144 = phi_4860_;
+                                            phi_4863_ = _e1144;
+                                            phi_4864_ = select(true, false, _e1142);
                                         } else {
-                                            phi_4864_ = type_20();
-                                            phi_4865_ = true;
+                                            phi_4863_ = type_40();
+                                            phi_4864_ = true;
                                         }
-                                        let _e1147 = phi_4864_;
-                                        let _e1149 = phi_4865_;
+                                        let _e1147 = phi_4863_;
+                                        let _e1149 = phi_4864_;
                                         if _e1149 {
-                                            phi_4870_ = type_20(1f, 0f);
+                                            phi_4869_ = type_40(1f, 0f);
                                         } else {
-                                            phi_4870_ = _e1147;
+                                            phi_4869_ = _e1147;
                                         }
-                                        let _e1151 = phi_4870_;
-                                        phi_4872_ = _e1151;
+                                        let _e1151 = phi_4869_;
+                                        phi_4871_ = _e1151;
                                     } else {
                                         let _e1134 = (_e1129 / _e1120);
                                         let _e1135 = (_e1131 / _e1120);
-                                        phi_4872_ = type_20(select(_e1135, _e1134, (_e1134 < _e1135)), select(_e1135, _e1134, (_e1134 > _e1135)));
+                                        phi_4871_ = type_40(select(_e1135, _e1134, (_e1134 < _e1135)), select(_e1135, _e1134, (_e1134 > _e1135)));
                                     }
-                                    let _e1153 = phi_4872_;
+                                    let _e1153 = phi_4871_;
                                     let _e1156 = f32(_e1072);
                                     let _e1157 = (_e1156 - 0.01f);
                                     let _e1158 = (_e1157 - _e623.member.member.y);
@@ -1269,44 +1270,44 @@ fn function_() {
                                         if (_e1158 <= 0f) {
                                             let _e1171 = (_e1160 >= 0f);
                                             if _e1171 {
-                                                phi_4908_ = type_20(0f, 1f);
+                                                phi_4907_ = type_40(0f, 1f);
                                             } else {
-                                                phi_4908_ = type_20();
+                                                phi_4907_ = type_40();
                                             }
-                                            let _e1173 = phi_4908_;
-                                            phi_4911_ = _e1173;
-                                            phi_4912_ = select(true, false, _e1171);
+                                            let _e1173 = phi_4907_;
+                                            phi_4910_ = _e1173;
+                                            phi_4911_ = select(true, false, _e1171);
                                         } else {
-                                            phi_4911_ = type_20();
-                                            phi_4912_ = true;
+                                            phi_4910_ = type_40();
+                                            phi_4911_ = true;
                                         }
-                                        let _e1176 = phi_4911_;
-                                        let _e1178 = phi_4912_;
+                                        let _e1176 = phi_4910_;
+                                        let _e1178 = phi_4911_;
                                         if _e1178 {
-                                            phi_4917_ = type_20(1f, 0f);
+                                            phi_4916_ = type_40(1f, 0f);
                                         } else {
-                                            phi_4917_ = _e1176;
+                                            phi_4916_ = _e1176;
                                         }
-                                        let _e1180 = phi_4917_;
-                                        phi_4919_ = _e1180;
+                                        let _e1180 = phi_4916_;
+                                        phi_4918_ = _e1180;
                                     } else {
                                         let _e1163 = (_e1158 / _e1123);
                                         let _e1164 = (_e1160 / _e1123);
-                                        phi_4919_ = type_20(select(_e1164, _e1163, (_e1163 < _e1164)), select(_e1164, _e1163, (_e1163 > _e1164)));
+                                        phi_4918_ = type_40(select(_e1164, _e1163, (_e1163 < _e1164)), select(_e1164, _e1163, (_e1163 > _e1164)));
                                     }
-                                    let _e1182 = phi_4919_;
+                                    let _e1182 = phi_4918_;
                                     let _e1186 = select(_e1182.member, _e1153.member, (_e1153.member > _e1182.member));
                                     let _e1188 = select(0f, _e1186, (_e1186 > 0f));
                                     let _e1190 = select(_e1182.member_1, _e1153.member_1, (_e1153.member_1 < _e1182.member_1));
                                     let _e1192 = select(1f, _e1190, (_e1190 < 1f));
                                     if (_e1188 > _e1192) {
-                                        phi_4967_ = type_20(_e623.member.member_5.z, -2f);
+                                        phi_4966_ = type_40(_e623.member.member_5.z, -2f);
                                     } else {
                                         let _e1195 = (_e623.member.member.z + (_e1126 * _e1188));
                                         let _e1197 = (_e623.member.member.z + (_e1126 * _e1192));
-                                        phi_4967_ = type_20(select(_e1197, _e1195, (_e1195 < _e1197)), select(_e1197, _e1195, (_e1195 > _e1197)));
+                                        phi_4966_ = type_40(select(_e1197, _e1195, (_e1195 < _e1197)), select(_e1197, _e1195, (_e1195 > _e1197)));
                                     }
-                                    let _e1206 = phi_4967_;
+                                    let _e1206 = phi_4966_;
                                     let _e1210 = (_e623.member.member_2.x - _e623.member.member_1.x);
                                     let _e1212 = (_e623.member.member_2.y - _e623.member.member_1.y);
                                     let _e1214 = (_e623.member.member_2.z - _e623.member.member_1.z);
@@ -1316,76 +1317,76 @@ fn function_() {
                                         if (_e1215 <= 0f) {
                                             let _e1227 = (_e1216 >= 0f);
                                             if _e1227 {
-                                                phi_5016_ = type_20(0f, 1f);
+                                                phi_5015_ = type_40(0f, 1f);
                                             } else {
-                                                phi_5016_ = type_20();
+                                                phi_5015_ = type_40();
                                             }
-                                            let _e1229 = phi_5016_;
-                                            phi_5019_ = _e1229;
-                                            phi_5020_ = select(true, false, _e1227);
+                                            let _e1229 = phi_5015_;
+                                            phi_5018_ = _e1229;
+                                            phi_5019_ = select(true, false, _e1227);
                                         } else {
-                                            phi_5019_ = type_20();
-                                            phi_5020_ = true;
+                                            phi_5018_ = type_40();
+                                            phi_5019_ = true;
                                         }
-                                        let _e1232 = phi_5019_;
-                                        let _e1234 = phi_5020_;
+                                        let _e1232 = phi_5018_;
+                                        let _e1234 = phi_5019_;
                                         if _e1234 {
-                                            phi_5025_ = type_20(1f, 0f);
+                                            phi_5024_ = type_40(1f, 0f);
                                         } else {
-                                            phi_5025_ = _e1232;
+                                            phi_5024_ = _e1232;
                                         }
-                                        let _e1236 = phi_5025_;
-                                        phi_5027_ = _e1236;
+                                        let _e1236 = phi_5024_;
+                                        phi_5026_ = _e1236;
                                     } else {
                                         let _e1219 = (_e1215 / _e1210);
                                         let _e1220 = (_e1216 / _e1210);
-                                        phi_5027_ = type_20(select(_e1220, _e1219, (_e1219 < _e1220)), select(_e1220, _e1219, (_e1219 > _e1220)));
+                                        phi_5026_ = type_40(select(_e1220, _e1219, (_e1219 < _e1220)), select(_e1220, _e1219, (_e1219 > _e1220)));
                                     }
-                                    let _e1238 = phi_5027_;
+                                    let _e1238 = phi_5026_;
                                     let _e1241 = (_e1157 - _e623.member.member_1.y);
                                     let _e1242 = (_e1159 - _e623.member.member_1.y);
                                     if (abs(_e1212) < 0.000001f) {
                                         if (_e1241 <= 0f) {
                                             let _e1253 = (_e1242 >= 0f);
                                             if _e1253 {
-                                                phi_5063_ = type_20(0f, 1f);
+                                                phi_5062_ = type_40(0f, 1f);
                                             } else {
-                                                phi_5063_ = type_20();
+                                                phi_5062_ = type_40();
                                             }
-                                            let _e1255 = phi_5063_;
-                                            phi_5066_ = _e1255;
-                                            phi_5067_ = select(true, false, _e1253);
+                                            let _e1255 = phi_5062_;
+                                            phi_5065_ = _e1255;
+                                            phi_5066_ = select(true, false, _e1253);
                                         } else {
-                                            phi_5066_ = type_20();
-                                            phi_5067_ = true;
+                                            phi_5065_ = type_40();
+                                            phi_5066_ = true;
                                         }
-                                        let _e1258 = phi_5066_;
-                                        let _e1260 = phi_5067_;
+                                        let _e1258 = phi_5065_;
+                                        let _e1260 = phi_5066_;
                                         if _e1260 {
-                                            phi_5072_ = type_20(1f, 0f);
+                                            phi_5071_ = type_40(1f, 0f);
                                         } else {
-                                            phi_5072_ = _e1258;
+                                            phi_5071_ = _e1258;
                                         }
-                                        let _e1262 = phi_5072_;
-                                        phi_5074_ = _e1262;
+                                        let _e1262 = phi_5071_;
+                                        phi_5073_ = _e1262;
                                     } else {
                                         let _e1245 = (_e1241 / _e1212);
                                         let _e1246 = (_e1242 / _e1212);
-                                        phi_5074_ = type_20(select(_e1246, _e1245, (_e1245 < _e1246)), select(_e1246, _e1245, (_e1245 > _e1246)));
+                                        phi_5073_ = type_40(select(_e1246, _e1245, (_e1245 < _e1246)), select(_e1246, _e1245, (_e1245 > _e1246)));
                                     }
-                                    let _e1264 = phi_5074_;
+                                    let _e1264 = phi_5073_;
                                     let _e1268 = select(_e1264.member, _e1238.member, (_e1238.member > _e1264.member));
                                     let _e1270 = select(0f, _e1268, (_e1268 > 0f));
                                     let _e1272 = select(_e1264.member_1, _e1238.member_1, (_e1238.member_1 < _e1264.member_1));
                                     let _e1274 = select(1f, _e1272, (_e1272 < 1f));
                                     if (_e1270 > _e1274) {
-                                        phi_5122_ = type_20(_e623.member.member_5.z, -2f);
+                                        phi_5121_ = type_40(_e623.member.member_5.z, -2f);
                                     } else {
                                         let _e1277 = (_e623.member.member_1.z + (_e1214 * _e1270));
                                         let _e1279 = (_e623.member.member_1.z + (_e1214 * _e1274));
-                                        phi_5122_ = type_20(select(_e1279, _e1277, (_e1277 < _e1279)), select(_e1279, _e1277, (_e1277 > _e1279)));
+                                        phi_5121_ = type_40(select(_e1279, _e1277, (_e1277 < _e1279)), select(_e1279, _e1277, (_e1277 > _e1279)));
                                     }
-                                    let _e1288 = phi_5122_;
+                                    let _e1288 = phi_5121_;
                                     let _e1291 = (_e623.member.member.x - _e623.member.member_2.x);
                                     let _e1292 = (_e623.member.member.y - _e623.member.member_2.y);
                                     let _e1293 = (_e623.member.member.z - _e623.member.member_2.z);
@@ -1395,134 +1396,134 @@ fn function_() {
                                         if (_e1294 <= 0f) {
                                             let _e1306 = (_e1295 >= 0f);
                                             if _e1306 {
-                                                phi_5171_ = type_20(0f, 1f);
+                                                phi_5170_ = type_40(0f, 1f);
                                             } else {
-                                                phi_5171_ = type_20();
+                                                phi_5170_ = type_40();
                                             }
-                                            let _e1308 = phi_5171_;
-                                            phi_5174_ = _e1308;
-                                            phi_5175_ = select(true, false, _e1306);
+                                            let _e1308 = phi_5170_;
+                                            phi_5173_ = _e1308;
+                                            phi_5174_ = select(true, false, _e1306);
                                         } else {
-                                            phi_5174_ = type_20();
-                                            phi_5175_ = true;
+                                            phi_5173_ = type_40();
+                                            phi_5174_ = true;
                                         }
-                                        let _e1311 = phi_5174_;
-                                        let _e1313 = phi_5175_;
+                                        let _e1311 = phi_5173_;
+                                        let _e1313 = phi_5174_;
                                         if _e1313 {
-                                            phi_5180_ = type_20(1f, 0f);
+                                            phi_5179_ = type_40(1f, 0f);
                                         } else {
-                                            phi_5180_ = _e1311;
+                                            phi_5179_ = _e1311;
                                         }
-                                        let _e1315 = phi_5180_;
-                                        phi_5182_ = _e1315;
+                                        let _e1315 = phi_5179_;
+                                        phi_5181_ = _e1315;
                                     } else {
                                         let _e1298 = (_e1294 / _e1291);
                                         let _e1299 = (_e1295 / _e1291);
-                                        phi_5182_ = type_20(select(_e1299, _e1298, (_e1298 < _e1299)), select(_e1299, _e1298, (_e1298 > _e1299)));
+                                        phi_5181_ = type_40(select(_e1299, _e1298, (_e1298 < _e1299)), select(_e1299, _e1298, (_e1298 > _e1299)));
                                     }
-                                    let _e1317 = phi_5182_;
+                                    let _e1317 = phi_5181_;
                                     let _e1320 = (_e1157 - _e623.member.member_2.y);
                                     let _e1321 = (_e1159 - _e623.member.member_2.y);
                                     if (abs(_e1292) < 0.000001f) {
                                         if (_e1320 <= 0f) {
                                             let _e1332 = (_e1321 >= 0f);
                                             if _e1332 {
-                                                phi_5218_ = type_20(0f, 1f);
+                                                phi_5217_ = type_40(0f, 1f);
                                             } else {
-                                                phi_5218_ = type_20();
+                                                phi_5217_ = type_40();
                                             }
-                                            let _e1334 = phi_5218_;
-                                            phi_5221_ = _e1334;
-                                            phi_5222_ = select(true, false, _e1332);
+                                            let _e1334 = phi_5217_;
+                                            phi_5220_ = _e1334;
+                                            phi_5221_ = select(true, false, _e1332);
                                         } else {
-                                            phi_5221_ = type_20();
-                                            phi_5222_ = true;
+                                            phi_5220_ = type_40();
+                                            phi_5221_ = true;
                                         }
-                                        let _e1337 = phi_5221_;
-                                        let _e1339 = phi_5222_;
+                                        let _e1337 = phi_5220_;
+                                        let _e1339 = phi_5221_;
                                         if _e1339 {
-                                            phi_5227_ = type_20(1f, 0f);
+                                            phi_5226_ = type_40(1f, 0f);
                                         } else {
-                                            phi_5227_ = _e1337;
+                                            phi_5226_ = _e1337;
                                         }
-                                        let _e1341 = phi_5227_;
-                                        phi_5229_ = _e1341;
+                                        let _e1341 = phi_5226_;
+                                        phi_5228_ = _e1341;
                                     } else {
                                         let _e1324 = (_e1320 / _e1292);
                                         let _e1325 = (_e1321 / _e1292);
-                                        phi_5229_ = type_20(select(_e1325, _e1324, (_e1324 < _e1325)), select(_e1325, _e1324, (_e1324 > _e1325)));
+                                        phi_5228_ = type_40(select(_e1325, _e1324, (_e1324 < _e1325)), select(_e1325, _e1324, (_e1324 > _e1325)));
                                     }
-                                    let _e1343 = phi_5229_;
+                                    let _e1343 = phi_5228_;
                                     let _e1347 = select(_e1343.member, _e1317.member, (_e1317.member > _e1343.member));
                                     let _e1349 = select(0f, _e1347, (_e1347 > 0f));
                                     let _e1351 = select(_e1343.member_1, _e1317.member_1, (_e1317.member_1 < _e1343.member_1));
                                     let _e1353 = select(1f, _e1351, (_e1351 < 1f));
                                     if (_e1349 > _e1353) {
-                                        phi_5277_ = type_20(_e623.member.member_5.z, -2f);
+                                        phi_5276_ = type_40(_e623.member.member_5.z, -2f);
                                     } else {
                                         let _e1356 = (_e623.member.member_2.z + (_e1293 * _e1349));
                                         let _e1358 = (_e623.member.member_2.z + (_e1293 * _e1353));
-                                        phi_5277_ = type_20(select(_e1358, _e1356, (_e1356 < _e1358)), select(_e1358, _e1356, (_e1356 > _e1358)));
+                                        phi_5276_ = type_40(select(_e1358, _e1356, (_e1356 < _e1358)), select(_e1358, _e1356, (_e1356 > _e1358)));
                                     }
-                                    let _e1367 = phi_5277_;
+                                    let _e1367 = phi_5276_;
                                     let _e1371 = select(_e1288.member, _e1206.member, (_e1206.member < _e1288.member));
                                     let _e1377 = select(_e1288.member_1, _e1206.member_1, (_e1206.member_1 > _e1288.member_1));
-                                    phi_2157_ = type_20((floor(select(_e1367.member, _e1371, (_e1371 < _e1367.member))) - 1f), (floor(select(_e1367.member_1, _e1377, (_e1377 > _e1367.member_1))) + 1f));
+                                    phi_2156_ = type_40((floor(select(_e1367.member, _e1371, (_e1371 < _e1367.member))) - 1f), (floor(select(_e1367.member_1, _e1377, (_e1377 > _e1367.member_1))) + 1f));
                                 } else {
                                     if (_e623.member.member_4 == 0u) {
-                                        phi_2115_ = vec3<f32>(_e623.member.member_3.y, _e623.member.member_3.z, _e623.member.member_3.x);
+                                        phi_2114_ = vec3<f32>(_e623.member.member_3.y, _e623.member.member_3.z, _e623.member.member_3.x);
                                     } else {
                                         if (_e623.member.member_4 == 1u) {
-                                            phi_2114_ = vec3<f32>(_e623.member.member_3.z, _e623.member.member_3.x, _e623.member.member_3.y);
+                                            phi_2113_ = vec3<f32>(_e623.member.member_3.z, _e623.member.member_3.x, _e623.member.member_3.y);
                                         } else {
-                                            phi_2114_ = _e623.member.member_3;
+                                            phi_2113_ = _e623.member.member_3;
                                         }
-                                        let _e1081 = phi_2114_;
-                                        phi_2115_ = _e1081;
+                                        let _e1081 = phi_2113_;
+                                        phi_2114_ = _e1081;
                                     }
-                                    let _e1087 = phi_2115_;
+                                    let _e1087 = phi_2114_;
                                     let _e1104 = (_e623.member.member.z - (((_e1087.x * ((f32(_e1073) + 0.5f) - _e623.member.member.x)) + (_e1087.y * ((f32(_e1072) + 0.5f) - _e623.member.member.y))) / _e1087.z));
                                     let _e1111 = (((0.5f * (abs(_e1087.x) + abs(_e1087.y))) / abs(_e1087.z)) + 0.3f);
-                                    phi_2157_ = type_20((-1f - floor((_e1111 - _e1104))), floor((_e1104 + _e1111)));
+                                    phi_2156_ = type_40((-1f - floor((_e1111 - _e1104))), floor((_e1104 + _e1111)));
                                 }
-                                let _e1384 = phi_2157_;
+                                let _e1384 = phi_2156_;
                                 let _e1387 = f32(_e623.member_4);
                                 let _e1389 = select(_e1387, _e1384.member, (_e1384.member > _e1387));
                                 let _e1398 = f32(_e623.member_5);
                                 let _e1400 = select(_e1398, _e1384.member_1, (_e1384.member_1 < _e1398));
-                                phi_6383_ = select(0i, select(select(i32(_e1400), i32(-2147483648), (_e1400 < -2147483600f)), 2147483647i, (_e1400 > 2147483500f)), (_e1400 == _e1400));
-                                phi_5671_ = (select(0i, select(select(i32(_e1389), i32(-2147483648), (_e1389 < -2147483600f)), 2147483647i, (_e1389 > 2147483500f)), (_e1389 == _e1389)) - 1i);
-                                phi_5647_ = _e1072;
-                                phi_5617_ = _e1073;
+                                phi_6382_ = select(0i, select(select(i32(_e1400), i32(-2147483648), (_e1400 < -2147483600f)), 2147483647i, (_e1400 > 2147483500f)), (_e1400 == _e1400));
+                                phi_5670_ = (select(0i, select(select(i32(_e1389), i32(-2147483648), (_e1389 < -2147483600f)), 2147483647i, (_e1389 > 2147483500f)), (_e1389 == _e1389)) - 1i);
+                                phi_5646_ = _e1072;
+                                phi_5616_ = _e1073;
                             } else {
-                                phi_6383_ = _e654;
+                                phi_6382_ = _e654;
                                 let _e3345 = local_54;
-                                phi_5671_ = _e3345;
-                                phi_5647_ = _e658;
-                                phi_5617_ = _e652;
+                                phi_5670_ = _e3345;
+                                phi_5646_ = _e658;
+                                phi_5616_ = _e652;
                             }
-                            let _e1409 = phi_6383_;
-                            let _e1411 = phi_5671_;
-                            let _e1413 = phi_5647_;
-                            let _e1415 = phi_5617_;
-                            phi_6382_ = _e1409;
-                            phi_5670_ = _e1411;
-                            phi_5646_ = _e1413;
-                            phi_5616_ = _e1415;
+                            let _e1409 = phi_6382_;
+                            let _e1411 = phi_5670_;
+                            let _e1413 = phi_5646_;
+                            let _e1415 = phi_5616_;
+                            phi_6381_ = _e1409;
+                            phi_5669_ = _e1411;
+                            phi_5645_ = _e1413;
+                            phi_5615_ = _e1415;
                             let _e3354 = local_55;
-                            phi_2197_ = _e3354;
+                            phi_2196_ = _e3354;
                         } else {
-                            phi_6382_ = _e654;
-                            phi_5670_ = _e656;
-                            phi_5646_ = _e658;
-                            phi_5616_ = _e652;
-                            phi_2197_ = false;
+                            phi_6381_ = _e654;
+                            phi_5669_ = _e656;
+                            phi_5645_ = _e658;
+                            phi_5615_ = _e652;
+                            phi_2196_ = false;
                         }
-                        let _e1417 = phi_6382_;
-                        let _e1419 = phi_5670_;
-                        let _e1421 = phi_5646_;
-                        let _e1423 = phi_5616_;
-                        let _e1425 = phi_2197_;
+                        let _e1417 = phi_6381_;
+                        let _e1419 = phi_5669_;
+                        let _e1421 = phi_5645_;
+                        let _e1423 = phi_5615_;
+                        let _e1425 = phi_2196_;
                         local_50 = _e1423;
                         local_51 = _e1417;
                         local_52 = _e1419;
@@ -1533,10 +1534,10 @@ fn function_() {
                         local_18 = _e1419;
                         continue;
                         continuing {
-                            phi_5381_ = _e1423;
-                            phi_5378_ = _e1417;
-                            phi_5375_ = _e1419;
-                            phi_5372_ = _e1421;
+                            phi_5380_ = _e1423;
+                            phi_5377_ = _e1417;
+                            phi_5374_ = _e1419;
+                            phi_5371_ = _e1421;
                             break if !(_e1425);
                         }
                     }
@@ -1551,77 +1552,77 @@ fn function_() {
                         let _e1440 = f32(_e1439);
                         let _e1441 = vec3<f32>(_e1434, _e1437, _e1440);
                         if (_e623.member.member_4 == 2u) {
-                            phi_2227_ = 2u;
+                            phi_2226_ = 2u;
                         } else {
-                            phi_2227_ = (1u - _e623.member.member_4);
+                            phi_2226_ = (1u - _e623.member.member_4);
                         }
-                        let _e1445 = phi_2227_;
+                        let _e1445 = phi_2226_;
                         if (_e1445 == 0u) {
-                            phi_2239_ = vec3<f32>(_e1437, _e1440, _e1434);
+                            phi_2238_ = vec3<f32>(_e1437, _e1440, _e1434);
                         } else {
                             if (_e1445 == 1u) {
-                                phi_2238_ = vec3<f32>(_e1440, _e1434, _e1437);
+                                phi_2237_ = vec3<f32>(_e1440, _e1434, _e1437);
                             } else {
-                                phi_2238_ = _e1441;
+                                phi_2237_ = _e1441;
                             }
-                            let _e1450 = phi_2238_;
-                            phi_2239_ = _e1450;
+                            let _e1450 = phi_2237_;
+                            phi_2238_ = _e1450;
                         }
-                        let _e1453 = phi_2239_;
+                        let _e1453 = phi_2238_;
                         let _e1459 = select(select(u32(_e1453.x), 0u, (_e1453.x < 0f)), 4294967295u, (_e1453.x > 4294967000f));
                         let _e1465 = select(select(u32(_e1453.y), 0u, (_e1453.y < 0f)), 4294967295u, (_e1453.y > 4294967000f));
                         let _e1471 = select(select(u32(_e1453.z), 0u, (_e1453.z < 0f)), 4294967295u, (_e1453.z > 4294967000f));
                         local_6.member = array<vec3<f32>, 10>((_e250 - _e1441), (_e257 - _e1441), (_e264 - _e1441), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         local_6.member_1 = 3u;
                         let _e1478 = local_6.member_1;
-                        phi_2297_ = type_8(0u, _e1478);
-                        phi_2300_ = 0f;
+                        phi_2296_ = type_8(0u, _e1478);
+                        phi_2299_ = 0f;
                         loop {
-                            let _e1481 = phi_2297_;
-                            let _e1483 = phi_2300_;
+                            let _e1481 = phi_2296_;
+                            let _e1483 = phi_2299_;
                             local_19 = _e1483;
                             if (_e1481.member < _e1481.member_1) {
-                                phi_2298_ = type_8((_e1481.member + 1u), _e1481.member_1);
-                                phi_2323_ = type_8(1u, _e1481.member);
+                                phi_2297_ = type_8((_e1481.member + 1u), _e1481.member_1);
+                                phi_2322_ = type_8(1u, _e1481.member);
                             } else {
-                                phi_2298_ = _e1481;
-                                phi_2323_ = type_8(0u, type_8().member_1);
+                                phi_2297_ = _e1481;
+                                phi_2322_ = type_8(0u, type_8().member_1);
                             }
-                            let _e1496 = phi_2298_;
-                            let _e1498 = phi_2323_;
+                            let _e1496 = phi_2297_;
+                            let _e1498 = phi_2322_;
                             let _e1502 = (bitcast<i32>(_e1498.member) != 0i);
                             if _e1502 {
                                 if (_e1498.member_1 < 10u) {
                                 } else {
-                                    phi_5753_ = true;
+                                    phi_5752_ = true;
                                     break;
                                 }
                                 let _e1506 = local_6.member[_e1498.member_1];
-                                phi_2301_ = select(_e1506.x, _e1483, (_e1483 < _e1506.x));
+                                phi_2300_ = select(_e1506.x, _e1483, (_e1483 < _e1506.x));
                             } else {
-                                phi_2301_ = f32();
+                                phi_2300_ = f32();
                             }
-                            let _e1511 = phi_2301_;
+                            let _e1511 = phi_2300_;
                             continue;
                             continuing {
-                                phi_2297_ = _e1496;
-                                phi_2300_ = _e1511;
-                                phi_5753_ = _e642;
+                                phi_2296_ = _e1496;
+                                phi_2299_ = _e1511;
+                                phi_5752_ = _e642;
                                 break if !(_e1502);
                             }
                         }
-                        let _e1514 = phi_5753_;
-                        phi_6094_ = _e1514;
+                        let _e1514 = phi_5752_;
+                        phi_6093_ = _e1514;
                         if _e1514 {
                             break;
                         }
                         let _e1516 = local_19;
                         if (_e1516 >= 0f) {
-                            phi_5975_ = _e1514;
+                            phi_5974_ = _e1514;
                         } else {
                             let _e1518 = local_6.member_1;
                             if (_e1518 == 0u) {
-                                phi_5976_ = _e1514;
+                                phi_5975_ = _e1514;
                             } else {
                                 local_5[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_5[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1637,35 +1638,35 @@ fn function_() {
                                 let _e1531 = (_e1530 - 1u);
                                 if (_e1531 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e1535 = local_6.member[_e1531];
                                 let _e1537 = local_6.member_1;
-                                phi_2401_ = type_8(0u, _e1537);
-                                phi_2404_ = _e1535.x;
-                                phi_2406_ = _e1535;
-                                phi_2408_ = 0u;
+                                phi_2400_ = type_8(0u, _e1537);
+                                phi_2403_ = _e1535.x;
+                                phi_2405_ = _e1535;
+                                phi_2407_ = 0u;
                                 loop {
-                                    let _e1540 = phi_2401_;
-                                    let _e1542 = phi_2404_;
-                                    let _e1544 = phi_2406_;
-                                    let _e1546 = phi_2408_;
+                                    let _e1540 = phi_2400_;
+                                    let _e1542 = phi_2403_;
+                                    let _e1544 = phi_2405_;
+                                    let _e1546 = phi_2407_;
                                     local_20 = _e1546;
                                     if (_e1540.member < _e1540.member_1) {
-                                        phi_2402_ = type_8((_e1540.member + 1u), _e1540.member_1);
-                                        phi_2431_ = type_8(1u, _e1540.member);
+                                        phi_2401_ = type_8((_e1540.member + 1u), _e1540.member_1);
+                                        phi_2430_ = type_8(1u, _e1540.member);
                                     } else {
-                                        phi_2402_ = _e1540;
-                                        phi_2431_ = type_8(0u, type_8().member_1);
+                                        phi_2401_ = _e1540;
+                                        phi_2430_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1559 = phi_2402_;
-                                    let _e1561 = phi_2431_;
+                                    let _e1559 = phi_2401_;
+                                    let _e1561 = phi_2430_;
                                     let _e1565 = (bitcast<i32>(_e1561.member) != 0i);
                                     if _e1565 {
                                         if (_e1561.member_1 < 10u) {
                                         } else {
-                                            phi_5963_ = true;
+                                            phi_5962_ = true;
                                             break;
                                         }
                                         let _e1569 = local_6.member[_e1561.member_1];
@@ -1675,62 +1676,62 @@ fn function_() {
                                                 let _e1584 = (_e1542 / (_e1542 - _e1569.x));
                                                 if _e1576 {
                                                 } else {
-                                                    phi_5963_ = true;
+                                                    phi_5962_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1546] = (_e1544 + vec3<f32>(((_e1569.x - _e1544.x) * _e1584), ((_e1569.y - _e1544.y) * _e1584), ((_e1569.z - _e1544.z) * _e1584)));
-                                                phi_2491_ = (_e1546 + 1u);
+                                                phi_2490_ = (_e1546 + 1u);
                                             } else {
-                                                phi_2491_ = _e1546;
+                                                phi_2490_ = _e1546;
                                             }
-                                            let _e1593 = phi_2491_;
-                                            phi_2492_ = _e1593;
+                                            let _e1593 = phi_2490_;
+                                            phi_2491_ = _e1593;
                                         } else {
-                                            phi_2492_ = _e1546;
+                                            phi_2491_ = _e1546;
                                         }
-                                        let _e1595 = phi_2492_;
+                                        let _e1595 = phi_2491_;
                                         if (_e1569.x >= 0f) {
                                             let _e1597 = (_e1595 < 10u);
                                             if _e1597 {
                                                 if _e1597 {
                                                 } else {
-                                                    phi_5963_ = true;
+                                                    phi_5962_ = true;
                                                     break;
                                                 }
                                                 local_5[_e1595] = _e1569;
-                                                phi_2508_ = (_e1595 + 1u);
+                                                phi_2507_ = (_e1595 + 1u);
                                             } else {
-                                                phi_2508_ = _e1595;
+                                                phi_2507_ = _e1595;
                                             }
-                                            let _e1601 = phi_2508_;
-                                            phi_2509_ = _e1601;
+                                            let _e1601 = phi_2507_;
+                                            phi_2508_ = _e1601;
                                         } else {
-                                            phi_2509_ = _e1595;
+                                            phi_2508_ = _e1595;
                                         }
-                                        let _e1603 = phi_2509_;
-                                        phi_2405_ = _e1569.x;
-                                        phi_2407_ = _e1569;
-                                        phi_2409_ = _e1603;
+                                        let _e1603 = phi_2508_;
+                                        phi_2404_ = _e1569.x;
+                                        phi_2406_ = _e1569;
+                                        phi_2408_ = _e1603;
                                     } else {
-                                        phi_2405_ = f32();
-                                        phi_2407_ = vec3<f32>();
-                                        phi_2409_ = u32();
+                                        phi_2404_ = f32();
+                                        phi_2406_ = vec3<f32>();
+                                        phi_2408_ = u32();
                                     }
-                                    let _e1605 = phi_2405_;
-                                    let _e1607 = phi_2407_;
-                                    let _e1609 = phi_2409_;
+                                    let _e1605 = phi_2404_;
+                                    let _e1607 = phi_2406_;
+                                    let _e1609 = phi_2408_;
                                     continue;
                                     continuing {
-                                        phi_2401_ = _e1559;
-                                        phi_2404_ = _e1605;
-                                        phi_2406_ = _e1607;
-                                        phi_2408_ = _e1609;
-                                        phi_5963_ = _e1514;
+                                        phi_2400_ = _e1559;
+                                        phi_2403_ = _e1605;
+                                        phi_2405_ = _e1607;
+                                        phi_2407_ = _e1609;
+                                        phi_5962_ = _e1514;
                                         break if !(_e1565);
                                     }
                                 }
-                                let _e1612 = phi_5963_;
-                                phi_6094_ = _e1612;
+                                let _e1612 = phi_5962_;
+                                phi_6093_ = _e1612;
                                 if _e1612 {
                                     break;
                                 }
@@ -1738,62 +1739,62 @@ fn function_() {
                                 local_6.member = _e1613;
                                 let _e1615 = local_20;
                                 local_6.member_1 = _e1615;
-                                phi_5976_ = _e1612;
+                                phi_5975_ = _e1612;
                             }
-                            let _e1617 = phi_5976_;
-                            phi_5975_ = _e1617;
+                            let _e1617 = phi_5975_;
+                            phi_5974_ = _e1617;
                         }
-                        let _e1619 = phi_5975_;
+                        let _e1619 = phi_5974_;
                         let _e1620 = local_6.member_1;
-                        phi_2522_ = type_8(0u, _e1620);
-                        phi_2525_ = 0f;
+                        phi_2521_ = type_8(0u, _e1620);
+                        phi_2524_ = 0f;
                         loop {
-                            let _e1623 = phi_2522_;
-                            let _e1625 = phi_2525_;
+                            let _e1623 = phi_2521_;
+                            let _e1625 = phi_2524_;
                             local_21 = _e1625;
                             if (_e1623.member < _e1623.member_1) {
-                                phi_2523_ = type_8((_e1623.member + 1u), _e1623.member_1);
-                                phi_2548_ = type_8(1u, _e1623.member);
+                                phi_2522_ = type_8((_e1623.member + 1u), _e1623.member_1);
+                                phi_2547_ = type_8(1u, _e1623.member);
                             } else {
-                                phi_2523_ = _e1623;
-                                phi_2548_ = type_8(0u, type_8().member_1);
+                                phi_2522_ = _e1623;
+                                phi_2547_ = type_8(0u, type_8().member_1);
                             }
-                            let _e1638 = phi_2523_;
-                            let _e1640 = phi_2548_;
+                            let _e1638 = phi_2522_;
+                            let _e1640 = phi_2547_;
                             let _e1644 = (bitcast<i32>(_e1640.member) != 0i);
                             if _e1644 {
                                 if (_e1640.member_1 < 10u) {
                                 } else {
-                                    phi_5971_ = true;
+                                    phi_5970_ = true;
                                     break;
                                 }
                                 let _e1648 = local_6.member[_e1640.member_1];
                                 let _e1651 = ((-1f * _e1648.x) + 1f);
-                                phi_2526_ = select(_e1651, _e1625, (_e1625 < _e1651));
+                                phi_2525_ = select(_e1651, _e1625, (_e1625 < _e1651));
                             } else {
-                                phi_2526_ = f32();
+                                phi_2525_ = f32();
                             }
-                            let _e1655 = phi_2526_;
+                            let _e1655 = phi_2525_;
                             continue;
                             continuing {
-                                phi_2522_ = _e1638;
-                                phi_2525_ = _e1655;
-                                phi_5971_ = _e1619;
+                                phi_2521_ = _e1638;
+                                phi_2524_ = _e1655;
+                                phi_5970_ = _e1619;
                                 break if !(_e1644);
                             }
                         }
-                        let _e1658 = phi_5971_;
-                        phi_6094_ = _e1658;
+                        let _e1658 = phi_5970_;
+                        phi_6093_ = _e1658;
                         if _e1658 {
                             break;
                         }
                         let _e1660 = local_21;
                         if (_e1660 >= 0f) {
-                            phi_5990_ = _e1658;
+                            phi_5989_ = _e1658;
                         } else {
                             let _e1662 = local_6.member_1;
                             if (_e1662 == 0u) {
-                                phi_5991_ = _e1658;
+                                phi_5990_ = _e1658;
                             } else {
                                 local_4[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_4[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1809,35 +1810,35 @@ fn function_() {
                                 let _e1675 = (_e1674 - 1u);
                                 if (_e1675 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e1679 = local_6.member[_e1675];
                                 let _e1683 = local_6.member_1;
-                                phi_2620_ = type_8(0u, _e1683);
-                                phi_2623_ = ((-1f * _e1679.x) + 1f);
-                                phi_2625_ = _e1679;
-                                phi_2627_ = 0u;
+                                phi_2619_ = type_8(0u, _e1683);
+                                phi_2622_ = ((-1f * _e1679.x) + 1f);
+                                phi_2624_ = _e1679;
+                                phi_2626_ = 0u;
                                 loop {
-                                    let _e1686 = phi_2620_;
-                                    let _e1688 = phi_2623_;
-                                    let _e1690 = phi_2625_;
-                                    let _e1692 = phi_2627_;
+                                    let _e1686 = phi_2619_;
+                                    let _e1688 = phi_2622_;
+                                    let _e1690 = phi_2624_;
+                                    let _e1692 = phi_2626_;
                                     local_22 = _e1692;
                                     if (_e1686.member < _e1686.member_1) {
-                                        phi_2621_ = type_8((_e1686.member + 1u), _e1686.member_1);
-                                        phi_2650_ = type_8(1u, _e1686.member);
+                                        phi_2620_ = type_8((_e1686.member + 1u), _e1686.member_1);
+                                        phi_2649_ = type_8(1u, _e1686.member);
                                     } else {
-                                        phi_2621_ = _e1686;
-                                        phi_2650_ = type_8(0u, type_8().member_1);
+                                        phi_2620_ = _e1686;
+                                        phi_2649_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1705 = phi_2621_;
-                                    let _e1707 = phi_2650_;
+                                    let _e1705 = phi_2620_;
+                                    let _e1707 = phi_2649_;
                                     let _e1711 = (bitcast<i32>(_e1707.member) != 0i);
                                     if _e1711 {
                                         if (_e1707.member_1 < 10u) {
                                         } else {
-                                            phi_5978_ = true;
+                                            phi_5977_ = true;
                                             break;
                                         }
                                         let _e1715 = local_6.member[_e1707.member_1];
@@ -1848,62 +1849,62 @@ fn function_() {
                                                 let _e1732 = (_e1688 / (_e1688 - _e1720));
                                                 if _e1724 {
                                                 } else {
-                                                    phi_5978_ = true;
+                                                    phi_5977_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1692] = (_e1690 + vec3<f32>(((_e1715.x - _e1690.x) * _e1732), ((_e1715.y - _e1690.y) * _e1732), ((_e1715.z - _e1690.z) * _e1732)));
-                                                phi_2707_ = (_e1692 + 1u);
+                                                phi_2706_ = (_e1692 + 1u);
                                             } else {
-                                                phi_2707_ = _e1692;
+                                                phi_2706_ = _e1692;
                                             }
-                                            let _e1741 = phi_2707_;
-                                            phi_2708_ = _e1741;
+                                            let _e1741 = phi_2706_;
+                                            phi_2707_ = _e1741;
                                         } else {
-                                            phi_2708_ = _e1692;
+                                            phi_2707_ = _e1692;
                                         }
-                                        let _e1743 = phi_2708_;
+                                        let _e1743 = phi_2707_;
                                         if (_e1720 >= 0f) {
                                             let _e1745 = (_e1743 < 10u);
                                             if _e1745 {
                                                 if _e1745 {
                                                 } else {
-                                                    phi_5978_ = true;
+                                                    phi_5977_ = true;
                                                     break;
                                                 }
                                                 local_4[_e1743] = _e1715;
-                                                phi_2724_ = (_e1743 + 1u);
+                                                phi_2723_ = (_e1743 + 1u);
                                             } else {
-                                                phi_2724_ = _e1743;
+                                                phi_2723_ = _e1743;
                                             }
-                                            let _e1749 = phi_2724_;
-                                            phi_2725_ = _e1749;
+                                            let _e1749 = phi_2723_;
+                                            phi_2724_ = _e1749;
                                         } else {
-                                            phi_2725_ = _e1743;
+                                            phi_2724_ = _e1743;
                                         }
-                                        let _e1751 = phi_2725_;
-                                        phi_2624_ = _e1720;
-                                        phi_2626_ = _e1715;
-                                        phi_2628_ = _e1751;
+                                        let _e1751 = phi_2724_;
+                                        phi_2623_ = _e1720;
+                                        phi_2625_ = _e1715;
+                                        phi_2627_ = _e1751;
                                     } else {
-                                        phi_2624_ = f32();
-                                        phi_2626_ = vec3<f32>();
-                                        phi_2628_ = u32();
+                                        phi_2623_ = f32();
+                                        phi_2625_ = vec3<f32>();
+                                        phi_2627_ = u32();
                                     }
-                                    let _e1753 = phi_2624_;
-                                    let _e1755 = phi_2626_;
-                                    let _e1757 = phi_2628_;
+                                    let _e1753 = phi_2623_;
+                                    let _e1755 = phi_2625_;
+                                    let _e1757 = phi_2627_;
                                     continue;
                                     continuing {
-                                        phi_2620_ = _e1705;
-                                        phi_2623_ = _e1753;
-                                        phi_2625_ = _e1755;
-                                        phi_2627_ = _e1757;
-                                        phi_5978_ = _e1658;
+                                        phi_2619_ = _e1705;
+                                        phi_2622_ = _e1753;
+                                        phi_2624_ = _e1755;
+                                        phi_2626_ = _e1757;
+                                        phi_5977_ = _e1658;
                                         break if !(_e1711);
                                     }
                                 }
-                                let _e1760 = phi_5978_;
-                                phi_6094_ = _e1760;
+                                let _e1760 = phi_5977_;
+                                phi_6093_ = _e1760;
                                 if _e1760 {
                                     break;
                                 }
@@ -1911,61 +1912,61 @@ fn function_() {
                                 local_6.member = _e1761;
                                 let _e1763 = local_22;
                                 local_6.member_1 = _e1763;
-                                phi_5991_ = _e1760;
+                                phi_5990_ = _e1760;
                             }
-                            let _e1765 = phi_5991_;
-                            phi_5990_ = _e1765;
+                            let _e1765 = phi_5990_;
+                            phi_5989_ = _e1765;
                         }
-                        let _e1767 = phi_5990_;
+                        let _e1767 = phi_5989_;
                         let _e1768 = local_6.member_1;
-                        phi_2732_ = type_8(0u, _e1768);
-                        phi_2735_ = 0f;
+                        phi_2731_ = type_8(0u, _e1768);
+                        phi_2734_ = 0f;
                         loop {
-                            let _e1771 = phi_2732_;
-                            let _e1773 = phi_2735_;
+                            let _e1771 = phi_2731_;
+                            let _e1773 = phi_2734_;
                             local_23 = _e1773;
                             if (_e1771.member < _e1771.member_1) {
-                                phi_2733_ = type_8((_e1771.member + 1u), _e1771.member_1);
-                                phi_2758_ = type_8(1u, _e1771.member);
+                                phi_2732_ = type_8((_e1771.member + 1u), _e1771.member_1);
+                                phi_2757_ = type_8(1u, _e1771.member);
                             } else {
-                                phi_2733_ = _e1771;
-                                phi_2758_ = type_8(0u, type_8().member_1);
+                                phi_2732_ = _e1771;
+                                phi_2757_ = type_8(0u, type_8().member_1);
                             }
-                            let _e1786 = phi_2733_;
-                            let _e1788 = phi_2758_;
+                            let _e1786 = phi_2732_;
+                            let _e1788 = phi_2757_;
                             let _e1792 = (bitcast<i32>(_e1788.member) != 0i);
                             if _e1792 {
                                 if (_e1788.member_1 < 10u) {
                                 } else {
-                                    phi_5986_ = true;
+                                    phi_5985_ = true;
                                     break;
                                 }
                                 let _e1796 = local_6.member[_e1788.member_1];
-                                phi_2736_ = select(_e1796.y, _e1773, (_e1773 < _e1796.y));
+                                phi_2735_ = select(_e1796.y, _e1773, (_e1773 < _e1796.y));
                             } else {
-                                phi_2736_ = f32();
+                                phi_2735_ = f32();
                             }
-                            let _e1801 = phi_2736_;
+                            let _e1801 = phi_2735_;
                             continue;
                             continuing {
-                                phi_2732_ = _e1786;
-                                phi_2735_ = _e1801;
-                                phi_5986_ = _e1767;
+                                phi_2731_ = _e1786;
+                                phi_2734_ = _e1801;
+                                phi_5985_ = _e1767;
                                 break if !(_e1792);
                             }
                         }
-                        let _e1804 = phi_5986_;
-                        phi_6094_ = _e1804;
+                        let _e1804 = phi_5985_;
+                        phi_6093_ = _e1804;
                         if _e1804 {
                             break;
                         }
                         let _e1806 = local_23;
                         if (_e1806 >= 0f) {
-                            phi_6005_ = _e1804;
+                            phi_6004_ = _e1804;
                         } else {
                             let _e1808 = local_6.member_1;
                             if (_e1808 == 0u) {
-                                phi_6006_ = _e1804;
+                                phi_6005_ = _e1804;
                             } else {
                                 local_3[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_3[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1981,35 +1982,35 @@ fn function_() {
                                 let _e1821 = (_e1820 - 1u);
                                 if (_e1821 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e1825 = local_6.member[_e1821];
                                 let _e1827 = local_6.member_1;
-                                phi_2836_ = type_8(0u, _e1827);
-                                phi_2839_ = _e1825.y;
-                                phi_2841_ = _e1825;
-                                phi_2843_ = 0u;
+                                phi_2835_ = type_8(0u, _e1827);
+                                phi_2838_ = _e1825.y;
+                                phi_2840_ = _e1825;
+                                phi_2842_ = 0u;
                                 loop {
-                                    let _e1830 = phi_2836_;
-                                    let _e1832 = phi_2839_;
-                                    let _e1834 = phi_2841_;
-                                    let _e1836 = phi_2843_;
+                                    let _e1830 = phi_2835_;
+                                    let _e1832 = phi_2838_;
+                                    let _e1834 = phi_2840_;
+                                    let _e1836 = phi_2842_;
                                     local_24 = _e1836;
                                     if (_e1830.member < _e1830.member_1) {
-                                        phi_2837_ = type_8((_e1830.member + 1u), _e1830.member_1);
-                                        phi_2866_ = type_8(1u, _e1830.member);
+                                        phi_2836_ = type_8((_e1830.member + 1u), _e1830.member_1);
+                                        phi_2865_ = type_8(1u, _e1830.member);
                                     } else {
-                                        phi_2837_ = _e1830;
-                                        phi_2866_ = type_8(0u, type_8().member_1);
+                                        phi_2836_ = _e1830;
+                                        phi_2865_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1849 = phi_2837_;
-                                    let _e1851 = phi_2866_;
+                                    let _e1849 = phi_2836_;
+                                    let _e1851 = phi_2865_;
                                     let _e1855 = (bitcast<i32>(_e1851.member) != 0i);
                                     if _e1855 {
                                         if (_e1851.member_1 < 10u) {
                                         } else {
-                                            phi_5993_ = true;
+                                            phi_5992_ = true;
                                             break;
                                         }
                                         let _e1859 = local_6.member[_e1851.member_1];
@@ -2019,62 +2020,62 @@ fn function_() {
                                                 let _e1874 = (_e1832 / (_e1832 - _e1859.y));
                                                 if _e1866 {
                                                 } else {
-                                                    phi_5993_ = true;
+                                                    phi_5992_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1836] = (_e1834 + vec3<f32>(((_e1859.x - _e1834.x) * _e1874), ((_e1859.y - _e1834.y) * _e1874), ((_e1859.z - _e1834.z) * _e1874)));
-                                                phi_2926_ = (_e1836 + 1u);
+                                                phi_2925_ = (_e1836 + 1u);
                                             } else {
-                                                phi_2926_ = _e1836;
+                                                phi_2925_ = _e1836;
                                             }
-                                            let _e1883 = phi_2926_;
-                                            phi_2927_ = _e1883;
+                                            let _e1883 = phi_2925_;
+                                            phi_2926_ = _e1883;
                                         } else {
-                                            phi_2927_ = _e1836;
+                                            phi_2926_ = _e1836;
                                         }
-                                        let _e1885 = phi_2927_;
+                                        let _e1885 = phi_2926_;
                                         if (_e1859.y >= 0f) {
                                             let _e1887 = (_e1885 < 10u);
                                             if _e1887 {
                                                 if _e1887 {
                                                 } else {
-                                                    phi_5993_ = true;
+                                                    phi_5992_ = true;
                                                     break;
                                                 }
                                                 local_3[_e1885] = _e1859;
-                                                phi_2943_ = (_e1885 + 1u);
+                                                phi_2942_ = (_e1885 + 1u);
                                             } else {
-                                                phi_2943_ = _e1885;
+                                                phi_2942_ = _e1885;
                                             }
-                                            let _e1891 = phi_2943_;
-                                            phi_2944_ = _e1891;
+                                            let _e1891 = phi_2942_;
+                                            phi_2943_ = _e1891;
                                         } else {
-                                            phi_2944_ = _e1885;
+                                            phi_2943_ = _e1885;
                                         }
-                                        let _e1893 = phi_2944_;
-                                        phi_2840_ = _e1859.y;
-                                        phi_2842_ = _e1859;
-                                        phi_2844_ = _e1893;
+                                        let _e1893 = phi_2943_;
+                                        phi_2839_ = _e1859.y;
+                                        phi_2841_ = _e1859;
+                                        phi_2843_ = _e1893;
                                     } else {
-                                        phi_2840_ = f32();
-                                        phi_2842_ = vec3<f32>();
-                                        phi_2844_ = u32();
+                                        phi_2839_ = f32();
+                                        phi_2841_ = vec3<f32>();
+                                        phi_2843_ = u32();
                                     }
-                                    let _e1895 = phi_2840_;
-                                    let _e1897 = phi_2842_;
-                                    let _e1899 = phi_2844_;
+                                    let _e1895 = phi_2839_;
+                                    let _e1897 = phi_2841_;
+                                    let _e1899 = phi_2843_;
                                     continue;
                                     continuing {
-                                        phi_2836_ = _e1849;
-                                        phi_2839_ = _e1895;
-                                        phi_2841_ = _e1897;
-                                        phi_2843_ = _e1899;
-                                        phi_5993_ = _e1804;
+                                        phi_2835_ = _e1849;
+                                        phi_2838_ = _e1895;
+                                        phi_2840_ = _e1897;
+                                        phi_2842_ = _e1899;
+                                        phi_5992_ = _e1804;
                                         break if !(_e1855);
                                     }
                                 }
-                                let _e1902 = phi_5993_;
-                                phi_6094_ = _e1902;
+                                let _e1902 = phi_5992_;
+                                phi_6093_ = _e1902;
                                 if _e1902 {
                                     break;
                                 }
@@ -2082,62 +2083,62 @@ fn function_() {
                                 local_6.member = _e1903;
                                 let _e1905 = local_24;
                                 local_6.member_1 = _e1905;
-                                phi_6006_ = _e1902;
+                                phi_6005_ = _e1902;
                             }
-                            let _e1907 = phi_6006_;
-                            phi_6005_ = _e1907;
+                            let _e1907 = phi_6005_;
+                            phi_6004_ = _e1907;
                         }
-                        let _e1909 = phi_6005_;
+                        let _e1909 = phi_6004_;
                         let _e1910 = local_6.member_1;
-                        phi_2957_ = type_8(0u, _e1910);
-                        phi_2960_ = 0f;
+                        phi_2956_ = type_8(0u, _e1910);
+                        phi_2959_ = 0f;
                         loop {
-                            let _e1913 = phi_2957_;
-                            let _e1915 = phi_2960_;
+                            let _e1913 = phi_2956_;
+                            let _e1915 = phi_2959_;
                             local_25 = _e1915;
                             if (_e1913.member < _e1913.member_1) {
-                                phi_2958_ = type_8((_e1913.member + 1u), _e1913.member_1);
-                                phi_2983_ = type_8(1u, _e1913.member);
+                                phi_2957_ = type_8((_e1913.member + 1u), _e1913.member_1);
+                                phi_2982_ = type_8(1u, _e1913.member);
                             } else {
-                                phi_2958_ = _e1913;
-                                phi_2983_ = type_8(0u, type_8().member_1);
+                                phi_2957_ = _e1913;
+                                phi_2982_ = type_8(0u, type_8().member_1);
                             }
-                            let _e1928 = phi_2958_;
-                            let _e1930 = phi_2983_;
+                            let _e1928 = phi_2957_;
+                            let _e1930 = phi_2982_;
                             let _e1934 = (bitcast<i32>(_e1930.member) != 0i);
                             if _e1934 {
                                 if (_e1930.member_1 < 10u) {
                                 } else {
-                                    phi_6001_ = true;
+                                    phi_6000_ = true;
                                     break;
                                 }
                                 let _e1938 = local_6.member[_e1930.member_1];
                                 let _e1941 = ((-1f * _e1938.y) + 1f);
-                                phi_2961_ = select(_e1941, _e1915, (_e1915 < _e1941));
+                                phi_2960_ = select(_e1941, _e1915, (_e1915 < _e1941));
                             } else {
-                                phi_2961_ = f32();
+                                phi_2960_ = f32();
                             }
-                            let _e1945 = phi_2961_;
+                            let _e1945 = phi_2960_;
                             continue;
                             continuing {
-                                phi_2957_ = _e1928;
-                                phi_2960_ = _e1945;
-                                phi_6001_ = _e1909;
+                                phi_2956_ = _e1928;
+                                phi_2959_ = _e1945;
+                                phi_6000_ = _e1909;
                                 break if !(_e1934);
                             }
                         }
-                        let _e1948 = phi_6001_;
-                        phi_6094_ = _e1948;
+                        let _e1948 = phi_6000_;
+                        phi_6093_ = _e1948;
                         if _e1948 {
                             break;
                         }
                         let _e1950 = local_25;
                         if (_e1950 >= 0f) {
-                            phi_6020_ = _e1948;
+                            phi_6019_ = _e1948;
                         } else {
                             let _e1952 = local_6.member_1;
                             if (_e1952 == 0u) {
-                                phi_6021_ = _e1948;
+                                phi_6020_ = _e1948;
                             } else {
                                 local_2[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_2[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2153,35 +2154,35 @@ fn function_() {
                                 let _e1965 = (_e1964 - 1u);
                                 if (_e1965 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e1969 = local_6.member[_e1965];
                                 let _e1973 = local_6.member_1;
-                                phi_3055_ = type_8(0u, _e1973);
-                                phi_3058_ = ((-1f * _e1969.y) + 1f);
-                                phi_3060_ = _e1969;
-                                phi_3062_ = 0u;
+                                phi_3054_ = type_8(0u, _e1973);
+                                phi_3057_ = ((-1f * _e1969.y) + 1f);
+                                phi_3059_ = _e1969;
+                                phi_3061_ = 0u;
                                 loop {
-                                    let _e1976 = phi_3055_;
-                                    let _e1978 = phi_3058_;
-                                    let _e1980 = phi_3060_;
-                                    let _e1982 = phi_3062_;
+                                    let _e1976 = phi_3054_;
+                                    let _e1978 = phi_3057_;
+                                    let _e1980 = phi_3059_;
+                                    let _e1982 = phi_3061_;
                                     local_26 = _e1982;
                                     if (_e1976.member < _e1976.member_1) {
-                                        phi_3056_ = type_8((_e1976.member + 1u), _e1976.member_1);
-                                        phi_3085_ = type_8(1u, _e1976.member);
+                                        phi_3055_ = type_8((_e1976.member + 1u), _e1976.member_1);
+                                        phi_3084_ = type_8(1u, _e1976.member);
                                     } else {
-                                        phi_3056_ = _e1976;
-                                        phi_3085_ = type_8(0u, type_8().member_1);
+                                        phi_3055_ = _e1976;
+                                        phi_3084_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1995 = phi_3056_;
-                                    let _e1997 = phi_3085_;
+                                    let _e1995 = phi_3055_;
+                                    let _e1997 = phi_3084_;
                                     let _e2001 = (bitcast<i32>(_e1997.member) != 0i);
                                     if _e2001 {
                                         if (_e1997.member_1 < 10u) {
                                         } else {
-                                            phi_6008_ = true;
+                                            phi_6007_ = true;
                                             break;
                                         }
                                         let _e2005 = local_6.member[_e1997.member_1];
@@ -2192,62 +2193,62 @@ fn function_() {
                                                 let _e2022 = (_e1978 / (_e1978 - _e2010));
                                                 if _e2014 {
                                                 } else {
-                                                    phi_6008_ = true;
+                                                    phi_6007_ = true;
                                                     break;
                                                 }
                                                 local_2[_e1982] = (_e1980 + vec3<f32>(((_e2005.x - _e1980.x) * _e2022), ((_e2005.y - _e1980.y) * _e2022), ((_e2005.z - _e1980.z) * _e2022)));
-                                                phi_3142_ = (_e1982 + 1u);
+                                                phi_3141_ = (_e1982 + 1u);
                                             } else {
-                                                phi_3142_ = _e1982;
+                                                phi_3141_ = _e1982;
                                             }
-                                            let _e2031 = phi_3142_;
-                                            phi_3143_ = _e2031;
+                                            let _e2031 = phi_3141_;
+                                            phi_3142_ = _e2031;
                                         } else {
-                                            phi_3143_ = _e1982;
+                                            phi_3142_ = _e1982;
                                         }
-                                        let _e2033 = phi_3143_;
+                                        let _e2033 = phi_3142_;
                                         if (_e2010 >= 0f) {
                                             let _e2035 = (_e2033 < 10u);
                                             if _e2035 {
                                                 if _e2035 {
                                                 } else {
-                                                    phi_6008_ = true;
+                                                    phi_6007_ = true;
                                                     break;
                                                 }
                                                 local_2[_e2033] = _e2005;
-                                                phi_3159_ = (_e2033 + 1u);
+                                                phi_3158_ = (_e2033 + 1u);
                                             } else {
-                                                phi_3159_ = _e2033;
+                                                phi_3158_ = _e2033;
                                             }
-                                            let _e2039 = phi_3159_;
-                                            phi_3160_ = _e2039;
+                                            let _e2039 = phi_3158_;
+                                            phi_3159_ = _e2039;
                                         } else {
-                                            phi_3160_ = _e2033;
+                                            phi_3159_ = _e2033;
                                         }
-                                        let _e2041 = phi_3160_;
-                                        phi_3059_ = _e2010;
-                                        phi_3061_ = _e2005;
-                                        phi_3063_ = _e2041;
+                                        let _e2041 = phi_3159_;
+                                        phi_3058_ = _e2010;
+                                        phi_3060_ = _e2005;
+                                        phi_3062_ = _e2041;
                                     } else {
-                                        phi_3059_ = f32();
-                                        phi_3061_ = vec3<f32>();
-                                        phi_3063_ = u32();
+                                        phi_3058_ = f32();
+                                        phi_3060_ = vec3<f32>();
+                                        phi_3062_ = u32();
                                     }
-                                    let _e2043 = phi_3059_;
-                                    let _e2045 = phi_3061_;
-                                    let _e2047 = phi_3063_;
+                                    let _e2043 = phi_3058_;
+                                    let _e2045 = phi_3060_;
+                                    let _e2047 = phi_3062_;
                                     continue;
                                     continuing {
-                                        phi_3055_ = _e1995;
-                                        phi_3058_ = _e2043;
-                                        phi_3060_ = _e2045;
-                                        phi_3062_ = _e2047;
-                                        phi_6008_ = _e1948;
+                                        phi_3054_ = _e1995;
+                                        phi_3057_ = _e2043;
+                                        phi_3059_ = _e2045;
+                                        phi_3061_ = _e2047;
+                                        phi_6007_ = _e1948;
                                         break if !(_e2001);
                                     }
                                 }
-                                let _e2050 = phi_6008_;
-                                phi_6094_ = _e2050;
+                                let _e2050 = phi_6007_;
+                                phi_6093_ = _e2050;
                                 if _e2050 {
                                     break;
                                 }
@@ -2255,61 +2256,61 @@ fn function_() {
                                 local_6.member = _e2051;
                                 let _e2053 = local_26;
                                 local_6.member_1 = _e2053;
-                                phi_6021_ = _e2050;
+                                phi_6020_ = _e2050;
                             }
-                            let _e2055 = phi_6021_;
-                            phi_6020_ = _e2055;
+                            let _e2055 = phi_6020_;
+                            phi_6019_ = _e2055;
                         }
-                        let _e2057 = phi_6020_;
+                        let _e2057 = phi_6019_;
                         let _e2058 = local_6.member_1;
-                        phi_3167_ = type_8(0u, _e2058);
-                        phi_3170_ = 0f;
+                        phi_3166_ = type_8(0u, _e2058);
+                        phi_3169_ = 0f;
                         loop {
-                            let _e2061 = phi_3167_;
-                            let _e2063 = phi_3170_;
+                            let _e2061 = phi_3166_;
+                            let _e2063 = phi_3169_;
                             local_27 = _e2063;
                             if (_e2061.member < _e2061.member_1) {
-                                phi_3168_ = type_8((_e2061.member + 1u), _e2061.member_1);
-                                phi_3193_ = type_8(1u, _e2061.member);
+                                phi_3167_ = type_8((_e2061.member + 1u), _e2061.member_1);
+                                phi_3192_ = type_8(1u, _e2061.member);
                             } else {
-                                phi_3168_ = _e2061;
-                                phi_3193_ = type_8(0u, type_8().member_1);
+                                phi_3167_ = _e2061;
+                                phi_3192_ = type_8(0u, type_8().member_1);
                             }
-                            let _e2076 = phi_3168_;
-                            let _e2078 = phi_3193_;
+                            let _e2076 = phi_3167_;
+                            let _e2078 = phi_3192_;
                             let _e2082 = (bitcast<i32>(_e2078.member) != 0i);
                             if _e2082 {
                                 if (_e2078.member_1 < 10u) {
                                 } else {
-                                    phi_6016_ = true;
+                                    phi_6015_ = true;
                                     break;
                                 }
                                 let _e2086 = local_6.member[_e2078.member_1];
-                                phi_3171_ = select(_e2086.z, _e2063, (_e2063 < _e2086.z));
+                                phi_3170_ = select(_e2086.z, _e2063, (_e2063 < _e2086.z));
                             } else {
-                                phi_3171_ = f32();
+                                phi_3170_ = f32();
                             }
-                            let _e2091 = phi_3171_;
+                            let _e2091 = phi_3170_;
                             continue;
                             continuing {
-                                phi_3167_ = _e2076;
-                                phi_3170_ = _e2091;
-                                phi_6016_ = _e2057;
+                                phi_3166_ = _e2076;
+                                phi_3169_ = _e2091;
+                                phi_6015_ = _e2057;
                                 break if !(_e2082);
                             }
                         }
-                        let _e2094 = phi_6016_;
-                        phi_6094_ = _e2094;
+                        let _e2094 = phi_6015_;
+                        phi_6093_ = _e2094;
                         if _e2094 {
                             break;
                         }
                         let _e2096 = local_27;
                         if (_e2096 >= 0f) {
-                            phi_6035_ = _e2094;
+                            phi_6034_ = _e2094;
                         } else {
                             let _e2098 = local_6.member_1;
                             if (_e2098 == 0u) {
-                                phi_6036_ = _e2094;
+                                phi_6035_ = _e2094;
                             } else {
                                 local_1[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_1[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2325,35 +2326,35 @@ fn function_() {
                                 let _e2111 = (_e2110 - 1u);
                                 if (_e2111 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e2115 = local_6.member[_e2111];
                                 let _e2117 = local_6.member_1;
-                                phi_3271_ = type_8(0u, _e2117);
-                                phi_3274_ = _e2115.z;
-                                phi_3276_ = _e2115;
-                                phi_3278_ = 0u;
+                                phi_3270_ = type_8(0u, _e2117);
+                                phi_3273_ = _e2115.z;
+                                phi_3275_ = _e2115;
+                                phi_3277_ = 0u;
                                 loop {
-                                    let _e2120 = phi_3271_;
-                                    let _e2122 = phi_3274_;
-                                    let _e2124 = phi_3276_;
-                                    let _e2126 = phi_3278_;
+                                    let _e2120 = phi_3270_;
+                                    let _e2122 = phi_3273_;
+                                    let _e2124 = phi_3275_;
+                                    let _e2126 = phi_3277_;
                                     local_28 = _e2126;
                                     if (_e2120.member < _e2120.member_1) {
-                                        phi_3272_ = type_8((_e2120.member + 1u), _e2120.member_1);
-                                        phi_3301_ = type_8(1u, _e2120.member);
+                                        phi_3271_ = type_8((_e2120.member + 1u), _e2120.member_1);
+                                        phi_3300_ = type_8(1u, _e2120.member);
                                     } else {
-                                        phi_3272_ = _e2120;
-                                        phi_3301_ = type_8(0u, type_8().member_1);
+                                        phi_3271_ = _e2120;
+                                        phi_3300_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e2139 = phi_3272_;
-                                    let _e2141 = phi_3301_;
+                                    let _e2139 = phi_3271_;
+                                    let _e2141 = phi_3300_;
                                     let _e2145 = (bitcast<i32>(_e2141.member) != 0i);
                                     if _e2145 {
                                         if (_e2141.member_1 < 10u) {
                                         } else {
-                                            phi_6023_ = true;
+                                            phi_6022_ = true;
                                             break;
                                         }
                                         let _e2149 = local_6.member[_e2141.member_1];
@@ -2363,62 +2364,62 @@ fn function_() {
                                                 let _e2164 = (_e2122 / (_e2122 - _e2149.z));
                                                 if _e2156 {
                                                 } else {
-                                                    phi_6023_ = true;
+                                                    phi_6022_ = true;
                                                     break;
                                                 }
                                                 local_1[_e2126] = (_e2124 + vec3<f32>(((_e2149.x - _e2124.x) * _e2164), ((_e2149.y - _e2124.y) * _e2164), ((_e2149.z - _e2124.z) * _e2164)));
-                                                phi_3361_ = (_e2126 + 1u);
+                                                phi_3360_ = (_e2126 + 1u);
                                             } else {
-                                                phi_3361_ = _e2126;
+                                                phi_3360_ = _e2126;
                                             }
-                                            let _e2173 = phi_3361_;
-                                            phi_3362_ = _e2173;
+                                            let _e2173 = phi_3360_;
+                                            phi_3361_ = _e2173;
                                         } else {
-                                            phi_3362_ = _e2126;
+                                            phi_3361_ = _e2126;
                                         }
-                                        let _e2175 = phi_3362_;
+                                        let _e2175 = phi_3361_;
                                         if (_e2149.z >= 0f) {
                                             let _e2177 = (_e2175 < 10u);
                                             if _e2177 {
                                                 if _e2177 {
                                                 } else {
-                                                    phi_6023_ = true;
+                                                    phi_6022_ = true;
                                                     break;
                                                 }
                                                 local_1[_e2175] = _e2149;
-                                                phi_3378_ = (_e2175 + 1u);
+                                                phi_3377_ = (_e2175 + 1u);
                                             } else {
-                                                phi_3378_ = _e2175;
+                                                phi_3377_ = _e2175;
                                             }
-                                            let _e2181 = phi_3378_;
-                                            phi_3379_ = _e2181;
+                                            let _e2181 = phi_3377_;
+                                            phi_3378_ = _e2181;
                                         } else {
-                                            phi_3379_ = _e2175;
+                                            phi_3378_ = _e2175;
                                         }
-                                        let _e2183 = phi_3379_;
-                                        phi_3275_ = _e2149.z;
-                                        phi_3277_ = _e2149;
-                                        phi_3279_ = _e2183;
+                                        let _e2183 = phi_3378_;
+                                        phi_3274_ = _e2149.z;
+                                        phi_3276_ = _e2149;
+                                        phi_3278_ = _e2183;
                                     } else {
-                                        phi_3275_ = f32();
-                                        phi_3277_ = vec3<f32>();
-                                        phi_3279_ = u32();
+                                        phi_3274_ = f32();
+                                        phi_3276_ = vec3<f32>();
+                                        phi_3278_ = u32();
                                     }
-                                    let _e2185 = phi_3275_;
-                                    let _e2187 = phi_3277_;
-                                    let _e2189 = phi_3279_;
+                                    let _e2185 = phi_3274_;
+                                    let _e2187 = phi_3276_;
+                                    let _e2189 = phi_3278_;
                                     continue;
                                     continuing {
-                                        phi_3271_ = _e2139;
-                                        phi_3274_ = _e2185;
-                                        phi_3276_ = _e2187;
-                                        phi_3278_ = _e2189;
-                                        phi_6023_ = _e2094;
+                                        phi_3270_ = _e2139;
+                                        phi_3273_ = _e2185;
+                                        phi_3275_ = _e2187;
+                                        phi_3277_ = _e2189;
+                                        phi_6022_ = _e2094;
                                         break if !(_e2145);
                                     }
                                 }
-                                let _e2192 = phi_6023_;
-                                phi_6094_ = _e2192;
+                                let _e2192 = phi_6022_;
+                                phi_6093_ = _e2192;
                                 if _e2192 {
                                     break;
                                 }
@@ -2426,62 +2427,62 @@ fn function_() {
                                 local_6.member = _e2193;
                                 let _e2195 = local_28;
                                 local_6.member_1 = _e2195;
-                                phi_6036_ = _e2192;
+                                phi_6035_ = _e2192;
                             }
-                            let _e2197 = phi_6036_;
-                            phi_6035_ = _e2197;
+                            let _e2197 = phi_6035_;
+                            phi_6034_ = _e2197;
                         }
-                        let _e2199 = phi_6035_;
+                        let _e2199 = phi_6034_;
                         let _e2200 = local_6.member_1;
-                        phi_3392_ = type_8(0u, _e2200);
-                        phi_3395_ = 0f;
+                        phi_3391_ = type_8(0u, _e2200);
+                        phi_3394_ = 0f;
                         loop {
-                            let _e2203 = phi_3392_;
-                            let _e2205 = phi_3395_;
+                            let _e2203 = phi_3391_;
+                            let _e2205 = phi_3394_;
                             local_29 = _e2205;
                             if (_e2203.member < _e2203.member_1) {
-                                phi_3393_ = type_8((_e2203.member + 1u), _e2203.member_1);
-                                phi_3418_ = type_8(1u, _e2203.member);
+                                phi_3392_ = type_8((_e2203.member + 1u), _e2203.member_1);
+                                phi_3417_ = type_8(1u, _e2203.member);
                             } else {
-                                phi_3393_ = _e2203;
-                                phi_3418_ = type_8(0u, type_8().member_1);
+                                phi_3392_ = _e2203;
+                                phi_3417_ = type_8(0u, type_8().member_1);
                             }
-                            let _e2218 = phi_3393_;
-                            let _e2220 = phi_3418_;
+                            let _e2218 = phi_3392_;
+                            let _e2220 = phi_3417_;
                             let _e2224 = (bitcast<i32>(_e2220.member) != 0i);
                             if _e2224 {
                                 if (_e2220.member_1 < 10u) {
                                 } else {
-                                    phi_6031_ = true;
+                                    phi_6030_ = true;
                                     break;
                                 }
                                 let _e2228 = local_6.member[_e2220.member_1];
                                 let _e2231 = ((-1f * _e2228.z) + 1f);
-                                phi_3396_ = select(_e2231, _e2205, (_e2205 < _e2231));
+                                phi_3395_ = select(_e2231, _e2205, (_e2205 < _e2231));
                             } else {
-                                phi_3396_ = f32();
+                                phi_3395_ = f32();
                             }
-                            let _e2235 = phi_3396_;
+                            let _e2235 = phi_3395_;
                             continue;
                             continuing {
-                                phi_3392_ = _e2218;
-                                phi_3395_ = _e2235;
-                                phi_6031_ = _e2199;
+                                phi_3391_ = _e2218;
+                                phi_3394_ = _e2235;
+                                phi_6030_ = _e2199;
                                 break if !(_e2224);
                             }
                         }
-                        let _e2238 = phi_6031_;
-                        phi_6094_ = _e2238;
+                        let _e2238 = phi_6030_;
+                        phi_6093_ = _e2238;
                         if _e2238 {
                             break;
                         }
                         let _e2240 = local_29;
                         if (_e2240 >= 0f) {
-                            phi_6050_ = _e2238;
+                            phi_6049_ = _e2238;
                         } else {
                             let _e2242 = local_6.member_1;
                             if (_e2242 == 0u) {
-                                phi_6051_ = _e2238;
+                                phi_6050_ = _e2238;
                             } else {
                                 local[0u] = vec3<f32>(0f, 0f, 0f);
                                 local[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2497,35 +2498,35 @@ fn function_() {
                                 let _e2255 = (_e2254 - 1u);
                                 if (_e2255 < 10u) {
                                 } else {
-                                    phi_6094_ = true;
+                                    phi_6093_ = true;
                                     break;
                                 }
                                 let _e2259 = local_6.member[_e2255];
                                 let _e2263 = local_6.member_1;
-                                phi_3490_ = type_8(0u, _e2263);
-                                phi_3493_ = ((-1f * _e2259.z) + 1f);
-                                phi_3495_ = _e2259;
-                                phi_3497_ = 0u;
+                                phi_3489_ = type_8(0u, _e2263);
+                                phi_3492_ = ((-1f * _e2259.z) + 1f);
+                                phi_3494_ = _e2259;
+                                phi_3496_ = 0u;
                                 loop {
-                                    let _e2266 = phi_3490_;
-                                    let _e2268 = phi_3493_;
-                                    let _e2270 = phi_3495_;
-                                    let _e2272 = phi_3497_;
+                                    let _e2266 = phi_3489_;
+                                    let _e2268 = phi_3492_;
+                                    let _e2270 = phi_3494_;
+                                    let _e2272 = phi_3496_;
                                     local_30 = _e2272;
                                     if (_e2266.member < _e2266.member_1) {
-                                        phi_3491_ = type_8((_e2266.member + 1u), _e2266.member_1);
-                                        phi_3520_ = type_8(1u, _e2266.member);
+                                        phi_3490_ = type_8((_e2266.member + 1u), _e2266.member_1);
+                                        phi_3519_ = type_8(1u, _e2266.member);
                                     } else {
-                                        phi_3491_ = _e2266;
-                                        phi_3520_ = type_8(0u, type_8().member_1);
+                                        phi_3490_ = _e2266;
+                                        phi_3519_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e2285 = phi_3491_;
-                                    let _e2287 = phi_3520_;
+                                    let _e2285 = phi_3490_;
+                                    let _e2287 = phi_3519_;
                                     let _e2291 = (bitcast<i32>(_e2287.member) != 0i);
                                     if _e2291 {
                                         if (_e2287.member_1 < 10u) {
                                         } else {
-                                            phi_6038_ = true;
+                                            phi_6037_ = true;
                                             break;
                                         }
                                         let _e2295 = local_6.member[_e2287.member_1];
@@ -2536,62 +2537,62 @@ fn function_() {
                                                 let _e2312 = (_e2268 / (_e2268 - _e2300));
                                                 if _e2304 {
                                                 } else {
-                                                    phi_6038_ = true;
+                                                    phi_6037_ = true;
                                                     break;
                                                 }
                                                 local[_e2272] = (_e2270 + vec3<f32>(((_e2295.x - _e2270.x) * _e2312), ((_e2295.y - _e2270.y) * _e2312), ((_e2295.z - _e2270.z) * _e2312)));
-                                                phi_3577_ = (_e2272 + 1u);
+                                                phi_3576_ = (_e2272 + 1u);
                                             } else {
-                                                phi_3577_ = _e2272;
+                                                phi_3576_ = _e2272;
                                             }
-                                            let _e2321 = phi_3577_;
-                                            phi_3578_ = _e2321;
+                                            let _e2321 = phi_3576_;
+                                            phi_3577_ = _e2321;
                                         } else {
-                                            phi_3578_ = _e2272;
+                                            phi_3577_ = _e2272;
                                         }
-                                        let _e2323 = phi_3578_;
+                                        let _e2323 = phi_3577_;
                                         if (_e2300 >= 0f) {
                                             let _e2325 = (_e2323 < 10u);
                                             if _e2325 {
                                                 if _e2325 {
                                                 } else {
-                                                    phi_6038_ = true;
+                                                    phi_6037_ = true;
                                                     break;
                                                 }
                                                 local[_e2323] = _e2295;
-                                                phi_3594_ = (_e2323 + 1u);
+                                                phi_3593_ = (_e2323 + 1u);
                                             } else {
-                                                phi_3594_ = _e2323;
+                                                phi_3593_ = _e2323;
                                             }
-                                            let _e2329 = phi_3594_;
-                                            phi_3595_ = _e2329;
+                                            let _e2329 = phi_3593_;
+                                            phi_3594_ = _e2329;
                                         } else {
-                                            phi_3595_ = _e2323;
+                                            phi_3594_ = _e2323;
                                         }
-                                        let _e2331 = phi_3595_;
-                                        phi_3494_ = _e2300;
-                                        phi_3496_ = _e2295;
-                                        phi_3498_ = _e2331;
+                                        let _e2331 = phi_3594_;
+                                        phi_3493_ = _e2300;
+                                        phi_3495_ = _e2295;
+                                        phi_3497_ = _e2331;
                                     } else {
-                                        phi_3494_ = f32();
-                                        phi_3496_ = vec3<f32>();
-                                        phi_3498_ = u32();
+                                        phi_3493_ = f32();
+                                        phi_3495_ = vec3<f32>();
+                                        phi_3497_ = u32();
                                     }
-                                    let _e2333 = phi_3494_;
-                                    let _e2335 = phi_3496_;
-                                    let _e2337 = phi_3498_;
+                                    let _e2333 = phi_3493_;
+                                    let _e2335 = phi_3495_;
+                                    let _e2337 = phi_3497_;
                                     continue;
                                     continuing {
-                                        phi_3490_ = _e2285;
-                                        phi_3493_ = _e2333;
-                                        phi_3495_ = _e2335;
-                                        phi_3497_ = _e2337;
-                                        phi_6038_ = _e2238;
+                                        phi_3489_ = _e2285;
+                                        phi_3492_ = _e2333;
+                                        phi_3494_ = _e2335;
+                                        phi_3496_ = _e2337;
+                                        phi_6037_ = _e2238;
                                         break if !(_e2291);
                                     }
                                 }
-                                let _e2340 = phi_6038_;
-                                phi_6094_ = _e2340;
+                                let _e2340 = phi_6037_;
+                                phi_6093_ = _e2340;
                                 if _e2340 {
                                     break;
                                 }
@@ -2599,27 +2600,27 @@ fn function_() {
                                 local_6.member = _e2341;
                                 let _e2343 = local_30;
                                 local_6.member_1 = _e2343;
-                                phi_6051_ = _e2340;
+                                phi_6050_ = _e2340;
                             }
-                            let _e2345 = phi_6051_;
-                            phi_6050_ = _e2345;
+                            let _e2345 = phi_6050_;
+                            phi_6049_ = _e2345;
                         }
-                        let _e2347 = phi_6050_;
+                        let _e2347 = phi_6049_;
                         let _e2350 = local_6.member[0u];
                         let _e2354 = local_6.member_1;
-                        phi_3607_ = type_8(1u, _e2354);
-                        phi_3610_ = vec3<f32>(0f, 0f, 0f);
-                        phi_3612_ = _e2350.z;
-                        phi_3614_ = _e2350.y;
-                        phi_3616_ = _e2350.x;
-                        phi_3618_ = 0f;
+                        phi_3606_ = type_8(1u, _e2354);
+                        phi_3609_ = vec3<f32>(0f, 0f, 0f);
+                        phi_3611_ = _e2350.z;
+                        phi_3613_ = _e2350.y;
+                        phi_3615_ = _e2350.x;
+                        phi_3617_ = 0f;
                         loop {
-                            let _e2357 = phi_3607_;
-                            let _e2359 = phi_3610_;
-                            let _e2361 = phi_3612_;
-                            let _e2363 = phi_3614_;
-                            let _e2365 = phi_3616_;
-                            let _e2367 = phi_3618_;
+                            let _e2357 = phi_3606_;
+                            let _e2359 = phi_3609_;
+                            let _e2361 = phi_3611_;
+                            let _e2363 = phi_3613_;
+                            let _e2365 = phi_3615_;
+                            let _e2367 = phi_3617_;
                             local_31 = _e2365;
                             local_32 = _e2363;
                             local_33 = _e2361;
@@ -2632,19 +2633,19 @@ fn function_() {
                             local_40 = _e2367;
                             local_41 = _e2367;
                             if (_e2357.member < _e2357.member_1) {
-                                phi_3608_ = type_8((_e2357.member + 1u), _e2357.member_1);
-                                phi_3641_ = type_8(1u, _e2357.member);
+                                phi_3607_ = type_8((_e2357.member + 1u), _e2357.member_1);
+                                phi_3640_ = type_8(1u, _e2357.member);
                             } else {
-                                phi_3608_ = _e2357;
-                                phi_3641_ = type_8(0u, type_8().member_1);
+                                phi_3607_ = _e2357;
+                                phi_3640_ = type_8(0u, type_8().member_1);
                             }
-                            let _e2380 = phi_3608_;
-                            let _e2382 = phi_3641_;
+                            let _e2380 = phi_3607_;
+                            let _e2382 = phi_3640_;
                             let _e2386 = (bitcast<i32>(_e2382.member) != 0i);
                             if _e2386 {
                                 if (_e2382.member_1 < 10u) {
                                 } else {
-                                    phi_6046_ = true;
+                                    phi_6045_ = true;
                                     break;
                                 }
                                 let _e2390 = local_6.member[_e2382.member_1];
@@ -2653,7 +2654,7 @@ fn function_() {
                                 if (_e2400 < _e2401) {
                                     if (_e2400 < 10u) {
                                     } else {
-                                        phi_6046_ = true;
+                                        phi_6045_ = true;
                                         break;
                                     }
                                     let _e2406 = local_6.member[_e2400];
@@ -2668,77 +2669,77 @@ fn function_() {
                                     let _e2424 = ((_e2407 * _e2413) - (_e2411 * _e2408));
                                     let _e2430 = sqrt((((_e2418 * _e2418) + (_e2421 * _e2421)) + (_e2424 * _e2424)));
                                     let _e2442 = (_e2430 * 0.16666667f);
-                                    phi_3755_ = vec3<f32>((_e2359.x + (((_e2390.x + _e2406.x) - (_e2350.x * 2f)) * _e2442)), (_e2359.y + (((_e2390.y + _e2406.y) - (_e2350.y * 2f)) * _e2442)), (_e2359.z + (((_e2390.z + _e2406.z) - (_e2350.z * 2f)) * _e2442)));
-                                    phi_3756_ = (_e2367 + (0.5f * _e2430));
+                                    phi_3754_ = vec3<f32>((_e2359.x + (((_e2390.x + _e2406.x) - (_e2350.x * 2f)) * _e2442)), (_e2359.y + (((_e2390.y + _e2406.y) - (_e2350.y * 2f)) * _e2442)), (_e2359.z + (((_e2390.z + _e2406.z) - (_e2350.z * 2f)) * _e2442)));
+                                    phi_3755_ = (_e2367 + (0.5f * _e2430));
                                 } else {
-                                    phi_3755_ = _e2359;
-                                    phi_3756_ = _e2367;
+                                    phi_3754_ = _e2359;
+                                    phi_3755_ = _e2367;
                                 }
-                                let _e2454 = phi_3755_;
-                                let _e2456 = phi_3756_;
-                                phi_3611_ = _e2454;
-                                phi_3613_ = select(_e2390.z, _e2361, (_e2361 < _e2390.z));
-                                phi_3615_ = select(_e2390.y, _e2363, (_e2363 < _e2390.y));
-                                phi_3617_ = select(_e2390.x, _e2365, (_e2365 < _e2390.x));
-                                phi_3619_ = _e2456;
+                                let _e2454 = phi_3754_;
+                                let _e2456 = phi_3755_;
+                                phi_3610_ = _e2454;
+                                phi_3612_ = select(_e2390.z, _e2361, (_e2361 < _e2390.z));
+                                phi_3614_ = select(_e2390.y, _e2363, (_e2363 < _e2390.y));
+                                phi_3616_ = select(_e2390.x, _e2365, (_e2365 < _e2390.x));
+                                phi_3618_ = _e2456;
                             } else {
-                                phi_3611_ = vec3<f32>();
-                                phi_3613_ = f32();
-                                phi_3615_ = f32();
-                                phi_3617_ = f32();
-                                phi_3619_ = f32();
+                                phi_3610_ = vec3<f32>();
+                                phi_3612_ = f32();
+                                phi_3614_ = f32();
+                                phi_3616_ = f32();
+                                phi_3618_ = f32();
                             }
-                            let _e2458 = phi_3611_;
-                            let _e2460 = phi_3613_;
-                            let _e2462 = phi_3615_;
-                            let _e2464 = phi_3617_;
-                            let _e2466 = phi_3619_;
+                            let _e2458 = phi_3610_;
+                            let _e2460 = phi_3612_;
+                            let _e2462 = phi_3614_;
+                            let _e2464 = phi_3616_;
+                            let _e2466 = phi_3618_;
                             continue;
                             continuing {
-                                phi_3607_ = _e2380;
-                                phi_3610_ = _e2458;
-                                phi_3612_ = _e2460;
-                                phi_3614_ = _e2462;
-                                phi_3616_ = _e2464;
-                                phi_3618_ = _e2466;
-                                phi_6046_ = _e2347;
+                                phi_3606_ = _e2380;
+                                phi_3609_ = _e2458;
+                                phi_3611_ = _e2460;
+                                phi_3613_ = _e2462;
+                                phi_3615_ = _e2464;
+                                phi_3617_ = _e2466;
+                                phi_6045_ = _e2347;
                                 break if !(_e2386);
                             }
                         }
-                        let _e2469 = phi_6046_;
-                        phi_6094_ = _e2469;
+                        let _e2469 = phi_6045_;
+                        phi_6093_ = _e2469;
                         if _e2469 {
                             break;
                         }
                         let _e2470 = local_6.member_1;
                         if (_e2470 == 0u) {
-                            phi_3775_ = bool();
-                            phi_3776_ = true;
+                            phi_3774_ = bool();
+                            phi_3775_ = true;
                         } else {
                             let _e2473 = local_31;
                             if (_e2473 >= 1f) {
-                                phi_3773_ = bool();
-                                phi_3774_ = true;
+                                phi_3772_ = bool();
+                                phi_3773_ = true;
                             } else {
                                 let _e2476 = local_32;
                                 let _e2477 = (_e2476 >= 1f);
                                 if _e2477 {
-                                    phi_3772_ = bool();
+                                    phi_3771_ = bool();
                                 } else {
                                     let _e2479 = local_33;
-                                    phi_3772_ = (_e2479 >= 1f);
+                                    phi_3771_ = (_e2479 >= 1f);
                                 }
-                                let _e2482 = phi_3772_;
-                                phi_3773_ = _e2482;
-                                phi_3774_ = _e2477;
+                                let _e2482 = phi_3771_;
+                                phi_3772_ = _e2482;
+                                phi_3773_ = _e2477;
                             }
-                            let _e2484 = phi_3773_;
-                            let _e2486 = phi_3774_;
-                            phi_3775_ = _e2484;
-                            phi_3776_ = _e2486;
+                            let _e2484 = phi_3772_;
+                            let _e2486 = phi_3773_;
+                            phi_3774_ = _e2484;
+                            phi_3775_ = _e2486;
                         }
-                        let _e2488 = phi_3775_;
-                        let _e2490 = phi_3776_;
+                        let _e2488 = phi_3774_;
+                        let _e2490 = phi_3775_;
                         let _e2493 = local_34;
                         if (_e2493 > 0f) {
                             let _e2496 = local_35;
@@ -2747,11 +2748,11 @@ fn function_() {
                             let _e2505 = local_38;
                             let _e2508 = local_39;
                             let _e2511 = local_40;
-                            phi_3793_ = (_e2350 + vec3<f32>((_e2496.x / _e2499), (_e2502.y / _e2505), (_e2508.z / _e2511)));
+                            phi_3792_ = (_e2350 + vec3<f32>((_e2496.x / _e2499), (_e2502.y / _e2505), (_e2508.z / _e2511)));
                         } else {
-                            phi_3793_ = _e2350;
+                            phi_3792_ = _e2350;
                         }
-                        let _e2516 = phi_3793_;
+                        let _e2516 = phi_3792_;
                         let _e2518 = local_41;
                         let _e2522 = select(0f, _e2516.x, (_e2516.x > 0f));
                         let _e2524 = select(1f, _e2522, (_e2522 < 1f));
@@ -2762,18 +2763,18 @@ fn function_() {
                         let _e2539 = local_42;
                         if (_e2539 < arrayLength((&attributes.member))) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e2541 = ((_e2524 + _e1434) - _e250.x);
                         let _e2542 = ((_e2529 + _e1437) - _e250.y);
                         let _e2545 = ((_e499 * _e508) - (_e500 * _e507));
                         if (abs(_e2545) > 0f) {
-                            phi_3865_ = (1f / _e2545);
+                            phi_3864_ = (1f / _e2545);
                         } else {
-                            phi_3865_ = 0f;
+                            phi_3864_ = 0f;
                         }
-                        let _e2550 = phi_3865_;
+                        let _e2550 = phi_3864_;
                         let _e2554 = (((_e2541 * _e508) - (_e2542 * _e507)) * _e2550);
                         let _e2556 = select(0f, _e2554, (_e2554 > 0f));
                         let _e2558 = select(1f, _e2556, (_e2556 < 1f));
@@ -2796,7 +2797,7 @@ fn function_() {
                         let _e2618 = attributes.member[_e2614].member[5u];
                         let _e2620 = (((_e2601 * _e2568) + (_e2609 * _e2558)) + (_e2618 * _e2566));
                         if (_e396 == 4294967295u) {
-                            phi_4214_ = type_34(vec3<f32>(_e379, _e385, _e391), _e425);
+                            phi_4213_ = type_33(vec3<f32>(_e379, _e385, _e391), _e425);
                         } else {
                             let _e2623 = (_e419 & 65535u);
                             let _e2625 = (_e419 >> bitcast<u32>(16i));
@@ -2806,36 +2807,36 @@ fn function_() {
                             let _e2634 = (_e2632 - _e2633);
                             let _e2635 = (_e2623 - 1u);
                             if (_e2633 < 0f) {
-                                phi_3955_ = _e2635;
+                                phi_3954_ = _e2635;
                             } else {
                                 let _e2641 = select(select(u32(_e2633), 0u, (_e2633 < 0f)), 4294967295u, (_e2633 > 4294967000f));
-                                phi_3955_ = select(_e2641, _e2635, (_e2635 < _e2641));
+                                phi_3954_ = select(_e2641, _e2635, (_e2635 < _e2641));
                             }
-                            let _e2645 = phi_3955_;
+                            let _e2645 = phi_3954_;
                             if (_e2645 == _e2635) {
-                                phi_3961_ = 0u;
+                                phi_3960_ = 0u;
                             } else {
-                                phi_3961_ = (_e2645 + 1u);
+                                phi_3960_ = (_e2645 + 1u);
                             }
-                            let _e2649 = phi_3961_;
+                            let _e2649 = phi_3960_;
                             let _e2651 = (_e2620 - floor(_e2620));
                             let _e2656 = ((select(0f, _e2651, (_e2651 <= 1f)) * f32(_e2625)) - 0.5f);
                             let _e2657 = floor(_e2656);
                             let _e2658 = (_e2656 - _e2657);
                             let _e2659 = (_e2625 - 1u);
                             if (_e2657 < 0f) {
-                                phi_3991_ = _e2659;
+                                phi_3990_ = _e2659;
                             } else {
                                 let _e2665 = select(select(u32(_e2657), 0u, (_e2657 < 0f)), 4294967295u, (_e2657 > 4294967000f));
-                                phi_3991_ = select(_e2665, _e2659, (_e2659 < _e2665));
+                                phi_3990_ = select(_e2665, _e2659, (_e2659 < _e2665));
                             }
-                            let _e2669 = phi_3991_;
+                            let _e2669 = phi_3990_;
                             if (_e2669 == _e2659) {
-                                phi_3997_ = 0u;
+                                phi_3996_ = 0u;
                             } else {
-                                phi_3997_ = (_e2669 + 1u);
+                                phi_3996_ = (_e2669 + 1u);
                             }
-                            let _e2673 = phi_3997_;
+                            let _e2673 = phi_3996_;
                             let _e2675 = (_e396 + (_e2669 * _e2623));
                             let _e2677 = (_e396 + (_e2673 * _e2623));
                             let _e2678 = (_e2675 + _e2645);
@@ -2844,46 +2845,46 @@ fn function_() {
                             let _e2681 = (_e2677 + _e2649);
                             if (_e2678 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2685 = surfaces.member[_e2678];
                             if (_e2679 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2689 = surfaces.member[_e2679];
                             if (_e2680 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2693 = surfaces.member[_e2680];
                             if (_e2681 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2697 = surfaces.member[_e2681];
                             let _e2698 = (_e2685 & 255u);
                             if (_e2698 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2702 = surfaces.member[_e2698];
                             let _e2706 = ((_e2685 >> bitcast<u32>(8i)) & 255u);
                             if (_e2706 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2710 = surfaces.member[_e2706];
                             let _e2714 = ((_e2685 >> bitcast<u32>(16i)) & 255u);
                             if (_e2714 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2718 = surfaces.member[_e2714];
@@ -2891,144 +2892,144 @@ fn function_() {
                             let _e2724 = (_e2689 & 255u);
                             if (_e2724 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2728 = surfaces.member[_e2724];
                             let _e2732 = ((_e2689 >> bitcast<u32>(8i)) & 255u);
                             if (_e2732 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2736 = surfaces.member[_e2732];
                             let _e2740 = ((_e2689 >> bitcast<u32>(16i)) & 255u);
                             if (_e2740 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2744 = surfaces.member[_e2740];
                             let _e2752 = (_e2693 & 255u);
                             if (_e2752 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2756 = surfaces.member[_e2752];
                             let _e2760 = ((_e2693 >> bitcast<u32>(8i)) & 255u);
                             if (_e2760 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2764 = surfaces.member[_e2760];
                             let _e2768 = ((_e2693 >> bitcast<u32>(16i)) & 255u);
                             if (_e2768 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2772 = surfaces.member[_e2768];
                             let _e2777 = (_e2697 & 255u);
                             if (_e2777 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2781 = surfaces.member[_e2777];
                             let _e2785 = ((_e2697 >> bitcast<u32>(8i)) & 255u);
                             if (_e2785 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2789 = surfaces.member[_e2785];
                             let _e2793 = ((_e2697 >> bitcast<u32>(16i)) & 255u);
                             if (_e2793 < _e98) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2797 = surfaces.member[_e2793];
                             let _e2805 = (1f - _e2658);
-                            phi_4214_ = type_34(vec3<f32>((_e379 * ((((bitcast<f32>(_e2702) * _e2720) + (bitcast<f32>(_e2728) * _e2634)) * _e2805) + (((bitcast<f32>(_e2756) * _e2720) + (bitcast<f32>(_e2781) * _e2634)) * _e2658))), (_e385 * ((((bitcast<f32>(_e2710) * _e2720) + (bitcast<f32>(_e2736) * _e2634)) * _e2805) + (((bitcast<f32>(_e2764) * _e2720) + (bitcast<f32>(_e2789) * _e2634)) * _e2658))), (_e391 * ((((bitcast<f32>(_e2718) * _e2720) + (bitcast<f32>(_e2744) * _e2634)) * _e2805) + (((bitcast<f32>(_e2772) * _e2720) + (bitcast<f32>(_e2797) * _e2634)) * _e2658)))), (_e425 * (((((f32((_e2685 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2689 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2805) + ((((f32((_e2693 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2697 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2658))));
+                            phi_4213_ = type_33(vec3<f32>((_e379 * ((((bitcast<f32>(_e2702) * _e2720) + (bitcast<f32>(_e2728) * _e2634)) * _e2805) + (((bitcast<f32>(_e2756) * _e2720) + (bitcast<f32>(_e2781) * _e2634)) * _e2658))), (_e385 * ((((bitcast<f32>(_e2710) * _e2720) + (bitcast<f32>(_e2736) * _e2634)) * _e2805) + (((bitcast<f32>(_e2764) * _e2720) + (bitcast<f32>(_e2789) * _e2634)) * _e2658))), (_e391 * ((((bitcast<f32>(_e2718) * _e2720) + (bitcast<f32>(_e2744) * _e2634)) * _e2805) + (((bitcast<f32>(_e2772) * _e2720) + (bitcast<f32>(_e2797) * _e2634)) * _e2658)))), (_e425 * (((((f32((_e2685 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2689 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2805) + ((((f32((_e2693 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2697 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2658))));
                         }
-                        let _e2848 = phi_4214_;
+                        let _e2848 = phi_4213_;
                         if (_e225 == 2u) {
-                            phi_4244_ = 2u;
+                            phi_4243_ = 2u;
                         } else {
-                            phi_4244_ = (1u - _e225);
+                            phi_4243_ = (1u - _e225);
                         }
-                        let _e2867 = phi_4244_;
+                        let _e2867 = phi_4243_;
                         if (_e2867 == 0u) {
-                            phi_4256_ = vec3<f32>(_e2529, _e2534, _e2524);
+                            phi_4255_ = vec3<f32>(_e2529, _e2534, _e2524);
                         } else {
                             if (_e2867 == 1u) {
-                                phi_4255_ = vec3<f32>(_e2534, _e2524, _e2529);
+                                phi_4254_ = vec3<f32>(_e2534, _e2524, _e2529);
                             } else {
-                                phi_4255_ = vec3<f32>(_e2524, _e2529, _e2534);
+                                phi_4254_ = vec3<f32>(_e2524, _e2529, _e2534);
                             }
-                            let _e2872 = phi_4255_;
-                            phi_4256_ = _e2872;
+                            let _e2872 = phi_4254_;
+                            phi_4255_ = _e2872;
                         }
-                        let _e2875 = phi_4256_;
+                        let _e2875 = phi_4255_;
                         let _e2879 = params.member.member_2[0u];
                         let _e2893 = (((_e2879.z + (_e1459 >> bitcast<u32>(2i))) + (_e2879.x * (_e1465 >> bitcast<u32>(2i)))) + (_e2879.y * (_e1471 >> bitcast<u32>(1i))));
                         let _e2913 = ((2u * _e2893) + 1u);
                         if (_e2913 < arrayLength((&cells.member))) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e2917 = cells.member[_e2913];
-                        phi_4296_ = type_8(0u, 6u);
-                        phi_4299_ = _e2917;
+                        phi_4295_ = type_8(0u, 6u);
+                        phi_4298_ = _e2917;
                         loop {
-                            let _e2919 = phi_4296_;
-                            let _e2921 = phi_4299_;
+                            let _e2919 = phi_4295_;
+                            let _e2921 = phi_4298_;
                             local_49 = _e2921;
                             if (_e2919.member < _e2919.member_1) {
-                                phi_4297_ = type_8((_e2919.member + 1u), _e2919.member_1);
-                                phi_4322_ = type_8(1u, _e2919.member);
+                                phi_4296_ = type_8((_e2919.member + 1u), _e2919.member_1);
+                                phi_4321_ = type_8(1u, _e2919.member);
                             } else {
-                                phi_4297_ = _e2919;
-                                phi_4322_ = type_8(0u, type_8().member_1);
+                                phi_4296_ = _e2919;
+                                phi_4321_ = type_8(0u, type_8().member_1);
                             }
-                            let _e2934 = phi_4297_;
-                            let _e2936 = phi_4322_;
+                            let _e2934 = phi_4296_;
+                            let _e2936 = phi_4321_;
                             let _e2940 = (bitcast<i32>(_e2936.member) != 0i);
                             if _e2940 {
                                 let _e2941 = ((_e2893 * 6u) + _e2936.member_1);
                                 if (_e2941 < arrayLength((&facet_bits.member))) {
                                 } else {
-                                    phi_6056_ = true;
+                                    phi_6055_ = true;
                                     break;
                                 }
                                 let _e2945 = facet_bits.member[_e2941];
                                 let _e2946 = ((((((_e1459 & 1u) | ((_e1465 & 1u) << bitcast<u32>(1i))) | ((_e1471 & 1u) << bitcast<u32>(2i))) | ((_e1459 & 2u) << bitcast<u32>(2i))) | ((_e1465 & 2u) << bitcast<u32>(3i))) & 31u);
                                 let _e2952 = (_e2921 + countOneBits((_e2945 & ((1u << bitcast<u32>(_e2946)) - 1u))));
                                 if (_e2936.member_1 < ((2u * _e343) + select(0u, 1u, (_e348 < 0f)))) {
-                                    phi_4352_ = (_e2952 + ((_e2945 >> bitcast<u32>(_e2946)) & 1u));
+                                    phi_4351_ = (_e2952 + ((_e2945 >> bitcast<u32>(_e2946)) & 1u));
                                 } else {
-                                    phi_4352_ = _e2952;
+                                    phi_4351_ = _e2952;
                                 }
-                                let _e2959 = phi_4352_;
-                                phi_4300_ = _e2959;
+                                let _e2959 = phi_4351_;
+                                phi_4299_ = _e2959;
                             } else {
-                                phi_4300_ = u32();
+                                phi_4299_ = u32();
                             }
-                            let _e2961 = phi_4300_;
+                            let _e2961 = phi_4299_;
                             continue;
                             continuing {
-                                phi_4296_ = _e2934;
-                                phi_4299_ = _e2961;
-                                phi_6056_ = _e2469;
+                                phi_4295_ = _e2934;
+                                phi_4298_ = _e2961;
+                                phi_6055_ = _e2469;
                                 break if !(_e2940);
                             }
                         }
-                        let _e2964 = phi_6056_;
-                        phi_6094_ = _e2964;
+                        let _e2964 = phi_6055_;
+                        phi_6093_ = _e2964;
                         if _e2964 {
                             break;
                         }
@@ -3040,7 +3041,7 @@ fn function_() {
                         let _e2981 = select(select(u32(_e2976), 0u, (_e2976 < 0f)), 4294967295u, (_e2976 > 4294967000f));
                         if (_e2968 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e2985 = atomicAdd((&sums.member[_e2968]), _e2981);
@@ -3049,7 +3050,7 @@ fn function_() {
                             let _e2993 = (_e2992 * 13u);
                             if (_e2993 < _e106) {
                             } else {
-                                phi_6094_ = true;
+                                phi_6093_ = true;
                                 break;
                             }
                             let _e2997 = atomicOr((&sums.member[_e2993]), 1u);
@@ -3058,7 +3059,7 @@ fn function_() {
                         let _e3006 = floor(((_e366.x * _e2976) + 0.5f));
                         if (_e2998 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3018 = atomicAdd((&sums.member[_e2998]), bitcast<u32>(select(0i, select(select(i32(_e3006), i32(-2147483648), (_e3006 < -2147483600f)), 2147483647i, (_e3006 > 2147483500f)), (_e3006 == _e3006))));
@@ -3066,7 +3067,7 @@ fn function_() {
                         let _e3021 = floor(((_e366.y * _e2976) + 0.5f));
                         if (_e3019 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3033 = atomicAdd((&sums.member[_e3019]), bitcast<u32>(select(0i, select(select(i32(_e3021), i32(-2147483648), (_e3021 < -2147483600f)), 2147483647i, (_e3021 > 2147483500f)), (_e3021 == _e3021))));
@@ -3074,7 +3075,7 @@ fn function_() {
                         let _e3036 = floor(((_e366.z * _e2976) + 0.5f));
                         if (_e3034 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3048 = atomicAdd((&sums.member[_e3034]), bitcast<u32>(select(0i, select(select(i32(_e3036), i32(-2147483648), (_e3036 < -2147483600f)), 2147483647i, (_e3036 > 2147483500f)), (_e3036 == _e3036))));
@@ -3082,7 +3083,7 @@ fn function_() {
                         let _e3057 = floor(((_e2875.x * _e2976) + 0.5f));
                         if (_e3049 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3069 = atomicAdd((&sums.member[_e3049]), bitcast<u32>(select(0i, select(select(i32(_e3057), i32(-2147483648), (_e3057 < -2147483600f)), 2147483647i, (_e3057 > 2147483500f)), (_e3057 == _e3057))));
@@ -3090,7 +3091,7 @@ fn function_() {
                         let _e3072 = floor(((_e2875.y * _e2976) + 0.5f));
                         if (_e3070 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3084 = atomicAdd((&sums.member[_e3070]), bitcast<u32>(select(0i, select(select(i32(_e3072), i32(-2147483648), (_e3072 < -2147483600f)), 2147483647i, (_e3072 > 2147483500f)), (_e3072 == _e3072))));
@@ -3098,7 +3099,7 @@ fn function_() {
                         let _e3087 = floor(((_e2875.z * _e2976) + 0.5f));
                         if (_e3085 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3099 = atomicAdd((&sums.member[_e3085]), bitcast<u32>(select(0i, select(select(i32(_e3087), i32(-2147483648), (_e3087 < -2147483600f)), 2147483647i, (_e3087 > 2147483500f)), (_e3087 == _e3087))));
@@ -3106,7 +3107,7 @@ fn function_() {
                         let _e3105 = floor(((select(1f, _e2848.member.x, (_e2848.member.x < 1f)) * _e2976) + 0.5f));
                         if (_e3100 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3117 = atomicAdd((&sums.member[_e3100]), bitcast<u32>(select(0i, select(select(i32(_e3105), i32(-2147483648), (_e3105 < -2147483600f)), 2147483647i, (_e3105 > 2147483500f)), (_e3105 == _e3105))));
@@ -3114,7 +3115,7 @@ fn function_() {
                         let _e3120 = floor(((select(1f, _e2848.member.y, (_e2848.member.y < 1f)) * _e2976) + 0.5f));
                         if (_e3118 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3132 = atomicAdd((&sums.member[_e3118]), bitcast<u32>(select(0i, select(select(i32(_e3120), i32(-2147483648), (_e3120 < -2147483600f)), 2147483647i, (_e3120 > 2147483500f)), (_e3120 == _e3120))));
@@ -3122,7 +3123,7 @@ fn function_() {
                         let _e3135 = floor(((select(1f, _e2848.member.z, (_e2848.member.z < 1f)) * _e2976) + 0.5f));
                         if (_e3133 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3147 = atomicAdd((&sums.member[_e3133]), bitcast<u32>(select(0i, select(select(i32(_e3135), i32(-2147483648), (_e3135 < -2147483600f)), 2147483647i, (_e3135 > 2147483500f)), (_e3135 == _e3135))));
@@ -3132,7 +3133,7 @@ fn function_() {
                         let _e3157 = floor(((bitcast<f32>(_e401) * _e3152) + 0.5f));
                         if (_e3148 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3169 = atomicAdd((&sums.member[_e3148]), bitcast<u32>(select(0i, select(select(i32(_e3157), i32(-2147483648), (_e3157 < -2147483600f)), 2147483647i, (_e3157 > 2147483500f)), (_e3157 == _e3157))));
@@ -3140,7 +3141,7 @@ fn function_() {
                         let _e3172 = floor(((bitcast<f32>(_e407) * _e3152) + 0.5f));
                         if (_e3170 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3184 = atomicAdd((&sums.member[_e3170]), bitcast<u32>(select(0i, select(select(i32(_e3172), i32(-2147483648), (_e3172 < -2147483600f)), 2147483647i, (_e3172 > 2147483500f)), (_e3172 == _e3172))));
@@ -3148,31 +3149,31 @@ fn function_() {
                         let _e3187 = floor(((bitcast<f32>(_e413) * _e3152) + 0.5f));
                         if (_e3185 < _e106) {
                         } else {
-                            phi_6094_ = true;
+                            phi_6093_ = true;
                             break;
                         }
                         let _e3199 = atomicAdd((&sums.member[_e3185]), bitcast<u32>(select(0i, select(select(i32(_e3187), i32(-2147483648), (_e3187 < -2147483600f)), 2147483647i, (_e3187 > 2147483500f)), (_e3187 == _e3187))));
-                        phi_6095_ = _e2964;
+                        phi_6094_ = _e2964;
                     } else {
-                        phi_6095_ = _e642;
+                        phi_6094_ = _e642;
                     }
-                    let _e3201 = phi_6095_;
+                    let _e3201 = phi_6094_;
                     continue;
                     continuing {
-                        phi_5764_ = _e3201;
+                        phi_5763_ = _e3201;
                         let _e3242 = local_50;
-                        phi_5382_ = _e3242;
+                        phi_5381_ = _e3242;
                         let _e3245 = local_51;
-                        phi_5379_ = _e3245;
+                        phi_5378_ = _e3245;
                         let _e3248 = local_52;
-                        phi_5376_ = _e3248;
+                        phi_5375_ = _e3248;
                         let _e3251 = local_53;
-                        phi_5373_ = _e3251;
-                        phi_6094_ = _e3201;
+                        phi_5372_ = _e3251;
+                        phi_6093_ = _e3201;
                         break if !(_e1431);
                     }
                 }
-                let _e3204 = phi_6094_;
+                let _e3204 = phi_6093_;
                 if _e3204 {
                     break;
                 }

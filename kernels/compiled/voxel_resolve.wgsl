@@ -1,13 +1,8 @@
-struct type_7 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_10 {
+struct type_9 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -18,11 +13,11 @@ struct type_18 {
     member_7: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_24 {
+struct type_23 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -39,322 +34,368 @@ struct type_24 {
     member_13: u32,
     member_14: u32,
     member_15: vec4<f32>,
-    member_16: vec4<u32>,
+    member_16: vec4<f32>,
+    member_17: vec4<u32>,
 }
 
-struct type_25 {
-    member: type_24,
+struct type_24 {
+    member: type_23,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> cells: type_10;
+var<storage> cells: type_9;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_10;
+var<storage> facet_bits: type_9;
 @group(0) @binding(0) 
-var<uniform> params: type_25;
+var<uniform> params: type_24;
 @group(0) @binding(3) 
-var<storage> sums: type_10;
+var<storage> sums: type_9;
 @group(0) @binding(4) 
-var<storage, read_write> out: type_20;
+var<storage, read_write> out: type_19;
 
 fn function_() {
-    var phi_91_: u32;
-    var phi_94_: u32;
+    var phi_89_: u32;
     var phi_92_: u32;
-    var phi_95_: u32;
-    var phi_469_: bool;
+    var phi_90_: u32;
+    var phi_93_: u32;
+    var phi_569_: bool;
     var local: u32;
     var local_1: u32;
-    var phi_477_: bool;
-    var phi_140_: u32;
-    var phi_143_: u32;
-    var phi_153_: type_7;
-    var phi_156_: u32;
-    var phi_154_: type_7;
-    var phi_179_: type_7;
-    var phi_157_: u32;
-    var phi_473_: bool;
+    var phi_212_: u32;
+    var phi_215_: u32;
+    var phi_217_: u32;
+    var phi_219_: u32;
+    var phi_309_: u32;
+    var phi_310_: u32;
+    var phi_311_: u32;
+    var phi_312_: u32;
+    var phi_213_: u32;
+    var phi_216_: u32;
+    var phi_218_: u32;
+    var phi_220_: u32;
+    var phi_314_: bool;
+    var phi_573_: bool;
     var local_2: u32;
     var local_3: u32;
-    var phi_210_: u32;
-    var phi_211_: u32;
-    var phi_141_: u32;
-    var phi_144_: u32;
-    var phi_213_: bool;
-    var local_4: bool;
+    var local_4: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var local_8: u32;
-    var local_9: u32;
-    var local_10: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e34 = gid_1;
-            let _e36 = arrayLength((&cells.member));
-            let _e40 = arrayLength((&sums.member));
-            let _e46 = (_e34.x + (_e34.y * 2097152u));
-            let _e47 = (_e46 < arrayLength((&out.member)));
-            if _e47 {
-                let _e52 = params.member.member_2[0u][3u];
-                phi_91_ = _e52;
-                phi_94_ = 0u;
+            let _e31 = gid_1;
+            let _e33 = arrayLength((&cells.member));
+            let _e35 = arrayLength((&facet_bits.member));
+            let _e37 = arrayLength((&sums.member));
+            let _e43 = (_e31.x + (_e31.y * 2097152u));
+            let _e44 = (_e43 < arrayLength((&out.member)));
+            if _e44 {
+                let _e49 = params.member.member_2[0u][3u];
+                phi_89_ = _e49;
+                phi_92_ = 0u;
                 loop {
-                    let _e54 = phi_91_;
-                    let _e56 = phi_94_;
-                    local = _e56;
-                    local_1 = _e56;
-                    local_5 = _e56;
-                    local_6 = _e56;
-                    let _e58 = ((_e54 - _e56) > 1u);
-                    if _e58 {
-                        let _e60 = ((_e56 + _e54) / 2u);
-                        let _e62 = ((_e60 * 2u) + 1u);
-                        if (_e62 < _e36) {
+                    let _e51 = phi_89_;
+                    let _e53 = phi_92_;
+                    local = _e53;
+                    local_1 = _e53;
+                    local_2 = _e53;
+                    local_3 = _e53;
+                    let _e55 = ((_e51 - _e53) > 1u);
+                    if _e55 {
+                        let _e57 = ((_e53 + _e51) / 2u);
+                        let _e59 = ((_e57 * 2u) + 1u);
+                        if (_e59 < _e33) {
                         } else {
-                            phi_469_ = true;
+                            phi_569_ = true;
                             break;
                         }
-                        let _e66 = cells.member[_e62];
-                        let _e67 = (_e66 <= _e46);
-                        phi_92_ = select(_e60, _e54, _e67);
-                        phi_95_ = select(_e56, _e60, _e67);
+                        let _e63 = cells.member[_e59];
+                        let _e64 = (_e63 <= _e43);
+                        phi_90_ = select(_e57, _e51, _e64);
+                        phi_93_ = select(_e53, _e57, _e64);
                     } else {
-                        phi_92_ = u32();
-                        phi_95_ = u32();
+                        phi_90_ = u32();
+                        phi_93_ = u32();
                     }
-                    let _e71 = phi_92_;
-                    let _e73 = phi_95_;
+                    let _e68 = phi_90_;
+                    let _e70 = phi_93_;
                     continue;
                     continuing {
-                        phi_91_ = _e71;
-                        phi_94_ = _e73;
-                        phi_469_ = false;
-                        break if !(_e58);
+                        phi_89_ = _e68;
+                        phi_92_ = _e70;
+                        phi_569_ = false;
+                        break if !(_e55);
                     }
                 }
-                let _e76 = phi_469_;
-                if _e76 {
+                let _e73 = phi_569_;
+                if _e73 {
                     break;
                 }
-                let _e78 = local;
-                let _e79 = (2u * _e78);
-                if (_e79 < _e36) {
+                let _e75 = local;
+                let _e76 = (2u * _e75);
+                if (_e76 < _e33) {
                 } else {
                     break;
                 }
-                let _e83 = cells.member[_e79];
-                let _e84 = (_e79 + 1u);
-                if (_e84 < _e36) {
+                let _e80 = cells.member[_e76];
+                let _e81 = (_e76 + 1u);
+                if (_e81 < _e33) {
                 } else {
                     break;
                 }
-                let _e88 = cells.member[_e84];
-                let _e91 = local_1;
-                phi_477_ = _e76;
-                phi_140_ = (_e46 - _e88);
-                phi_143_ = _e83;
+                let _e85 = cells.member[_e81];
+                let _e90 = (select(firstTrailingBit(_e80), 32u, (_e80 == 0u)) & 31u);
+                let _e92 = local_1;
+                let _e93 = (_e92 * 6u);
+                let _e94 = (_e93 < _e35);
+                if _e94 {
+                } else {
+                    break;
+                }
+                let _e97 = facet_bits.member[_e93];
+                let _e98 = (_e90 & 31u);
+                let _e102 = (_e93 + 1u);
+                let _e103 = (_e102 < _e35);
+                if _e103 {
+                } else {
+                    break;
+                }
+                let _e106 = facet_bits.member[_e102];
+                let _e111 = (_e93 + 2u);
+                let _e112 = (_e111 < _e35);
+                if _e112 {
+                } else {
+                    break;
+                }
+                let _e115 = facet_bits.member[_e111];
+                let _e120 = (_e93 + 3u);
+                let _e121 = (_e120 < _e35);
+                if _e121 {
+                } else {
+                    break;
+                }
+                let _e124 = facet_bits.member[_e120];
+                let _e129 = (_e93 + 4u);
+                let _e130 = (_e129 < _e35);
+                if _e130 {
+                } else {
+                    break;
+                }
+                let _e133 = facet_bits.member[_e129];
+                let _e138 = (_e93 + 5u);
+                let _e139 = (_e138 < _e35);
+                if _e139 {
+                } else {
+                    break;
+                }
+                let _e142 = facet_bits.member[_e138];
+                phi_212_ = (((((((_e97 >> bitcast<u32>(_e98)) & 1u) + ((_e106 >> bitcast<u32>(_e98)) & 1u)) + ((_e115 >> bitcast<u32>(_e98)) & 1u)) + ((_e124 >> bitcast<u32>(_e98)) & 1u)) + ((_e133 >> bitcast<u32>(_e98)) & 1u)) + ((_e142 >> bitcast<u32>(_e98)) & 1u));
+                phi_215_ = _e90;
+                phi_217_ = (_e43 - _e85);
+                phi_219_ = _e80;
                 loop {
-                    let _e94 = phi_477_;
-                    let _e96 = phi_140_;
-                    let _e98 = phi_143_;
-                    let _e100 = (_e98 == 0u);
-                    let _e102 = (select(firstTrailingBit(_e98), 32u, _e100) & 31u);
-                    phi_153_ = type_7(0u, 6u);
-                    phi_156_ = 0u;
-                    local_7 = _e102;
-                    local_8 = _e102;
-                    local_9 = _e102;
-                    local_10 = _e102;
-                    loop {
-                        let _e104 = phi_153_;
-                        let _e106 = phi_156_;
-                        local_2 = _e106;
-                        local_3 = _e106;
-                        if (_e104.member < _e104.member_1) {
-                            phi_154_ = type_7((_e104.member + 1u), _e104.member_1);
-                            phi_179_ = type_7(1u, _e104.member);
+                    let _e148 = phi_212_;
+                    let _e150 = phi_215_;
+                    let _e152 = phi_217_;
+                    let _e154 = phi_219_;
+                    local_4 = _e150;
+                    local_5 = _e150;
+                    local_6 = _e150;
+                    local_7 = _e150;
+                    if (_e152 >= _e148) {
+                        let _e156 = (_e154 == 0u);
+                        if _e156 {
+                            phi_309_ = u32();
+                            phi_310_ = u32();
+                            phi_311_ = u32();
+                            phi_312_ = u32();
                         } else {
-                            phi_154_ = _e104;
-                            phi_179_ = type_7(0u, type_7().member_1);
-                        }
-                        let _e119 = phi_154_;
-                        let _e121 = phi_179_;
-                        let _e125 = (bitcast<i32>(_e121.member) != 0i);
-                        if _e125 {
-                            let _e126 = ((_e91 * 6u) + _e121.member_1);
-                            if (_e126 < arrayLength((&facet_bits.member))) {
+                            let _e159 = (_e154 & (_e154 - 1u));
+                            let _e163 = (select(firstTrailingBit(_e159), 32u, (_e159 == 0u)) & 31u);
+                            if _e94 {
                             } else {
-                                phi_473_ = true;
+                                phi_573_ = true;
                                 break;
                             }
-                            let _e130 = facet_bits.member[_e126];
-                            phi_157_ = (_e106 + ((_e130 >> bitcast<u32>((_e102 & 31u))) & 1u));
-                        } else {
-                            phi_157_ = u32();
+                            let _e164 = (_e163 & 31u);
+                            if _e103 {
+                            } else {
+                                phi_573_ = true;
+                                break;
+                            }
+                            if _e112 {
+                            } else {
+                                phi_573_ = true;
+                                break;
+                            }
+                            if _e121 {
+                            } else {
+                                phi_573_ = true;
+                                break;
+                            }
+                            if _e130 {
+                            } else {
+                                phi_573_ = true;
+                                break;
+                            }
+                            if _e139 {
+                            } else {
+                                phi_573_ = true;
+                                break;
+                            }
+                            phi_309_ = (((((((_e97 >> bitcast<u32>(_e164)) & 1u) + ((_e106 >> bitcast<u32>(_e164)) & 1u)) + ((_e115 >> bitcast<u32>(_e164)) & 1u)) + ((_e124 >> bitcast<u32>(_e164)) & 1u)) + ((_e133 >> bitcast<u32>(_e164)) & 1u)) + ((_e142 >> bitcast<u32>(_e164)) & 1u));
+                            phi_310_ = _e163;
+                            phi_311_ = (_e152 - _e148);
+                            phi_312_ = _e159;
                         }
-                        let _e137 = phi_157_;
-                        continue;
-                        continuing {
-                            phi_153_ = _e119;
-                            phi_156_ = _e137;
-                            phi_473_ = _e94;
-                            break if !(_e125);
-                        }
-                    }
-                    let _e140 = phi_473_;
-                    local_4 = _e140;
-                    if _e140 {
-                        break;
-                    }
-                    let _e142 = local_2;
-                    if (_e96 < _e142) {
-                        phi_141_ = u32();
-                        phi_144_ = u32();
-                        phi_213_ = false;
+                        let _e189 = phi_309_;
+                        let _e191 = phi_310_;
+                        let _e193 = phi_311_;
+                        let _e195 = phi_312_;
+                        phi_213_ = _e189;
+                        phi_216_ = _e191;
+                        phi_218_ = _e193;
+                        phi_220_ = _e195;
+                        phi_314_ = select(true, false, _e156);
                     } else {
-                        if _e100 {
-                            phi_210_ = u32();
-                            phi_211_ = u32();
-                        } else {
-                            let _e145 = local_3;
-                            phi_210_ = (_e96 - _e145);
-                            phi_211_ = (_e98 & (_e98 - 1u));
-                        }
-                        let _e150 = phi_210_;
-                        let _e152 = phi_211_;
-                        phi_141_ = _e150;
-                        phi_144_ = _e152;
-                        phi_213_ = select(true, false, _e100);
+                        phi_213_ = u32();
+                        phi_216_ = u32();
+                        phi_218_ = u32();
+                        phi_220_ = u32();
+                        phi_314_ = false;
                     }
-                    let _e155 = phi_141_;
-                    let _e157 = phi_144_;
-                    let _e159 = phi_213_;
+                    let _e198 = phi_213_;
+                    let _e200 = phi_216_;
+                    let _e202 = phi_218_;
+                    let _e204 = phi_220_;
+                    let _e206 = phi_314_;
                     continue;
                     continuing {
-                        phi_477_ = _e140;
-                        phi_140_ = _e155;
-                        phi_143_ = _e157;
-                        break if !(_e159);
+                        phi_212_ = _e198;
+                        phi_215_ = _e200;
+                        phi_217_ = _e202;
+                        phi_219_ = _e204;
+                        phi_573_ = _e73;
+                        break if !(_e206);
                     }
                 }
-                let _e162 = local_4;
-                if _e162 {
+                let _e209 = phi_573_;
+                if _e209 {
                     break;
                 }
-                let _e166 = params.member.member_2[0u];
-                if (_e166.y == 0u) {
+                let _e213 = params.member.member_2[0u];
+                if (_e213.y == 0u) {
                     break;
                 }
-                let _e170 = local_5;
-                let _e171 = (_e170 / _e166.y);
-                let _e174 = local_6;
-                let _e175 = (_e174 - (_e171 * _e166.y));
-                if (_e166.x == 0u) {
+                let _e217 = local_2;
+                let _e218 = (_e217 / _e213.y);
+                let _e221 = local_3;
+                let _e222 = (_e221 - (_e218 * _e213.y));
+                if (_e213.x == 0u) {
                     break;
                 }
-                let _e178 = (_e175 / _e166.x);
-                let _e184 = local_7;
-                let _e188 = local_8;
-                let _e190 = (_e188 >> bitcast<u32>(2i));
-                let _e192 = ((((_e175 - (_e178 * _e166.x)) << bitcast<u32>(2i)) | (_e184 & 1u)) | (_e190 & 2u));
-                let _e196 = local_9;
-                let _e202 = local_10;
-                let _e206 = (((_e178 << bitcast<u32>(2i)) | ((_e196 >> bitcast<u32>(1i)) & 1u)) | ((_e202 >> bitcast<u32>(3i)) & 2u));
-                let _e210 = ((_e171 << bitcast<u32>(1i)) | (_e190 & 1u));
-                let _e211 = (_e46 * 13u);
-                if (_e211 < _e40) {
+                let _e225 = (_e222 / _e213.x);
+                let _e231 = local_4;
+                let _e235 = local_5;
+                let _e237 = (_e235 >> bitcast<u32>(2i));
+                let _e239 = ((((_e222 - (_e225 * _e213.x)) << bitcast<u32>(2i)) | (_e231 & 1u)) | (_e237 & 2u));
+                let _e243 = local_6;
+                let _e249 = local_7;
+                let _e253 = (((_e225 << bitcast<u32>(2i)) | ((_e243 >> bitcast<u32>(1i)) & 1u)) | ((_e249 >> bitcast<u32>(3i)) & 2u));
+                let _e257 = ((_e218 << bitcast<u32>(1i)) | (_e237 & 1u));
+                let _e258 = (_e43 * 13u);
+                if (_e258 < _e37) {
                 } else {
                     break;
                 }
-                let _e215 = sums.member[_e211];
-                let _e216 = f32(_e215);
-                let _e218 = select(1f, _e216, (_e216 > 1f));
-                let _e219 = (_e211 + 4u);
-                if (_e219 < _e40) {
+                let _e262 = sums.member[_e258];
+                let _e263 = f32(_e262);
+                let _e265 = select(1f, _e263, (_e263 > 1f));
+                let _e266 = (_e258 + 4u);
+                if (_e266 < _e37) {
                 } else {
                     break;
                 }
-                let _e223 = sums.member[_e219];
-                let _e226 = (_e211 + 5u);
-                if (_e226 < _e40) {
-                } else {
-                    break;
-                }
-                let _e230 = sums.member[_e226];
-                let _e233 = (_e211 + 6u);
-                if (_e233 < _e40) {
-                } else {
-                    break;
-                }
-                let _e237 = sums.member[_e233];
-                let _e245 = params.member.member;
-                let _e258 = params.member.member[3u];
-                let _e267 = params.member.member_1;
-                let _e271 = params.member.member_7;
-                let _e273 = (_e211 + 1u);
-                if (_e273 < _e40) {
+                let _e270 = sums.member[_e266];
+                let _e273 = (_e258 + 5u);
+                if (_e273 < _e37) {
                 } else {
                     break;
                 }
                 let _e277 = sums.member[_e273];
-                let _e280 = (_e211 + 2u);
-                if (_e280 < _e40) {
+                let _e280 = (_e258 + 6u);
+                if (_e280 < _e37) {
                 } else {
                     break;
                 }
                 let _e284 = sums.member[_e280];
-                let _e287 = (_e211 + 3u);
-                if (_e287 < _e40) {
+                let _e292 = params.member.member;
+                let _e305 = params.member.member[3u];
+                let _e314 = params.member.member_1;
+                let _e318 = params.member.member_7;
+                let _e320 = (_e258 + 1u);
+                if (_e320 < _e37) {
                 } else {
                     break;
                 }
-                let _e291 = sums.member[_e287];
-                let _e304 = (_e211 + 7u);
-                if (_e304 < _e40) {
+                let _e324 = sums.member[_e320];
+                let _e327 = (_e258 + 2u);
+                if (_e327 < _e37) {
                 } else {
                     break;
                 }
-                let _e308 = sums.member[_e304];
-                let _e311 = (_e211 + 8u);
-                if (_e311 < _e40) {
+                let _e331 = sums.member[_e327];
+                let _e334 = (_e258 + 3u);
+                if (_e334 < _e37) {
                 } else {
                     break;
                 }
-                let _e315 = sums.member[_e311];
-                let _e318 = (_e211 + 9u);
-                if (_e318 < _e40) {
+                let _e338 = sums.member[_e334];
+                let _e351 = (_e258 + 7u);
+                if (_e351 < _e37) {
                 } else {
                     break;
                 }
-                let _e322 = sums.member[_e318];
-                let _e329 = (_e211 + 10u);
-                if (_e329 < _e40) {
+                let _e355 = sums.member[_e351];
+                let _e358 = (_e258 + 8u);
+                if (_e358 < _e37) {
                 } else {
                     break;
                 }
-                let _e333 = sums.member[_e329];
-                let _e336 = (_e211 + 11u);
-                if (_e336 < _e40) {
+                let _e362 = sums.member[_e358];
+                let _e365 = (_e258 + 9u);
+                if (_e365 < _e37) {
                 } else {
                     break;
                 }
-                let _e340 = sums.member[_e336];
-                let _e343 = (_e211 + 12u);
-                if (_e343 < _e40) {
+                let _e369 = sums.member[_e365];
+                let _e376 = (_e258 + 10u);
+                if (_e376 < _e37) {
                 } else {
                     break;
                 }
-                let _e347 = sums.member[_e343];
-                let _e352 = params.member.member_8;
-                let _e353 = (_e352 / _e218);
-                if _e47 {
+                let _e380 = sums.member[_e376];
+                let _e383 = (_e258 + 11u);
+                if (_e383 < _e37) {
                 } else {
                     break;
                 }
-                out.member[_e46] = type_18(array<f32, 3>((_e245.x + ((f32(_e192) + (f32(bitcast<i32>(_e223)) / _e218)) * _e258)), (_e245.y + ((f32(_e206) + (f32(bitcast<i32>(_e230)) / _e218)) * _e258)), (_e245.z + ((f32(_e210) + (f32(bitcast<i32>(_e237)) / _e218)) * _e258))), (_e218 / _e271), array<f32, 3>((f32(bitcast<i32>(_e277)) / _e271), (f32(bitcast<i32>(_e284)) / _e271), (f32(bitcast<i32>(_e291)) / _e271)), (_e192 + (_e267.x * (_e206 + (_e267.y * _e210)))), array<f32, 3>((f32(bitcast<i32>(_e308)) / _e218), (f32(bitcast<i32>(_e315)) / _e218), (f32(bitcast<i32>(_e322)) / _e218)), 0u, array<f32, 3>((f32(bitcast<i32>(_e333)) * _e353), (f32(bitcast<i32>(_e340)) * _e353), (f32(bitcast<i32>(_e347)) * _e353)), 0u);
+                let _e387 = sums.member[_e383];
+                let _e390 = (_e258 + 12u);
+                if (_e390 < _e37) {
+                } else {
+                    break;
+                }
+                let _e394 = sums.member[_e390];
+                let _e399 = params.member.member_8;
+                let _e400 = (_e399 / _e265);
+                if _e44 {
+                } else {
+                    break;
+                }
+                out.member[_e43] = type_17(array<f32, 3>((_e292.x + ((f32(_e239) + (f32(bitcast<i32>(_e270)) / _e265)) * _e305)), (_e292.y + ((f32(_e253) + (f32(bitcast<i32>(_e277)) / _e265)) * _e305)), (_e292.z + ((f32(_e257) + (f32(bitcast<i32>(_e284)) / _e265)) * _e305))), (_e265 / _e318), array<f32, 3>((f32(bitcast<i32>(_e324)) / _e318), (f32(bitcast<i32>(_e331)) / _e318), (f32(bitcast<i32>(_e338)) / _e318)), (_e239 + (_e314.x * (_e253 + (_e314.y * _e257)))), array<f32, 3>((f32(bitcast<i32>(_e355)) / _e265), (f32(bitcast<i32>(_e362)) / _e265), (f32(bitcast<i32>(_e369)) / _e265)), 0u, array<f32, 3>((f32(bitcast<i32>(_e380)) * _e400), (f32(bitcast<i32>(_e387)) * _e400), (f32(bitcast<i32>(_e394)) * _e400)), 0u);
             }
             break;
         }

@@ -32,7 +32,8 @@ struct type_22 {
     member_13: u32,
     member_14: u32,
     member_15: vec4<f32>,
-    member_16: vec4<u32>,
+    member_16: vec4<f32>,
+    member_17: vec4<u32>,
 }
 
 struct type_23 {
