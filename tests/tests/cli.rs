@@ -4,12 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn interreflect(args: &[&str]) -> Output {
-    // The program lies beside this test's own folder: `cargo test --workspace` builds both.
-    let mut program = std::env::current_exe().expect("a test knows itself");
-    program.pop();
-    program.pop();
-    program.push(format!("interreflect{}", std::env::consts::EXE_SUFFIX));
-    assert!(program.is_file(), "{} is not built: run `cargo test --workspace`", program.display());
+    let program = env!("CARGO_BIN_EXE_interreflect-under-test");
     Command::new(program).args(args).output().expect("the program starts")
 }
 
