@@ -3,10 +3,11 @@ struct Params {
     dims_levels: vec4<u32>,
     levels: array<vec4<u32>, 10>,
     cones: array<vec4<f32>, 16>,
+    parts: array<vec4<f32>, 16>,
     beyond: vec4<f32>,
     camera: vec4<f32>,
     cone_count: u32, direction_count: u32, count: u32, seed: u32,
-    spread: f32, step: f32, offset: f32, clearance: f32,
+    spread: f32, offset: f32, clearance: f32, pad: f32,
 }
 struct Facet {
     position: vec3<f32>, area: f32,
@@ -54,12 +55,8 @@ fn facets_seen(first: u32, count: u32, looking: vec3<f32>) -> vec4<f32> {
     return front;
 }
 
-fn record(level: u32, i: u32) -> vec4<f32> {
-    if ((level & 1u) == 1u) { return odd[i]; }
-    return even[i];
-}
-
-fn voxel(level: u32, cell: u32, bit: u32, word: u32, looking: vec3<f32>) -> vec4<f32> {
+// What a viewer who looks along an axis, or down it, sees of one voxel.
+fn voxel(level: u32, cell: u32, bit: u32, word: u32, axis: u32, down: bool) -> vec4<f32> {
     let below = (1u << bit) - 1u;
     if (level == 0u) {
         var first = cells[2u * cell + 1u];
@@ -69,66 +66,85 @@ fn voxel(level: u32, cell: u32, bit: u32, word: u32, looking: vec3<f32>) -> vec4
             first += countOneBits(bits & below);
             count += (bits >> bit) & 1u;
         }
-        return facets_seen(first, count, looking);
+        let axes = vec3<f32>(vec3<u32>(axis) == vec3<u32>(0u, 1u, 2u));
+        let seen = facets_seen(first, count, select(axes, -axes, down));
+        if (seen.w > 1.0) { return vec4<f32>(seen.xyz / seen.w, 1.0); }
+        return seen;
     }
-    let i = cells[2u * cell + 1u] + countOneBits(word & below);
-    if (params.direction_count == 1u) { return record(level, i); }
-    let at = 6u * i;
-    return record(level, at + u32(looking.x < 0.0)) * abs(looking.x)
-        + record(level, at + 2u + u32(looking.y < 0.0)) * abs(looking.y)
-        + record(level, at + 4u + u32(looking.z < 0.0)) * abs(looking.z);
+    let record = cells[2u * cell + 1u] + countOneBits(word & below);
+    let i = select(6u * record + 2u * axis + u32(down), record, params.direction_count == 1u);
+    if ((level & 1u) == 1u) { return odd[i]; }
+    return even[i];
 }
 
-// Trilinear sample of one level.
-fn sample_level(level: u32, position: vec3<f32>, looking: vec3<f32>) -> vec4<f32> {
-    let level_table = params.levels[level];
-    let dims = vec3<i32>((params.dims_levels.xyz + ((1u << level) - 1u)) >> vec3<u32>(level));
-    let x = position / f32(1u << level) - 0.5;
+// The two voxels around a coordinate and their weights, zero outside the grid.
+struct Tap { first: u32, second: u32, weights: vec2<f32> }
+
+fn tap(x: f32, count: u32) -> Tap {
     let base = floor(x);
-    let fraction = x - base;
-    let corner = vec3<i32>(base);
+    let first = i32(base);
+    let last = i32(count) - 1;
+    var weight = select(0.0, x - base, first < last);
+    if (first < 0) { weight = 1.0; }
+    let inside = f32(x >= -0.5 && x <= f32(last) + 0.5);
+    return Tap(u32(clamp(first, 0, last)), u32(clamp(first + 1, 0, last)), vec2<f32>(1.0 - weight, weight) * inside);
+}
+
+// Bilinear sample of a layer of voxels.
+fn crossing(level: u32, axis: u32, layer: i32, down: bool, position: vec3<f32>) -> vec4<f32> {
+    let level_table = params.levels[level];
+    let dims = (params.dims_levels.xyz + ((1u << level) - 1u)) >> vec3<u32>(level);
+    if (layer < 0 || layer >= i32(dims[axis])) { return vec4<f32>(0.0); }
+    var x = position / f32(1u << level) - 0.5;
+    x[axis] = f32(layer);
+    let u = (axis + 1u) % 3u;
+    let v = (axis + 2u) % 3u;
+    let along_u = tap(x[u], dims[u]);
+    let along_v = tap(x[v], dims[v]);
     var sum = vec4<f32>(0.0);
-    for (var k = 0u; k < 8u; k++) {
-        let step = vec3<u32>(k & 1u, (k >> 1u) & 1u, k >> 2u);
-        let at = corner + vec3<i32>(step);
-        if (any(at < vec3<i32>(0)) || any(at >= dims)) { continue; }
-        let share = select(1.0 - fraction, fraction, step == vec3<u32>(1u));
-        let weight = share.x * share.y * share.z;
-        let v = vec3<u32>(at);
-        let cell = level_table.z + (v.x >> 2u) + level_table.x * (v.y >> 2u) + level_table.y * (v.z >> 1u);
-        let bit = (v.x & 1u) | ((v.y & 1u) << 1u) | ((v.z & 1u) << 2u) | ((v.x & 2u) << 2u) | ((v.y & 2u) << 3u);
+    for (var k = 0u; k < 4u; k++) {
+        let weight = along_u.weights[k & 1u] * along_v.weights[k >> 1u];
+        var at = vec3<u32>(u32(layer));
+        at[u] = select(along_u.first, along_u.second, (k & 1u) == 1u);
+        at[v] = select(along_v.first, along_v.second, k >= 2u);
+        let cell = level_table.z + (at.x >> 2u) + level_table.x * (at.y >> 2u) + level_table.y * (at.z >> 1u);
+        let bit = (at.x & 1u) | ((at.y & 1u) << 1u) | ((at.z & 1u) << 2u) | ((at.x & 2u) << 2u) | ((at.y & 2u) << 3u);
         let word = cells[2u * cell];
         if (weight > 0.0 && ((word >> bit) & 1u) == 1u) {
-            sum += voxel(level, cell, bit, word, looking) * weight;
+            sum += voxel(level, cell, bit, word, axis, down) * weight;
         }
     }
     return sum;
 }
 
-// Between the two levels whose voxels are nearest to a footprint.
-fn sample_pyramid(position: vec3<f32>, size: f32, looking: vec3<f32>) -> vec4<f32> {
-    let exponent = i32(bitcast<u32>(size) >> 23u) - 127;
-    let coarsest = params.dims_levels.w - 1u;
-    let level = min(u32(max(exponent, 0)), coarsest);
-    let unit = 1.0 / f32(1u << level);
-    let fraction = size * unit - 1.0;
-    if (level == coarsest || fraction <= 0.0) { return sample_level(level, position, looking) * unit; }
-    let coarse = sample_level(level + 1u, position, looking);
-    if (coarse.w <= 0.0) { return vec4<f32>(0.0); }
-    let fine = sample_level(level, position, looking);
-    return fine * ((1.0 - fraction) * unit) + coarse * (fraction * 0.5 * unit);
+// The layers that a ray meets along one axis.
+struct Layers { origin: f32, slope: f32, level: u32, next: i32, t: f32 }
+
+fn find(layers: Layers, finest: u32) -> Layers {
+    var l = layers;
+    let count = i32((finest + (1u << l.level) - 1u) >> l.level);
+    let outwards = select(l.next >= count, l.next < 0, l.slope < 0.0);
+    let middle = (f32(l.next) + 0.5) * f32(1u << l.level);
+    l.t = 3.4028235e38;
+    if (!outwards && abs(l.slope) >= 1e-6) { l.t = (middle - l.origin) / l.slope; }
+    return l;
 }
 
-fn leave(origin: f32, direction: f32, size: f32) -> f32 {
-    if (abs(direction) < 1e-9) { return 3.4e38; }
-    return (select(0.0, size, direction > 0.0) - origin) / direction;
+fn start_layers(origin: f32, slope: f32, finest: u32) -> Layers {
+    let next = select(i32(floor(origin - 0.5)) + 1, i32(ceil(origin - 0.5)) - 1, slope < 0.0);
+    return find(Layers(origin, slope, 0u, next, 0.0), finest);
 }
 
-fn leave_box(origin: vec3<f32>, direction: vec3<f32>, size: vec3<f32>) -> f32 {
-    let x = leave(origin.x, direction.x, size.x);
-    let y = leave(origin.y, direction.y, size.y);
-    let z = leave(origin.z, direction.z, size.z);
-    return max(min(min(x, y), z), 0.0);
+fn advance(layers: Layers, wanted: u32, finest: u32) -> Layers {
+    var l = layers;
+    let down = l.slope < 0.0;
+    let at_border = ((l.next & 1) == 0) == down;
+    l.next += select(1, -1, down);
+    if (at_border && wanted > l.level) {
+        l.level += 1u;
+        l.next = l.next >> 1u;
+    }
+    return find(l, finest);
 }
 
 // Size of the voxels to read at a distance: the cone's width, or less near the surface that it leaves.
@@ -137,28 +153,44 @@ fn voxel_size(t: f32, spread: f32, clear: vec2<f32>) -> f32 {
 }
 
 fn cone(origin: vec3<f32>, direction: vec3<f32>, spread: f32, clear: vec2<f32>) -> vec4<f32> {
-    let size = vec3<f32>(params.dims_levels.xyz);
-    let margin = 1.5 * voxel_size(leave_box(origin, direction, size), spread, clear);
-    let end = leave_box(origin + margin, direction, size + 2.0 * margin);
+    let slope = abs(direction);
+    let main = select(select(2u, 1u, slope.y >= slope.z), 0u, slope.x >= slope.y && slope.x >= slope.z);
+    let dims = params.dims_levels;
+    var x = start_layers(origin.x, direction.x, dims.x);
+    var y = start_layers(origin.y, direction.y, dims.y);
+    var z = start_layers(origin.z, direction.z, dims.z);
     var light = vec3<f32>(0.0);
     var reaching = 1.0;
     var covered = 0.0;
-    var t = 0.0;
     for (var k = 0u; k < 2048u; k++) {
-        if (t >= end || reaching * (1.0 - covered) < 1e-3) { break; }
-        let length = params.step * voxel_size(t, spread, clear);
-        let middle = t + 0.5 * length;
-        let seen = sample_pyramid(origin + direction * middle, voxel_size(middle, spread, clear), direction);
-        let coverage = seen.w * length;
-        if (coverage > 0.0) {
-            let fresh = min(coverage, 1.0 - covered);
-            light += seen.xyz * (length * reaching * fresh / coverage);
+        var axis = 2u;
+        var layer = z;
+        if (x.t <= y.t && x.t <= z.t) {
+            axis = 0u;
+            layer = x;
+        } else if (y.t <= z.t) {
+            axis = 1u;
+            layer = y;
+        }
+        if (layer.t >= 3.4028235e38 || reaching * (1.0 - covered) < 1e-3) { break; }
+        let seen = crossing(layer.level, axis, layer.next, layer.slope < 0.0, origin + direction * layer.t);
+        if (seen.w > 0.0) {
+            let fresh = min(seen.w, 1.0 - covered);
+            light += seen.xyz * (reaching * fresh / seen.w);
             covered += fresh;
-        } else {
+        } else if (axis == main) {
             reaching *= 1.0 - covered;
             covered = 0.0;
         }
-        t += length;
+        let wide = voxel_size(layer.t, spread, clear) * 1.4142135;
+        let wanted = min((bitcast<u32>(wide) >> 23u) - 127u, dims.w - 1u);
+        if (axis == 0u) {
+            x = advance(x, wanted, dims.x);
+        } else if (axis == 1u) {
+            y = advance(y, wanted, dims.y);
+        } else {
+            z = advance(z, wanted, dims.z);
+        }
     }
     return vec4<f32>(light, reaching * (1.0 - covered));
 }
