@@ -4,6 +4,7 @@ pub mod ambient;
 pub mod direct;
 pub mod reference;
 pub mod settings;
+pub mod srp;
 pub mod vct;
 pub mod voxels;
 
