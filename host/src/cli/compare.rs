@@ -34,7 +34,7 @@ pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     let settings = setup::truth_settings(&args.truth, args.scene.seed, TRUTH_NOISE);
     let picture = setup::truth_picture(&args.scene, &scene, &camera, &settings)?;
     let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
-    let irradiance = setup::truth_irradiance(&scene, &receivers, &settings)?;
+    let irradiance = setup::truth_irradiance(&args.scene, &scene, &receivers, &settings)?;
     let image = |pixels: &[Vec3]| Image::new(view.width, view.height, pixels.to_vec());
     let truth = Frame {
         direct: image(&picture.direct)?,

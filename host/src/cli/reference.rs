@@ -23,7 +23,7 @@ pub fn run(args: &ReferenceArgs, as_json: bool) -> Result<(), Error> {
     let buffers = SceneBuffers::upload(&mut exec, &scene)?;
     let view = View::new(&mut exec, &scene, &buffers, &camera, args.scene.size, args.scene.seed)?;
     let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
-    let irradiance = setup::truth_irradiance(&scene, &receivers, &settings)?;
+    let irradiance = setup::truth_irradiance(&args.scene, &scene, &receivers, &settings)?;
 
     let image = |pixels: &[glam::Vec3]| Image::new(truth.width, truth.height, pixels.to_vec());
     let full = image(&truth.full)?;

@@ -53,12 +53,14 @@ pub fn truth_picture(
     Ok(reference::cached(&folder, scene, camera, width, height, settings, &mut |p| bar.update(p))?.truth)
 }
 
-/// The truth's irradiance at receivers.
+/// The truth's irradiance at receivers, from the cache where it is there.
 pub fn truth_irradiance(
+    args: &SceneArgs,
     scene: &Scene,
     receivers: &[Receiver],
     settings: &ReferenceSettings,
 ) -> Result<IrradianceTruth, Error> {
     let bar = TruthBar::new("irradiance");
-    Ok(reference::irradiance(scene, receivers, settings, &mut |p| bar.update(p))?)
+    let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
+    Ok(reference::cached_irradiance(&folder, scene, receivers, settings, &mut |p| bar.update(p))?.truth)
 }

@@ -152,6 +152,24 @@ impl StageClock {
     }
 }
 
+/// A length that a method's errors scale with.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Unit {
+    /// Plural, for sentences: `voxels`, `cells`, `probe spacings`.
+    pub name: &'static str,
+    /// Length (m).
+    pub metres: f32,
+}
+
+/// Values of one setting, cheapest first, that a search may try.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct SearchAxis {
+    /// Key of the setting.
+    pub key: &'static str,
+    /// Values from cheapest to dearest; at least two.
+    pub values: &'static [&'static str],
+}
+
 /// A lighting method with its buffers. The three phases are called in order; a later frame or light change calls only
 /// its own phase again and must not allocate.
 pub trait Method: Send {
@@ -186,6 +204,31 @@ pub trait Method: Send {
     fn needs(&self) -> serde_json::Value {
         serde_json::Value::Null
     }
+
+    /// The length that the method resolves in the scene it was precomputed for; leaks and flicker are stated in it.
+    /// `None` (the default): none, or not known yet.
+    ///
+    /// ```ignore
+    /// fn unit(&self) -> Option<Unit> {
+    ///     Some(Unit { name: "cells", metres: self.state.as_ref()?.cell_size })
+    /// }
+    /// ```
+    fn unit(&self) -> Option<Unit> {
+        None
+    }
+
+    /// Part of its light that each further bounce kept in the last light change or frame: the largest eigenvalue of
+    /// the method's feedback loop as it measured or bounds it. 1 or more: the loop grows without bound. `None` (the
+    /// default): the method has no further bounces, or does not know.
+    fn feedback_gain(&self) -> Option<f64> {
+        None
+    }
+
+    /// Settings that `fit` lowers one by one from the rung that it found, each with its values from cheapest to
+    /// dearest. Empty (the default): the values that occur in the ladder.
+    fn search(&self) -> &'static [SearchAxis] {
+        &[]
+    }
 }
 
 /// One row of [`METHODS`].
@@ -202,7 +245,7 @@ pub struct MethodRow {
     pub fails_when: &'static str,
     /// Parameters.
     pub settings: &'static [Setting],
-    /// Settings from cheapest to best, for charts: name and changed values.
+    /// Settings from cheapest to best, for charts and searches: name and changed values. At least five for a candidate.
     pub ladder: &'static [(&'static str, &'static [(&'static str, &'static str)])],
     /// Makes the method from checked settings (every key of `settings` is present).
     pub new: fn(&Settings) -> Result<Box<dyn Method>, MethodError>,

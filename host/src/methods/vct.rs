@@ -6,7 +6,7 @@
 
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
-use super::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock};
+use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Unit};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use glam::{DVec3, Vec3, Vec4};
 use interreflect_kernels::cone::gather::{cone_bounce, cone_gather};
@@ -174,6 +174,8 @@ struct State {
     bounce_uniform: BufferId,
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
     reflecting: Vec<Vec3>,
+    /// Ratio of the last bounce's flux to the one before.
+    ratio: Option<f64>,
 }
 
 impl State {
@@ -247,7 +249,7 @@ impl Method for Vct {
         let reflecting = facets.iter().map(|f| Vec3::from(f.albedo) * f.area).collect();
         let gather_uniform = exec.upload_one("cone parameters", &gather)?;
         let bounce_uniform = exec.upload_one("bounce parameters", &bounce)?;
-        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform, reflecting });
+        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform, reflecting, ratio: None });
         Ok(())
     }
 
@@ -288,6 +290,8 @@ impl Method for Vct {
             })?;
             clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
         }
+        let known = before.min_element() > 0.0;
+        state.ratio = known.then(|| (last / before).max_element());
         Ok(())
     }
 
@@ -315,6 +319,32 @@ impl Method for Vct {
         needs["bounces"] = json!(self.options.bounces);
         needs["cone_half_angle_rad"] = json!(half_angle_tangent(self.options.cones).atan());
         needs
+    }
+
+    fn unit(&self) -> Option<Unit> {
+        Some(Unit { name: "voxels", metres: self.state.as_ref()?.voxels.params.origin_size.w })
+    }
+
+    fn feedback_gain(&self) -> Option<f64> {
+        self.state.as_ref()?.ratio
+    }
+
+    fn search(&self) -> &'static [SearchAxis] {
+        const AXES: &[SearchAxis] = &[
+            SearchAxis {
+                key: "resolution",
+                values: &["24", "32", "48", "64", "96", "128", "192", "256", "384", "512"],
+            },
+            SearchAxis { key: "bounces", values: &["1", "2", "3", "4", "6"] },
+            SearchAxis { key: "cones", values: &["5", "6", "9", "16"] },
+            SearchAxis { key: "bounce_cones", values: &["5", "6", "9", "16"] },
+            SearchAxis { key: "aperture", values: &["2", "1", "0.5", "0.35"] },
+            SearchAxis { key: "light_samples", values: &["1", "2", "4", "8", "16"] },
+            SearchAxis { key: "environment_samples", values: &["4", "8", "16", "32", "64"] },
+            SearchAxis { key: "mipmaps", values: &["isotropic", "anisotropic"] },
+            SearchAxis { key: "tail", values: &["0", "1"] },
+        ];
+        AXES
     }
 }
 

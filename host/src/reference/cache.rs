@@ -1,10 +1,12 @@
 //! Truths on disk, so that the same picture is not traced twice.
 //!
 //! A file is named by the SHA-256 of all that its content depends on: this module's version, the scene's content, the
-//! camera, the size and the settings. It holds a magic number, the payload's length, its SHA-256, and the payload:
-//! numbers little-endian, then the pictures. A file that does not hold what it says is ignored and written anew.
+//! camera and the size (or the receivers), and the settings. It holds a magic number, the payload's length, its SHA-256, and the payload:
+//! numbers little-endian, then the pictures (or the values at the receivers). A file that does not hold what it says is ignored and written anew.
 
-use super::{Progress, ReferenceError, ReferenceSettings, Truth, render};
+use super::{
+    Irradiance, IrradianceTruth, Progress, Receiver, ReferenceError, ReferenceSettings, Truth, irradiance, render,
+};
 use crate::scene::{Camera, Scene};
 use glam::Vec3;
 use sha2::{Digest, Sha256};
@@ -13,6 +15,8 @@ use std::path::{Path, PathBuf};
 
 /// Version of the estimator and of the file format: a change of either makes old files unknown.
 const MAGIC: &[u8; 8] = b"irtruth1";
+/// The same for irradiance at receivers.
+const MAGIC_IRRADIANCE: &[u8; 8] = b"irirrad1";
 /// Bytes before the payload: magic, length, SHA-256.
 const HEADER_BYTES: usize = 8 + 8 + 32;
 /// Bytes of the payload before the pictures.
@@ -26,6 +30,17 @@ pub struct Cached {
     /// The picture.
     pub truth: Truth,
     /// Whether it was read rather than rendered.
+    pub from_cache: bool,
+    /// Its file.
+    pub path: PathBuf,
+}
+
+/// Irradiance at receivers, and whether the cache had it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct CachedIrradiance {
+    /// Values.
+    pub truth: IrradianceTruth,
+    /// Whether it was read rather than traced.
     pub from_cache: bool,
     /// Its file.
     pub path: PathBuf,
@@ -64,15 +79,48 @@ pub fn cached(
         progress(Progress { fraction: 1.0, remaining_s: 0.0, spp: truth.spp, noise: truth.noise });
         return Ok(Cached { truth, from_cache: true, path });
     }
-    // Find out before the work, not after it, that its result cannot be kept.
-    let mut file = std::fs::create_dir_all(dir)
-        .and_then(|()| tempfile::NamedTempFile::new_in(dir))
-        .map_err(|source| ReferenceError::Cache { path: dir.to_owned(), source })?;
+    let file = writable(dir)?;
     let truth = render(scene, camera, width, height, settings, progress)?;
-    file.write_all(&encode(&truth))
-        .and_then(|()| file.persist(&path).map_err(|e| e.error))
-        .map_err(|source| ReferenceError::Cache { path: path.clone(), source })?;
+    keep(file, &path, &encode(&truth))?;
     Ok(Cached { truth, from_cache: false, path })
+}
+
+/// [`irradiance()`], or the same values from `dir`, where an earlier run left them; as careful as [`cached`].
+///
+/// # Errors
+/// As [`irradiance()`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
+pub fn cached_irradiance(
+    dir: &Path,
+    scene: &Scene,
+    receivers: &[Receiver],
+    settings: &ReferenceSettings,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<CachedIrradiance, ReferenceError> {
+    let path = dir.join(format!("{}.irradiance", irradiance_key(scene, receivers, settings)));
+    if let Some(truth) = std::fs::read(&path).ok().and_then(|bytes| decode_irradiance(&bytes))
+        && truth.values.len() == receivers.len()
+    {
+        progress(Progress { fraction: 1.0, remaining_s: 0.0, spp: truth.spp, noise: truth.noise });
+        return Ok(CachedIrradiance { truth, from_cache: true, path });
+    }
+    let file = writable(dir)?;
+    let truth = irradiance(scene, receivers, settings, progress)?;
+    keep(file, &path, &encode_irradiance(&truth))?;
+    Ok(CachedIrradiance { truth, from_cache: false, path })
+}
+
+/// A file in `dir`, made before the work rather than after it: so one finds out early that its result cannot be kept.
+fn writable(dir: &Path) -> Result<tempfile::NamedTempFile, ReferenceError> {
+    std::fs::create_dir_all(dir)
+        .and_then(|()| tempfile::NamedTempFile::new_in(dir))
+        .map_err(|source| ReferenceError::Cache { path: dir.to_owned(), source })
+}
+
+fn keep(mut file: tempfile::NamedTempFile, path: &Path, bytes: &[u8]) -> Result<(), ReferenceError> {
+    file.write_all(bytes)
+        .and_then(|()| file.persist(path).map_err(|e| e.error))
+        .map_err(|source| ReferenceError::Cache { path: path.to_owned(), source })?;
+    Ok(())
 }
 
 /// SHA-256, in hexadecimal, of everything that the picture depends on.
@@ -83,12 +131,32 @@ fn key(scene: &Scene, camera: &Camera, width: u32, height: u32, settings: &Refer
     for v in [camera.position, camera.forward, camera.up, Vec3::new(camera.fovy_rad, 0.0, 0.0)] {
         hash.update(bytemuck::bytes_of(&v));
     }
+    for n in [u64::from(width), u64::from(height)] {
+        hash.update(n.to_le_bytes());
+    }
+    finish(hash, settings)
+}
+
+/// SHA-256, in hexadecimal, of everything that irradiance at receivers depends on.
+fn irradiance_key(scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings) -> String {
+    let mut hash = Sha256::new();
+    hash.update(MAGIC_IRRADIANCE);
+    hash.update(scene.content_hash());
+    hash.update((receivers.len() as u64).to_le_bytes());
+    for receiver in receivers {
+        hash.update(bytemuck::bytes_of(&[receiver.position, receiver.normal, receiver.geometric_normal]));
+    }
+    finish(hash, settings)
+}
+
+/// Adds the settings and gives the sum.
+fn finish(mut hash: Sha256, settings: &ReferenceSettings) -> String {
     // Absent settings must differ from every value: a flag goes before each.
     let optional = |value: Option<u64>| [u64::from(value.is_some()), value.unwrap_or(0)];
     let noise = optional(settings.noise.map(f64::to_bits));
     let spp = optional(settings.spp.map(u64::from));
     let max_bounces = optional(settings.max_bounces.map(u64::from));
-    for n in [noise, spp, max_bounces, [u64::from(width), u64::from(height)], [u64::from(settings.seed), 0]] {
+    for n in [noise, spp, max_bounces, [u64::from(settings.seed), 0]] {
         hash.update(n[0].to_le_bytes());
         hash.update(n[1].to_le_bytes());
     }
@@ -106,22 +174,64 @@ fn encode(truth: &Truth) -> Vec<u8> {
     for picture in [&truth.direct, &truth.indirect, &truth.variance_full, &truth.variance_indirect] {
         payload.extend(picture.iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes));
     }
+    seal(MAGIC, payload)
+}
+
+/// A file's bytes: magic, length, SHA-256, payload.
+fn seal(magic: &[u8; 8], payload: Vec<u8>) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(HEADER_BYTES + payload.len());
-    bytes.extend(MAGIC);
+    bytes.extend(magic);
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(Sha256::digest(&payload).iter());
     bytes.extend(payload);
     bytes
 }
 
-/// The truth in a file's bytes, `None` where they are not whole.
-fn decode(bytes: &[u8]) -> Option<Truth> {
+/// The payload of a file's bytes, `None` where they are not whole.
+fn unseal<'a>(magic: &[u8; 8], bytes: &'a [u8]) -> Option<&'a [u8]> {
     let (header, payload) = bytes.split_at_checked(HEADER_BYTES)?;
     let length = u64::from_le_bytes(header[8..16].try_into().ok()?);
-    let whole = header[..8] == *MAGIC && length == payload.len() as u64;
-    if !whole || header[16..] != Sha256::digest(payload)[..] {
+    let whole = header[..8] == *magic && length == payload.len() as u64;
+    (whole && header[16..] == Sha256::digest(payload)[..]).then_some(payload)
+}
+
+fn encode_irradiance(truth: &IrradianceTruth) -> Vec<u8> {
+    let mut payload = Vec::with_capacity(28 + 36 * truth.values.len());
+    payload.extend(truth.spp.to_le_bytes());
+    payload.extend(truth.noise.to_le_bytes());
+    payload.extend(truth.ms.to_le_bytes());
+    payload.extend(truth.rays.to_le_bytes());
+    for v in &truth.values {
+        payload.extend([v.indirect, v.direct, v.variance].iter().flat_map(|v| v.to_array()).flat_map(f32::to_le_bytes));
+    }
+    seal(MAGIC_IRRADIANCE, payload)
+}
+
+fn decode_irradiance(bytes: &[u8]) -> Option<IrradianceTruth> {
+    let (numbers, values) = unseal(MAGIC_IRRADIANCE, bytes)?.split_at_checked(28)?;
+    if !values.len().is_multiple_of(36) {
         return None;
     }
+    let double = |at: usize| Some(u64::from_le_bytes(numbers[at..at + 8].try_into().ok()?));
+    let value = |b: &[u8]| Irradiance { indirect: vector(b), direct: vector(&b[12..]), variance: vector(&b[24..]) };
+    Some(IrradianceTruth {
+        values: values.chunks_exact(36).map(value).collect(),
+        spp: u32::from_le_bytes(numbers[..4].try_into().ok()?),
+        noise: f64::from_bits(double(4)?),
+        ms: f64::from_bits(double(12)?),
+        rays: double(20)?,
+    })
+}
+
+/// Three floats, little-endian.
+fn vector(b: &[u8]) -> Vec3 {
+    let float = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+    Vec3::new(float(b), float(&b[4..]), float(&b[8..]))
+}
+
+/// The truth in a file's bytes, `None` where they are not whole.
+fn decode(bytes: &[u8]) -> Option<Truth> {
+    let payload = unseal(MAGIC, bytes)?;
     let (numbers, pictures) = payload.split_at_checked(NUMBER_BYTES)?;
     let word = |at: usize| Some(u32::from_le_bytes(numbers[at..at + 4].try_into().ok()?));
     let double = |at: usize| Some(u64::from_le_bytes(numbers[at..at + 8].try_into().ok()?));
@@ -130,10 +240,8 @@ fn decode(bytes: &[u8]) -> Option<Truth> {
     if pixels == 0 || pictures.len() != PICTURES * 12 * pixels {
         return None;
     }
-    let float = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
     let picture = |i: usize| -> Vec<Vec3> {
-        let bytes = &pictures[i * 12 * pixels..(i + 1) * 12 * pixels];
-        bytes.chunks_exact(12).map(|v| Vec3::new(float(v), float(&v[4..]), float(&v[8..]))).collect()
+        pictures[i * 12 * pixels..(i + 1) * 12 * pixels].chunks_exact(12).map(vector).collect()
     };
     let (direct, indirect) = (picture(0), picture(1));
     Some(Truth {
@@ -149,4 +257,35 @@ fn decode(bytes: &[u8]) -> Option<Truth> {
         ms: f64::from_bits(double(20)?),
         rays: double(28)?,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn irradiance_is_kept_bit_for_bit_and_known_by_all_it_depends_on() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut scene = crate::scene::built_in::furnace(0.5, 1.0);
+        let mut receivers = vec![Receiver::new(Vec3::splat(0.3), Vec3::Y), Receiver::new(Vec3::splat(0.6), Vec3::X)];
+        let settings = ReferenceSettings { spp: Some(4), ..Default::default() };
+        let mut ask = |scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings| {
+            cached_irradiance(dir.path(), scene, receivers, settings, &mut |_| {}).unwrap()
+        };
+        let first = ask(&scene, &receivers, &settings);
+        let again = ask(&scene, &receivers, &settings);
+        assert!(!first.from_cache && again.from_cache && first.truth == again.truth);
+        assert!(!ask(&scene, &receivers, &ReferenceSettings { seed: 1, ..settings }).from_cache);
+        receivers[1].position.x += 1e-6;
+        assert!(!ask(&scene, &receivers, &settings).from_cache);
+        scene.materials[0].albedo.x += 1e-6;
+        assert!(!ask(&scene, &receivers, &settings).from_cache);
+        // A damaged file is made anew.
+        let mut bytes = std::fs::read(&first.path).unwrap();
+        *bytes.last_mut().unwrap() ^= 1;
+        std::fs::write(&first.path, bytes).unwrap();
+        receivers[1].position.x = 0.6;
+        scene.materials[0].albedo.x = 0.5;
+        assert!(!ask(&scene, &receivers, &settings).from_cache);
+    }
 }

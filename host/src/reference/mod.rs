@@ -33,7 +33,7 @@ mod sampler;
 mod surface;
 pub mod trace;
 
-pub use cache::{Cached, cached, default_dir};
+pub use cache::{Cached, CachedIrradiance, cached, cached_irradiance, default_dir};
 pub use light::spot_falloff;
 
 use crate::scene::{Camera, Light, Scene};
