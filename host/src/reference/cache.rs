@@ -269,7 +269,7 @@ mod tests {
         let mut scene = crate::scene::built_in::furnace(0.5, 1.0);
         let mut receivers = vec![Receiver::new(Vec3::splat(0.3), Vec3::Y), Receiver::new(Vec3::splat(0.6), Vec3::X)];
         let settings = ReferenceSettings { spp: Some(4), ..Default::default() };
-        let mut ask = |scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings| {
+        let ask = |scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings| {
             cached_irradiance(dir.path(), scene, receivers, settings, &mut |_| {}).unwrap()
         };
         let first = ask(&scene, &receivers, &settings);
