@@ -32,6 +32,7 @@ mod rounds;
 mod sampler;
 mod surface;
 pub mod trace;
+mod tree;
 
 pub use cache::{Cached, CachedIrradiance, cached, cached_irradiance, default_dir};
 pub use light::spot_falloff;
@@ -70,11 +71,11 @@ pub enum ReferenceError {
         what: String,
     },
     /// The acceleration structure is too deep for the traversal's stack.
-    #[error("the scene's geometry is too degenerate: its tree has {depth} levels, more than {limit}")]
+    #[error("the scene's geometry is too degenerate: its tree takes a stack of {need} entries, more than {limit}")]
     TooDeep {
-        /// Levels.
-        depth: usize,
-        /// Largest number of levels.
+        /// Entries that a walk may need.
+        need: usize,
+        /// Entries that there are.
         limit: usize,
     },
     /// The cache cannot be written.
