@@ -13,7 +13,7 @@ use std::process::ExitCode;
 const SIDE_PX: u32 = 64;
 /// Root mean square difference of two pictures, relative to the mean: float operations round differently on a device, and
 /// where a sum of fixed point lies on the edge of a unit or a cone on the edge of a voxel, a few pixels show it.
-const MOST_NRMSE: f32 = 1e-4;
+const MOST_NRMSE: f32 = 3e-5;
 /// Share of pixels that may differ by more than a hundredth of the mean.
 const MOST_OUTLIERS: f32 = 2e-4;
 

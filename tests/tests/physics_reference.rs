@@ -211,6 +211,39 @@ fn lights_without_a_surface() {
     assert!((one(down, Vec3::ZERO) - intensity).abs().max_element() < 1e-5);
 }
 
+/// Shading normals bend the cosine and nothing else: an inclined normal per corner, equal or interpolated.
+#[test]
+fn smooth_normals_shade_by_their_own_cosine() {
+    let tilted = |angle: f32| Vec3::new(angle.sin(), angle.cos(), 0.0);
+    let floor = |left: f32, right: f32| {
+        let mut b = Build::new();
+        let m = b.material(0.5, 0.0);
+        let corner = |x: f32, z: f32| Vec3::new(x, 0.0, z);
+        let (l, r) = (tilted(left), tilted(right));
+        let (a, b1, c, d) = (corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0));
+        b.triangle([a, b1, c], [l, l, r], [Vec2::ZERO; 3], m);
+        b.triangle([a, c, d], [l, r, r], [Vec2::ZERO; 3], m);
+        b.0.lights.push(Light::Directional { direction: Vec3::NEG_Y, irradiance: Vec3::splat(3.0) });
+        b.0
+    };
+    let seen = |scene: &Scene, x: f32| {
+        let view = camera(Vec3::new(x, 2.0, 0.0), Vec3::new(x, 0.0, 0.001), 0.001);
+        mean(&picture(scene, &view, 1, &spp(16)).full).x
+    };
+    let expected = |angle: f32| 0.5 / PI * 3.0 * angle.cos();
+    for angle in [0.0, 0.4, 1.2] {
+        let got = seen(&floor(angle, angle), 0.3);
+        assert!((got - expected(angle)).abs() < 1e-5, "{angle}: {got} is not {}", expected(angle));
+    }
+    // Halfway between normals tilted to both sides, and at a quarter, where the mean of two unit vectors is renormalized.
+    let between = floor(-0.6, 0.6);
+    assert!((seen(&between, 0.0) - expected(0.0)).abs() < 1e-4);
+    let quarter = (tilted(-0.6) * 0.25 + tilted(0.6) * 0.75).normalize().y;
+    assert!((seen(&between, 0.5) - 0.5 / PI * 3.0 * quarter).abs() < 1e-4);
+    // A normal on the far side of the viewer is turned over as a whole.
+    assert!((seen(&floor(PI - 0.4, PI - 0.4), 0.3) - expected(0.4)).abs() < 1e-5);
+}
+
 /// An open plane under a constant environment receives π L and reflects ρ L.
 #[test]
 fn environment() {

@@ -5,7 +5,7 @@ use interreflect::exec::{CpuExecutor, Executor, ExecutorExt};
 use interreflect::methods::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use interreflect::methods::{Input, Settings, StageClock, vct};
 use interreflect::reference::{Receiver, ReferenceSettings, irradiance};
-use interreflect::scene::built_in::{SceneBuilder, cornell_box, furnace, two_rooms};
+use interreflect::scene::built_in::{cornell_box, furnace, two_rooms};
 use interreflect::scene::device::SceneBuffers;
 use interreflect::scene::{Alpha, Camera, LoadOptions, Scene, load};
 use interreflect_kernels::cone::gather::cone_gather;
@@ -244,38 +244,7 @@ fn injected_flux_is_the_truths() {
     let values = irradiance(&scene, &receivers, &settings, &mut |_| {}).unwrap().values;
     let expected: Vec3 = values.iter().zip(&weights).map(|(v, w)| v.direct * *w).sum();
     println!("injected flux {got}, truth {expected}, ratio {}", got / expected);
-    assert!((got / expected - 1.0).abs().max_element() < 0.05, "{got} {expected}");
-}
-
-#[test]
-fn one_huge_triangle_costs_its_share_of_voxels() {
-    // A wall of one pair of triangles, and the same wall of 20 000.
-    let wall = |n: u32| {
-        let mut b = SceneBuilder::new("wall");
-        let m = b.diffuse("wall", [0.5; 3]);
-        let at = |i: u32, j: u32| Vec3::new(i as f32 / n as f32, j as f32 / n as f32, 0.3 * i as f32 / n as f32);
-        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
-            b.quad([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], m);
-        }
-        b.finish()
-    };
-    let time = |scene: &Scene| {
-        let options = VoxelOptions { method: "test", anisotropic: true, limit_bytes: 1 << 30, emission_max: 0.0 };
-        let grid = VoxelGrid::around(scene.bounds(), 256);
-        let (mut best_ms, mut voxel_count) = (f64::MAX, 0);
-        for _ in 0..5 {
-            let mut exec = CpuExecutor::new();
-            let buffers = SceneBuffers::upload(&mut exec, scene).unwrap();
-            let mut clock = StageClock::default();
-            let voxels = VoxelScene::build(&mut exec, &buffers, &grid, &options, &mut clock).unwrap();
-            best_ms = clock.stages.iter().filter(|s| s.0 == "voxelize").map(|s| s.1).fold(best_ms, f64::min);
-            voxel_count = voxels.voxel_count;
-        }
-        (best_ms, voxel_count)
-    };
-    let ((huge_ms, huge), (fine_ms, fine)) = (time(&wall(1)), time(&wall(100)));
-    println!("two triangles: {huge_ms:.2} ms for {huge} voxels; 20 000: {fine_ms:.2} ms for {fine}");
-    assert!(huge_ms / f64::from(huge) <= 2.0 * fine_ms / f64::from(fine));
+    assert!((got / expected - 1.0).abs().max_element() < 0.005, "{got} {expected}");
 }
 
 #[test]

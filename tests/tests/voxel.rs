@@ -10,7 +10,7 @@ use interreflect_kernels::kernel::{CaseInput, Flavour};
 use interreflect_kernels::voxel::grid::{pyramid, voxel_of};
 use interreflect_kernels::voxel::mark::{voxel_mark, voxel_tiles};
 use interreflect_shared::scene::{NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, SceneTriangle, TriangleAttributes};
-use interreflect_shared::voxel::{FACET_KINDS, VoxelFacet, VoxelParams};
+use interreflect_shared::voxel::{FACET_KINDS, TILE, VoxelFacet, VoxelParams};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -132,6 +132,36 @@ fn closed_voxels_touch_triangles_in_their_sides() {
             compare_with_oracle(&params, triangle, 0.0).unwrap();
         }
     }
+}
+
+/// However large a triangle is, its work is cut into pieces of bounded size, and there are not many more pieces than
+/// voxels need.
+#[test]
+fn one_huge_triangle_is_split_into_its_share_of_work() {
+    let params = pyramid(Vec3::ZERO, 1.0, UVec3::splat(256));
+    let at = |u: f32, v: f32| Vec3::new(2.0 + 252.0 * u, 2.0 + 252.0 * v, 60.0 + 75.6 * u);
+    let wall = |n: usize| -> Vec<Corners> {
+        let corner = |i: usize, j: usize| at(i as f32 / n as f32, j as f32 / n as f32);
+        let quads = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        quads
+            .flat_map(|(i, j)| {
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect()
+    };
+    let work = |triangles: &[Corners]| {
+        let packed: Vec<SceneTriangle> = triangles.iter().copied().map(scene_triangle).collect();
+        let mut tiles = vec![0; packed.len()];
+        voxel_tiles::cpu(&params, &packed, &mut tiles);
+        (tiles.iter().sum::<u32>(), marked(&params, triangles).len() as u32)
+    };
+    let ((huge_tiles, huge_voxels), (fine_tiles, fine_voxels)) = (work(&wall(1)), work(&wall(100)));
+    println!("two triangles: {huge_tiles} tiles for {huge_voxels} voxels; 20 000: {fine_tiles} for {fine_voxels}");
+    assert!(huge_voxels >= 253 * 253, "the wall is there: {huge_voxels}");
+    // Each tile is one invocation of at most 4 × 4 columns; half of a diagonal triangle's tiles are empty.
+    assert!(huge_tiles * TILE * TILE >= 2 * 252 * 252 && huge_tiles <= huge_voxels / 4, "{huge_tiles}");
+    assert!(u64::from(huge_tiles) * u64::from(fine_voxels) <= 2 * u64::from(fine_tiles) * u64::from(huge_voxels));
 }
 
 #[test]

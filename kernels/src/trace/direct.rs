@@ -6,7 +6,7 @@
 
 #[cfg(not(target_arch = "spirv"))]
 use super::case::{self, CaseScene};
-use super::light::{DirectSampling, direct_irradiance, environment_irradiance};
+use super::light::{DirectSampling, direct_irradiance};
 use super::{Receiver, SceneRef};
 use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
@@ -38,15 +38,14 @@ pub fn direct(
         return Vec4::ZERO;
     }
     let at = Receiver::of(&surfel);
-    let sampling =
-        DirectSampling { light_count: p.light_count, light_samples: p.light_samples, pick_above: p.pick_above };
-    let scramble = hash(p.seed ^ hash(i));
-    let mut sum = direct_irradiance(&scene, lights, &sampling, &at, scramble);
-    if p.environment_samples > 0 {
-        let open = environment_irradiance(&scene, &at, p.environment_samples, hash(scramble));
-        sum += p.environment.truncate() * open;
-    }
-    sum.extend(0.0)
+    let sampling = DirectSampling {
+        light_count: p.light_count,
+        light_samples: p.light_samples,
+        pick_above: p.pick_above,
+        environment: p.environment.truncate(),
+        environment_samples: p.environment_samples,
+    };
+    direct_irradiance(&scene, lights, &sampling, &at, hash(p.seed ^ hash(i))).extend(0.0)
 }
 
 #[cfg(not(target_arch = "spirv"))]

@@ -55,40 +55,111 @@ impl Receiver {
     fn start(&self, direction: Vec3) -> Vec3 {
         leave_surface(self.position, self.geometric_normal, self.error, direction)
     }
-
-    /// Whether nothing lies between the receiver and a point.
-    #[inline(always)]
-    fn sees(&self, scene: &SceneRef<'_>, point: Vec3) -> bool {
-        let start = self.start(point - self.position);
-        !any_hit(scene, &Ray::until(start, point - start, BEFORE_THE_POINT))
-    }
 }
 
 /// Shadow rays end this share of the way to their point: 8 roundings before it.
 const BEFORE_THE_POINT: f32 = 1.0 - 4.768_371_6e-7;
 
-/// Irradiance (W/m²) from one light, shadows included. `samples`: shadow rays to an emissive triangle (others take one).
-/// `scramble`: any hash of receiver and light.
+/// Irradiance (W/m²) from one light, shadows included. `samples`: shadow rays to an emissive triangle or the environment
+/// (others take one). `scramble`: any hash of receiver and light.
+///
+/// Every kind of light comes here as shadow rays with weights, so that kernels hold one walk through the scene.
 pub fn light_irradiance(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, samples: u32, scramble: u32) -> Vec3 {
-    let radiance = Vec3::from_array(light.radiance);
-    let (a, b) = (Vec3::from_array(light.a), Vec3::from_array(light.b));
-    if light.kind == LIGHT_TRIANGLE {
-        return radiance * triangle_form(scene, light, at, samples, scramble);
-    }
-    if light.kind == LIGHT_DIRECTIONAL {
-        let cosine = at.cosine(-b);
-        if cosine > 0.0 && !any_hit(scene, &Ray::new(at.start(-b), -b)) {
-            return radiance * cosine;
+    let count = if light.kind == LIGHT_TRIANGLE || light.kind == ENVIRONMENT { samples } else { 1 };
+    let (mut all, mut seen) = (0.0, 0.0);
+    let mut nearest = f32::MAX;
+    for k in 0..count {
+        let sample = shadow_sample(light, at, k, scramble);
+        all += sample.weight;
+        nearest = min(nearest, sample.square);
+        if sample.weight > 0.0 && !any_hit(scene, &sample.ray) {
+            seen += sample.weight;
         }
+    }
+    if seen <= 0.0 {
         return Vec3::ZERO;
     }
-    let towards = a - at.position;
-    let distance = length(towards);
-    let mut weight = at.cosine(towards) / max(distance * distance * distance, f32::MIN_POSITIVE);
-    if light.kind == LIGHT_SPOT {
-        weight *= spot_falloff(light, -towards.dot(b) / max(distance, f32::MIN_POSITIVE));
+    let mut form = seen;
+    if light.kind == ENVIRONMENT {
+        form = PI * seen / count as f32;
     }
-    if weight > 0.0 && at.sees(scene, a) { radiance * weight } else { Vec3::ZERO }
+    if light.kind == LIGHT_TRIANGLE {
+        form = triangle_form(light, at, seen, all, nearest, count);
+    }
+    Vec3::from_array(light.radiance) * form
+}
+
+/// A constant environment as a light: a kind that no buffer holds.
+const ENVIRONMENT: u32 = u32::MAX;
+
+/// The environment as a light of radiance `radiance` (W/(sr m²)).
+#[inline(always)]
+pub fn environment_light(radiance: Vec3) -> SceneLight {
+    SceneLight {
+        a: [0.0; 3],
+        kind: ENVIRONMENT,
+        b: [0.0; 3],
+        area: 0.0,
+        c: [0.0; 3],
+        probability: 1.0,
+        radiance: radiance.to_array(),
+        cumulative: 1.0,
+    }
+}
+
+/// A ray towards a light.
+#[derive(Clone, Copy)]
+struct ShadowSample {
+    ray: Ray,
+    /// What the light gives if nothing is in the ray's way, per its radiance (or intensity, or irradiance).
+    weight: f32,
+    /// Squared distance to a point on an emissive triangle.
+    square: f32,
+}
+
+/// Ray `k` from a receiver to a light.
+#[inline(always)]
+fn shadow_sample(light: &SceneLight, at: &Receiver, k: u32, scramble: u32) -> ShadowSample {
+    let (a, b) = (Vec3::from_array(light.a), Vec3::from_array(light.b));
+    let mut target = a;
+    let mut towards = a - at.position;
+    let mut is_parallel = false;
+    let (weight, square);
+    if light.kind == LIGHT_TRIANGLE {
+        let c = Vec3::from_array(light.c);
+        let front = unit_or((b - a).cross(c - a), Vec3::ZERO);
+        let height = max(front.dot(at.position - a), 0.0);
+        let weights = sampling::triangle(r2(k, scramble));
+        let point = a + (b - a) * weights.x + (c - a) * weights.y;
+        // The far end leaves the lamp's surface too, so that the lamp does not shade itself.
+        target = point + front * lamp_offset(light, point);
+        towards = target - at.position;
+        let to_point = point - at.position;
+        square = to_point.dot(to_point);
+        // cos · cos' / r² with both cosines in units of r.
+        weight = at.cosine(to_point) * height / max(square * square, f32::MIN_POSITIVE);
+    } else if light.kind == LIGHT_DIRECTIONAL {
+        is_parallel = true;
+        towards = -b;
+        square = f32::MAX;
+        weight = at.cosine(towards);
+    } else if light.kind == ENVIRONMENT {
+        is_parallel = true;
+        towards = Frame::new(at.normal).world_from_local(cosine_hemisphere(r2(k, scramble)));
+        square = f32::MAX;
+        weight = 1.0;
+    } else {
+        let distance = length(towards);
+        let mut intensity = at.cosine(towards) / max(distance * distance * distance, f32::MIN_POSITIVE);
+        if light.kind == LIGHT_SPOT {
+            intensity *= spot_falloff(light, -towards.dot(b) / max(distance, f32::MIN_POSITIVE));
+        }
+        square = f32::MAX;
+        weight = intensity;
+    }
+    let start = at.start(towards);
+    let ray = if is_parallel { Ray::new(start, towards) } else { Ray::until(start, target - start, BEFORE_THE_POINT) };
+    ShadowSample { ray, weight, square }
 }
 
 /// glTF's recommended cone falloff (KHR_lights_punctual): squared ramp of the cosine between the cones.
@@ -105,37 +176,15 @@ const SHARPEST_CONE: f32 = 1e-3;
 /// Triangles whose area over squared distance is below this take plain area samples.
 const SMALL_TRIANGLE: f32 = 0.01;
 
-/// Irradiance per radiance of an emissive triangle: ∫ cos⁺ dω over its visible part.
-fn triangle_form(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, samples: u32, scramble: u32) -> f32 {
-    let (a, b, c) = (Vec3::from_array(light.a), Vec3::from_array(light.b), Vec3::from_array(light.c));
-    let front = unit_or((b - a).cross(c - a), Vec3::ZERO);
-    let height = front.dot(at.position - a);
-    if height <= 0.0 {
-        return 0.0;
-    }
-    let (mut all, mut seen) = (0.0, 0.0);
-    let mut nearest = f32::MAX;
-    for k in 0..samples {
-        let weights = sampling::triangle(r2(k, scramble));
-        let point = a + (b - a) * weights.x + (c - a) * weights.y;
-        let towards = point - at.position;
-        let square = towards.dot(towards);
-        nearest = min(nearest, square);
-        // cos · cos' / r² with both cosines in units of r.
-        let weight = at.cosine(towards) * height / max(square * square, f32::MIN_POSITIVE);
-        all += weight;
-        // The far end leaves the lamp's surface too, so that the lamp does not shade itself.
-        if weight > 0.0 && at.sees(scene, point + front * lamp_offset(light, point)) {
-            seen += weight;
-        }
-    }
-    if seen <= 0.0 {
-        return 0.0;
-    }
+/// Irradiance per radiance of an emissive triangle: ∫ cos⁺ dω over its visible part. `seen` of the weights `all` of
+/// `samples` rays were not blocked; the `nearest` sample's squared distance.
+#[inline(always)]
+fn triangle_form(light: &SceneLight, at: &Receiver, seen: f32, all: f32, nearest: f32, samples: u32) -> f32 {
     // One sample's ratio would be the visible share of the area, without the weights.
     if samples == 1 || light.area < SMALL_TRIANGLE * nearest {
         return seen * light.area / samples as f32;
     }
+    let (a, b, c) = (Vec3::from_array(light.a), Vec3::from_array(light.b), Vec3::from_array(light.c));
     lambert(at.position, at.normal, a, b, c) * (seen / all)
 }
 
@@ -208,9 +257,13 @@ pub struct DirectSampling {
     pub light_samples: u32,
     /// Pick lights by power when there are more than this.
     pub pick_above: u32,
+    /// Radiance of the environment (W/(sr m²)).
+    pub environment: Vec3,
+    /// Rays to the environment; 0 leaves it out.
+    pub environment_samples: u32,
 }
 
-/// Irradiance (W/m²) from all lights: each asked, or picked by power where there are many. Without the environment.
+/// Irradiance (W/m²) from all lights, each asked, or picked by power where there are many; and from the environment.
 pub fn direct_irradiance(
     scene: &SceneRef<'_>,
     lights: &[SceneLight],
@@ -218,21 +271,26 @@ pub fn direct_irradiance(
     at: &Receiver,
     scramble: u32,
 ) -> Vec3 {
-    let mut sum = Vec3::ZERO;
-    if sampling.light_count <= sampling.pick_above {
-        for k in 0..sampling.light_count {
-            let light = lights[k as usize];
-            sum += light_irradiance(scene, &light, at, sampling.light_samples, hash(scramble ^ hash(k)));
-        }
-        return sum;
-    }
+    let picking = sampling.light_count > sampling.pick_above;
+    let picks = if picking { sampling.light_samples } else { sampling.light_count };
+    let sources = picks + (sampling.environment_samples > 0) as u32;
     let offset = unit(hash(scramble));
-    for k in 0..sampling.light_samples {
-        let pick = picked(lights, sampling.light_count, (k as f32 + offset) / sampling.light_samples as f32);
-        let light = lights[pick as usize];
-        if light.probability > 0.0 {
-            let share = 1.0 / (light.probability * sampling.light_samples as f32);
-            sum += light_irradiance(scene, &light, at, 1, hash(scramble.wrapping_add(k))) * share;
+    let mut sum = Vec3::ZERO;
+    for k in 0..sources {
+        let mut light = environment_light(sampling.environment);
+        let (mut samples, mut share, mut seed) = (sampling.environment_samples, 1.0, hash(hash(scramble)));
+        if k < picks && picking {
+            light = lights[picked(lights, sampling.light_count, (k as f32 + offset) / picks as f32) as usize];
+            samples = 1;
+            share = if light.probability > 0.0 { 1.0 / (light.probability * picks as f32) } else { 0.0 };
+            seed = hash(scramble.wrapping_add(k));
+        } else if k < picks {
+            light = lights[k as usize];
+            samples = sampling.light_samples;
+            seed = hash(scramble ^ hash(k));
+        }
+        if share > 0.0 {
+            sum += light_irradiance(scene, &light, at, samples, seed) * share;
         }
     }
     sum
@@ -254,15 +312,7 @@ fn picked(lights: &[SceneLight], count: u32, u: f32) -> u32 {
 
 /// Irradiance (W/m²) from an environment of radiance 1 (W/(sr m²)): `samples` cosine-distributed rays.
 pub fn environment_irradiance(scene: &SceneRef<'_>, at: &Receiver, samples: u32, scramble: u32) -> f32 {
-    let frame = Frame::new(at.normal);
-    let mut open = 0;
-    for k in 0..samples {
-        let direction = frame.world_from_local(cosine_hemisphere(r2(k, scramble)));
-        if !any_hit(scene, &Ray::new(at.start(direction), direction)) {
-            open += 1;
-        }
-    }
-    PI * open as f32 / max(samples as f32, 1.0)
+    light_irradiance(scene, &environment_light(Vec3::ONE), at, samples, scramble).x
 }
 
 /// Point `k` of the R2 sequence, shifted by a hash.

@@ -20,7 +20,7 @@ use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{max, min, sqrt};
 use crate::math::rng::hash;
 use crate::math::vector::length;
-use crate::trace::light::{DirectSampling, environment_irradiance};
+use crate::trace::light::DirectSampling;
 use crate::trace::{Receiver, SceneRef, direct_irradiance};
 use core::f32::consts::FRAC_1_PI;
 use glam::{Vec3, Vec4};
@@ -63,13 +63,14 @@ pub fn inject(
         geometric_normal: normal,
         error: facet_sag(&facet) * p.origin_size.w,
     };
-    let sampling = DirectSampling { light_count: p.light.x, light_samples: p.light.y, pick_above: PICK_ABOVE };
-    let scramble = hash(p.light.w ^ hash(i));
-    let mut sum = direct_irradiance(&scene, lights, &sampling, &at, scramble);
-    if p.light.z > 0 {
-        sum += p.environment.truncate() * environment_irradiance(&scene, &at, p.light.z, hash(scramble));
-    }
-    sum.extend(0.0)
+    let sampling = DirectSampling {
+        light_count: p.light.x,
+        light_samples: p.light.y,
+        pick_above: PICK_ABOVE,
+        environment: p.environment.truncate(),
+        environment_samples: p.light.z,
+    };
+    direct_irradiance(&scene, lights, &sampling, &at, hash(p.light.w ^ hash(i))).extend(0.0)
 }
 
 /// Radiance (W/(sr m²), w = 0) of side `i & 1` of facet `i / 2`.
