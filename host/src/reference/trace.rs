@@ -252,8 +252,7 @@ impl Node {
     fn enter(&self, ray: &WalkRay, stack: &mut Stack) -> Option<u32> {
         let [near_x, near_y, near_z] = ray.near;
         let (low_x, low_y, low_z) = (&self.planes[near_x], &self.planes[near_y], &self.planes[near_z]);
-        let (high_x, high_y, high_z) =
-            (&self.planes[near_x ^ 1], &self.planes[near_y ^ 1], &self.planes[near_z ^ 1]);
+        let (high_x, high_y, high_z) = (&self.planes[near_x ^ 1], &self.planes[near_y ^ 1], &self.planes[near_z ^ 1]);
         let (mut enter, mut bits) = ([0.0; WIDTH], [0u32; WIDTH]);
         for k in 0..WIDTH {
             let near_x = (low_x[k] - ray.origin.x) * ray.inverse.x;
