@@ -24,6 +24,11 @@ pub trait Real:
     fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self;
     /// Words `i, i+1, …` converted from unsigned integers (rounded to nearest).
     fn load_u32(plane: &[u32], i: usize) -> Self;
+    /// Elements `index[i]·stride + offset`, `index[i+1]·stride + offset`, … of a plane.
+    fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self;
+    /// Words `i, i+1, …` as pairs of half floats, those in the low bits first. For words that
+    /// [`crate::math::pack::pack_f16x2_flushed`] made: denormal halves may be read as 0, and there is no infinity.
+    fn load_f16x2(words: &[u32], i: usize) -> [Self; 2];
     /// Stores to elements `i, i+1, …` of a plane.
     fn store(self, plane: &mut [f32], i: usize);
     /// `self < other` (false with a NaN).
@@ -75,6 +80,14 @@ impl Real for f32 {
         plane[i] as f32
     }
     #[inline(always)]
+    fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> f32 {
+        plane[index[i] as usize * stride + offset]
+    }
+    #[inline(always)]
+    fn load_f16x2(words: &[u32], i: usize) -> [f32; 2] {
+        [half_low(words[i]), half_high(words[i])]
+    }
+    #[inline(always)]
     fn store(self, plane: &mut [f32], i: usize) {
         plane[i] = self;
     }
@@ -96,6 +109,19 @@ impl Real for f32 {
     }
 }
 
+/// 2¹¹²: takes an exponent biased by 15 to one biased by 127.
+const HALF_SCALE: f32 = f32::from_bits((127 + 112) << 23);
+/// The half float in a word's low bits: sign, exponent and mantissa moved to their places, without a branch.
+#[inline(always)]
+fn half_low(word: u32) -> f32 {
+    f32::from_bits(((word << 16) & 0x8000_0000) | ((word << 13) & 0x0FFF_E000)) * HALF_SCALE
+}
+/// The half float in a word's high bits.
+#[inline(always)]
+fn half_high(word: u32) -> f32 {
+    f32::from_bits((word & 0x8000_0000) | ((word >> 3) & 0x0FFF_E000)) * HALF_SCALE
+}
+
 #[cfg(not(target_arch = "spirv"))]
 pub use counted::{Counted, count_operations};
 #[cfg(not(target_arch = "spirv"))]
@@ -103,7 +129,7 @@ pub use lanes::{Lanes, WIDTH};
 
 #[cfg(not(target_arch = "spirv"))]
 mod lanes {
-    use super::Real;
+    use super::{Real, half_high, half_low};
     use core::ops::{Add, Div, Mul, Neg, Sub};
 
     /// Lanes that the CPU executor uses: one 512-bit register, two of 256 bits or four of 128.
@@ -177,6 +203,28 @@ mod lanes {
                 r[lane] = part[lane] as f32;
             }
             Self(r)
+        }
+        #[inline(always)]
+        fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self {
+            let mut r = [0.0; N];
+            let part = &index[i..i + N];
+            for lane in 0..N {
+                r[lane] = plane[part[lane] as usize * stride + offset];
+            }
+            Self(r)
+        }
+        #[inline(always)]
+        fn load_f16x2(words: &[u32], i: usize) -> [Self; 2] {
+            let mut part = [0; N];
+            part.copy_from_slice(&words[i..i + N]);
+            let (mut low, mut high) = ([0.0; N], [0.0; N]);
+            for lane in 0..N {
+                low[lane] = half_low(part[lane]);
+            }
+            for lane in 0..N {
+                high[lane] = half_high(part[lane]);
+            }
+            [Self(low), Self(high)]
         }
         #[inline(always)]
         fn store(self, plane: &mut [f32], i: usize) {
@@ -282,6 +330,12 @@ mod counted {
         }
         fn load_u32(plane: &[u32], i: usize) -> Self {
             Self(plane[i] as f32)
+        }
+        fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self {
+            Self(f32::gather(plane, index, i, stride, offset))
+        }
+        fn load_f16x2(words: &[u32], i: usize) -> [Self; 2] {
+            f32::load_f16x2(words, i).map(Self)
         }
         fn store(self, plane: &mut [f32], i: usize) {
             plane[i] = self.0;

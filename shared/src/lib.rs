@@ -11,6 +11,7 @@ pub mod cone;
 pub mod record;
 pub mod scene;
 pub mod sh;
+pub mod srp;
 pub mod smoke;
 pub mod trace;
 pub mod voxel;

@@ -52,6 +52,19 @@ pub fn f32_from_f16(half: u32) -> f32 {
 pub fn pack_f16x2(a: f32, b: f32) -> u32 {
     f16_from_f32(a) | (f16_from_f32(b) << 16)
 }
+/// Two half floats for lane-generic kernels, which read them without a branch: magnitudes below the smallest normal half
+/// (2⁻¹⁴) become 0, those above the largest (65,504) become that, NaN becomes 0.
+#[inline(always)]
+pub fn pack_f16x2_flushed(a: f32, b: f32) -> u32 {
+    let half = |x: f32| {
+        let x = clamp(if x.is_nan() { 0.0 } else { x }, -F16_MAX, F16_MAX);
+        let half = f16_from_f32(x);
+        if half & 0x7C00 == 0 { 0 } else { half }
+    };
+    half(a) | (half(b) << 16)
+}
+/// Largest half float.
+pub const F16_MAX: f32 = 65_504.0;
 /// What [`pack_f16x2`] stored.
 #[inline(always)]
 pub fn unpack_f16x2(word: u32) -> (f32, f32) {
@@ -180,6 +193,22 @@ mod tests {
             }
         }
         assert_eq!(unpack_f16x2(pack_f16x2(-1.5, 1024.0)), (-1.5, 1024.0));
+    }
+
+    #[test]
+    fn lanes_read_flushed_halves() {
+        use crate::real::{Lanes, Real};
+        for start in (0..0x10000u32).step_by(16) {
+            let halves: [f32; 16] = core::array::from_fn(|lane| f32_from_f16(start + lane as u32));
+            let words = halves.map(|x| pack_f16x2_flushed(x, -x));
+            let [low, high] = Lanes::<16>::load_f16x2(&words, 0);
+            for lane in 0..16 {
+                let x = halves[lane];
+                let flushed = if x.is_nan() || x.abs() < 2f32.powi(-14) { 0.0 } else { x.clamp(-F16_MAX, F16_MAX) };
+                assert_eq!((low.0[lane], high.0[lane]), (flushed, -flushed), "{x:e}");
+                assert_eq!(f32::load_f16x2(&words, lane), [low.0[lane], high.0[lane]]);
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Projection of radiance in shared directions: `c_ek = weight · Σ_s table_ks L_es`, a matrix product.
 //!
 //! One invocation: four coefficients of three channels of one element. Grid: elements × blocks. Paper: the relighting
-//! step of sparse radiance probes (Silvennoinen & Timonen 2017, Lehtinen), whose table of basis functions per ray this is.
+//! step of sparse radiance probes (Silvennoinen & Lehtinen 2017), whose table of basis functions per ray this is.
 //! Good when all elements look in the same directions (probes with one ray set); otherwise [`super::project_rays`]. Per
 //! sample a vector of elements loads three words and does twelve multiply-adds, so that the arithmetic binds. Before:
 //! [`super::basis`]; after: [`super::filter`], [`super::irradiance`].
