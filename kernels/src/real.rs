@@ -24,8 +24,8 @@ pub trait Real:
     fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self;
     /// Words `i, i+1, …` converted from unsigned integers (rounded to nearest).
     fn load_u32(plane: &[u32], i: usize) -> Self;
-    /// Elements `index[i]·stride + offset`, `index[i+1]·stride + offset`, … of a plane.
-    fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self;
+    /// The first three of the four floats of records `index[i]`, `index[i+1]`, …
+    fn gather3(records: &[f32], index: &[u32], i: usize) -> [Self; 3];
     /// Words `i, i+1, …` as pairs of half floats, those in the low bits first. For words that
     /// [`crate::math::pack::pack_f16x2_flushed`] made: denormal halves may be read as 0, and there is no infinity.
     fn load_f16x2(words: &[u32], i: usize) -> [Self; 2];
@@ -80,8 +80,9 @@ impl Real for f32 {
         plane[i] as f32
     }
     #[inline(always)]
-    fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> f32 {
-        plane[index[i] as usize * stride + offset]
+    fn gather3(records: &[f32], index: &[u32], i: usize) -> [f32; 3] {
+        let at = 4 * index[i] as usize;
+        [records[at], records[at + 1], records[at + 2]]
     }
     #[inline(always)]
     fn load_f16x2(words: &[u32], i: usize) -> [f32; 2] {
@@ -205,13 +206,17 @@ mod lanes {
             Self(r)
         }
         #[inline(always)]
-        fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self {
-            let mut r = [0.0; N];
+        fn gather3(records: &[f32], index: &[u32], i: usize) -> [Self; 3] {
+            let mut r = [Self([0.0; N]); 3];
             let part = &index[i..i + N];
             for lane in 0..N {
-                r[lane] = plane[part[lane] as usize * stride + offset];
+                let at = 4 * part[lane] as usize;
+                let record = &records[at..at + 4];
+                for k in 0..3 {
+                    r[k].0[lane] = record[k];
+                }
             }
-            Self(r)
+            r
         }
         #[inline(always)]
         fn load_f16x2(words: &[u32], i: usize) -> [Self; 2] {
@@ -331,8 +336,8 @@ mod counted {
         fn load_u32(plane: &[u32], i: usize) -> Self {
             Self(plane[i] as f32)
         }
-        fn gather(plane: &[f32], index: &[u32], i: usize, stride: usize, offset: usize) -> Self {
-            Self(f32::gather(plane, index, i, stride, offset))
+        fn gather3(records: &[f32], index: &[u32], i: usize) -> [Self; 3] {
+            f32::gather3(records, index, i).map(Self)
         }
         fn load_f16x2(words: &[u32], i: usize) -> [Self; 2] {
             f32::load_f16x2(words, i).map(Self)

@@ -55,17 +55,17 @@ crate::record! {
         /// Coefficients of each probe and channel: (order + 1)².
         pub coefficient_count: u32,
         /// Rays of a slice: what one invocation of `srp_project` sums. Fewer: more invocations at once and a slice of the
-        /// table that stays in a processor's cache; more: less to add up afterwards. A multiple of [`SRP_LANES`].
-        /// Default 1024.
+        /// table and of the light that stays in a processor's cache; more: less to add up afterwards. A multiple of
+        /// [`SRP_LANES`]. Default about 1024.
         pub slice_rays: u32,
         /// Factor of every coefficient: 4π/rays for evenly spread directions.
         pub weight: f32,
+        /// First slice of this dispatch.
+        pub first_slice: u32,
+        /// Slices of this dispatch, which share one buffer of light with those of others.
+        pub slice_count: u32,
         /// Zero.
         pub _pad0: u32,
-        /// Zero.
-        pub _pad1: u32,
-        /// Zero.
-        pub _pad2: u32,
     }
 }
 
@@ -80,11 +80,9 @@ pub struct SrpLayout {
     pub tiles: u32,
     /// Blocks of [`SRP_BLOCK`] coefficients.
     pub blocks: u32,
-    /// Rays with padding.
-    pub rays: u32,
     /// Rays of a slice.
     pub slice_rays: u32,
-    /// Slices of rays.
+    /// Slices of rays; the last one is padded.
     pub slices: u32,
 }
 
@@ -92,38 +90,38 @@ impl SrpLayout {
     /// Layout for given sizes.
     #[inline(always)]
     pub const fn new(p: &SrpProbeParams) -> Self {
-        let rays = p.ray_count.div_ceil(SRP_LANES) * SRP_LANES;
         let slice_rays = if p.slice_rays == 0 { SRP_LANES } else { p.slice_rays };
         Self {
             probes: p.probe_count,
             coefs: p.coefficient_count,
             tiles: p.probe_count.div_ceil(SRP_LANES),
             blocks: p.coefficient_count.div_ceil(SRP_BLOCK),
-            rays,
             slice_rays,
-            slices: rays.div_ceil(slice_rays),
+            slices: p.ray_count.div_ceil(slice_rays),
         }
     }
-    /// Index of a ray of a probe in the buffers of hits and (in every channel's plane) of light:
-    /// `[tile][ray][probe % 16]`.
+    /// Index of a ray of a probe in the buffer of hits, `[slice][tile][ray of slice][probe % 16]`; light has the same
+    /// layout for the slices of one dispatch, in a plane for each channel.
     #[inline(always)]
     pub const fn ray(&self, probe: u32, ray: u32) -> usize {
-        ((probe / SRP_LANES * self.rays + ray) * SRP_LANES + probe % SRP_LANES) as usize
+        let slice = ray / self.slice_rays;
+        let row = (slice * self.tiles + probe / SRP_LANES) * self.slice_rays + ray - slice * self.slice_rays;
+        (row * SRP_LANES + probe % SRP_LANES) as usize
     }
-    /// Entries of the buffer of hits, and of a plane of light.
+    /// Entries of a slice in the buffer of hits, and in a plane of light.
     #[inline(always)]
-    pub const fn ray_plane(&self) -> u32 {
-        self.tiles * self.rays * SRP_LANES
+    pub const fn slice_plane(&self) -> u32 {
+        self.tiles * self.slice_rays * SRP_LANES
     }
     /// Index of a basis function at a ray in the table: `[k / 8][ray][k % 8]`. Functions beyond the last and rays beyond
     /// the last are 0.
     #[inline(always)]
     pub const fn table(&self, k: u32, ray: u32) -> usize {
-        ((k / SRP_BLOCK * self.rays + ray) * SRP_BLOCK + k % SRP_BLOCK) as usize
+        ((k / SRP_BLOCK * self.slices * self.slice_rays + ray) * SRP_BLOCK + k % SRP_BLOCK) as usize
     }
     /// Floats of the table.
     pub const fn table_len(&self) -> usize {
-        (self.blocks * self.rays * SRP_BLOCK) as usize
+        (self.blocks * self.slices * self.slice_rays * SRP_BLOCK) as usize
     }
     /// Rows of partial coefficients, in the order slice, tile, block.
     #[inline(always)]
@@ -257,13 +255,13 @@ mod tests {
             coefficient_count: 9,
             slice_rays: 16,
             weight: 1.0,
+            first_slice: 0,
+            slice_count: 3,
             _pad0: 0,
-            _pad1: 0,
-            _pad2: 0,
         };
         let layout = SrpLayout::new(&p);
-        assert_eq!((layout.tiles, layout.blocks, layout.rays, layout.slices), (2, 2, 48, 3));
-        let mut rays = vec![0; layout.ray_plane() as usize];
+        assert_eq!((layout.tiles, layout.blocks, layout.slices), (2, 2, 3));
+        let mut rays = vec![0; (layout.slices * layout.slice_plane()) as usize];
         (0..19 * 37).for_each(|i| rays[layout.ray(i / 37, i % 37)] += 1);
         let mut table = vec![0; layout.table_len()];
         (0..9 * 37).for_each(|i| table[layout.table(i / 37, i % 37)] += 1);

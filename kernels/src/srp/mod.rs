@@ -13,7 +13,7 @@
 //! 4. [`cluster`]: `Σ Vᵀ λ` per cluster, of which only columns that are not zero exist; [`light_basis`] adds its lanes
 //!    ("cluster SVD projection").
 //! 5. [`reconstruct`]: `U` times that, one irradiance or four coefficients per receiver ("receiver irradiance").
-//! 6. [`resolve`]: receivers to lightmap texels with dilation, and to arbitrary points.
+//! 6. [`normals`], where receivers hold four coefficients: irradiance for normals; [`resolve`]: receivers to lightmap texels with dilation, and to arbitrary points.
 //!
 //! Further bounces: step 1 takes the irradiance of step 5 in. Matrices are half floats, unpacked in lanes.
 //!
@@ -27,6 +27,7 @@ use crate::kernel::Kernel;
 pub mod cluster;
 pub mod gather;
 pub mod light_basis;
+pub mod normals;
 pub mod probe_sum;
 pub mod project;
 pub mod reconstruct;
@@ -44,6 +45,8 @@ pub const KERNELS: &[&Kernel] = &[
     &light_basis::srp_light_basis::KERNEL,
     &reconstruct::srp_reconstruct::KERNEL,
     &reconstruct::srp_reconstruct4::KERNEL,
+    &normals::srp_receiver_irradiance::KERNEL,
+    &normals::srp_normal_mapped::KERNEL,
     &resolve::srp_atlas::KERNEL,
     &resolve::srp_resolve::KERNEL,
 ];
@@ -52,15 +55,18 @@ pub const KERNELS: &[&Kernel] = &[
 #[cfg(not(target_arch = "spirv"))]
 fn case_probes(input: &mut crate::kernel::CaseInput, probe_count: u32) -> interreflect_shared::srp::SrpProbeParams {
     let order = input.bits() % 10;
+    let ray_count = 1 + input.bits() % 40;
+    let slices = ray_count.div_ceil(interreflect_shared::srp::SRP_LANES);
+    let first_slice = input.bits() % slices;
     interreflect_shared::srp::SrpProbeParams {
         probe_count,
-        ray_count: 1 + input.bits() % 40,
+        ray_count,
         coefficient_count: (order + 1) * (order + 1),
-        slice_rays: 16,
+        slice_rays: interreflect_shared::srp::SRP_LANES,
         weight: 0.5,
+        first_slice,
+        slice_count: 1 + input.bits() % (slices - first_slice),
         _pad0: 0,
-        _pad1: 0,
-        _pad2: 0,
     }
 }
 /// Numbers of a test case; huge ones of one sign, because a sum of huge terms that cancel has no digit in common with the
@@ -83,4 +89,14 @@ fn case_factor(input: &mut crate::kernel::CaseInput) -> f32 {
 #[cfg(not(target_arch = "spirv"))]
 fn case_halves(input: &mut crate::kernel::CaseInput, count: usize) -> alloc::vec::Vec<u32> {
     (0..count).map(|_| crate::math::pack::pack_f16x2_flushed(case_factor(input), case_factor(input))).collect()
+}
+/// Order-1 radiance in planes `[3·coefficient + channel][slot]` for a test case; where it is huge, without the bands that may
+/// cancel.
+#[cfg(not(target_arch = "spirv"))]
+fn case_radiance4(input: &mut crate::kernel::CaseInput, slot_count: u32) -> alloc::vec::Vec<f32> {
+    let mut radiance = case_floats(input, 12 * slot_count as usize);
+    if input.flavour == crate::kernel::Flavour::Huge {
+        radiance[3 * slot_count as usize..].fill(0.0);
+    }
+    radiance
 }

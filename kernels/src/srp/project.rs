@@ -11,33 +11,34 @@ use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
-use interreflect_shared::srp::{SRP_LANES, SrpLayout, SrpProbeParams};
+use interreflect_shared::srp::{SRP_BLOCK, SRP_LANES, SrpLayout, SrpProbeParams};
 
-/// One row per slice, tile and block.
+/// One row per slice of this dispatch, tile and block.
 pub fn rows(p: &SrpProbeParams) -> Rows {
-    let count = SrpLayout::new(p).partial_rows();
-    Rows { count, len: SRP_LANES, pitch: SRP_LANES, first: 0, plane: count * SRP_LANES }
+    let layout = SrpLayout::new(p);
+    let slice_rows = layout.tiles * layout.blocks;
+    Rows {
+        count: p.slice_count * slice_rows,
+        len: SRP_LANES,
+        pitch: SRP_LANES,
+        first: p.first_slice * slice_rows * SRP_LANES,
+        plane: layout.partial_rows() * SRP_LANES,
+    }
 }
 
 /// Eight coefficients of three channels: value `8·channel + j`, to be stored as [`SrpLayout::partial`] says. `table` as
-/// [`SrpLayout::table`], `light` in planes `[channel]` of [`SrpLayout::ray`].
+/// [`SrpLayout::table`], `light` as `srp_gather` leaves it.
 #[inline(always)]
 pub fn coefficients<R: Real>(at: At, p: &SrpProbeParams, table: &[f32], light: &[f32]) -> [R; 24] {
     let layout = SrpLayout::new(p);
     let slice_tile = at.row / layout.blocks;
     let block = at.row - slice_tile * layout.blocks;
     let slice = slice_tile / layout.tiles;
-    let tile = slice_tile - slice * layout.tiles;
-    let plane = layout.ray_plane() as usize;
-    let first = slice * layout.slice_rays;
-    let mut end = first + layout.slice_rays;
-    if end > layout.rays {
-        end = layout.rays;
-    }
+    let plane = (layout.slice_plane() * p.slice_count) as usize;
+    let mut i = (slice_tile * layout.slice_rays * SRP_LANES + at.x) as usize;
+    let mut y = layout.table(block * SRP_BLOCK, (p.first_slice + slice) * layout.slice_rays);
     let mut sum = [R::splat(0.0); 24];
-    let mut i = layout.ray(tile * SRP_LANES, first) + at.x as usize;
-    let mut y = layout.table(block * interreflect_shared::srp::SRP_BLOCK, first);
-    for _ in first..end {
+    for _ in 0..layout.slice_rays {
         let red = R::load(light, i);
         let green = R::load(light, plane + i);
         let blue = R::load(light, 2 * plane + i);
@@ -48,7 +49,7 @@ pub fn coefficients<R: Real>(at: At, p: &SrpProbeParams, table: &[f32], light: &
             sum[16 + J] = sum[16 + J] + blue * y;
         });
         i += SRP_LANES as usize;
-        y += 8;
+        y += SRP_BLOCK as usize;
     }
     sum
 }
@@ -58,7 +59,7 @@ fn case(input: &mut CaseInput) -> Case {
     let p = super::case_probes(input, input.count as u32 / 8);
     let layout = SrpLayout::new(&p);
     let table: alloc::vec::Vec<f32> = (0..layout.table_len()).map(|_| super::case_factor(input)).collect();
-    let light = super::case_floats(input, 3 * layout.ray_plane() as usize);
+    let light = super::case_floats(input, (3 * layout.slice_plane() * p.slice_count) as usize);
     let len = 24 * (layout.partial_rows() * SRP_LANES) as usize;
     Case::default().uniform(&p).read(&table).read(&light).zeroed::<f32>(len)
 }

@@ -2,14 +2,15 @@
 //!
 //! One invocation: one slot. Grid: slots, then special slots (black, environment, light of occluders), which are copied
 //! in so that a relight ray needs no branch. Silvennoinen & Lehtinen 2017, §4.2, where this is a direct-light map.
-//! Bound by bandwidth. Negative irradiance, which band-limited probes can give, counts as none. Before: `trace_direct`
+//! Bound by bandwidth. Linear: negative irradiance, which band-limited probes can give, stays negative, so that the loop of
+//! bounces has a spectral radius; whoever shows irradiance clamps it. Before: `trace_direct`
 //! when lights change, [`super::reconstruct`] of the last bounce; after: [`super::gather`].
 
 use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::math::float::{PI, max};
-use glam::Vec4;
+use crate::math::float::PI;
+use glam::{Vec3, Vec4};
 use interreflect_shared::srp::{SrpRelightParams, SrpSurface};
 
 /// Slots and special slots.
@@ -32,15 +33,13 @@ pub fn relight(
         return special[at - slots];
     }
     let (direct, surface) = (direct[at], surfaces[at]);
-    let leaving = |direct: f32, channel: usize, albedo: f32, emission: f32| {
-        max(direct + indirect[channel * slots + at], 0.0) * (albedo * (1.0 / PI)) + emission
-    };
-    Vec4::new(
-        leaving(direct.x, 0, surface.albedo[0], surface.emission[0]),
-        leaving(direct.y, 1, surface.albedo[1], surface.emission[1]),
-        leaving(direct.z, 2, surface.albedo[2], surface.emission[2]),
-        0.0,
-    )
+    let arriving = Vec3::new(
+        direct.x + indirect[at],
+        direct.y + indirect[slots + at],
+        direct.z + indirect[2 * slots + at],
+    );
+    let reflected = arriving * Vec3::from_array(surface.albedo) * (1.0 / PI);
+    (reflected + Vec3::from_array(surface.emission)).extend(0.0)
 }
 
 #[cfg(not(target_arch = "spirv"))]

@@ -52,7 +52,7 @@ pub fn point(i: u32, p: &SrpResolveParams, blends: &[SrpBlend], irradiance: &[f3
 }
 
 #[cfg(not(target_arch = "spirv"))]
-fn case_blends(input: &mut CaseInput, count: usize, slot_count: u32) -> alloc::vec::Vec<SrpBlend> {
+pub(super) fn case_blends(input: &mut CaseInput, count: usize, slot_count: u32) -> alloc::vec::Vec<SrpBlend> {
     let blend = |input: &mut CaseInput| {
         let scale = if input.bits().is_multiple_of(5) { 0.0 } else { 0.25 };
         SrpBlend {

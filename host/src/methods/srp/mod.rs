@@ -6,5 +6,8 @@
 //! [`model`] is what precomputation hands to run time.
 
 pub mod model;
+pub mod packed;
+pub mod runtime;
+pub mod synthetic;
 
 pub use model::{Cluster, SrpBake};

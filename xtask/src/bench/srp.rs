@@ -1,0 +1,345 @@
+//! Sparse radiance probes at run time, at the size of Sponza in Silvennoinen & Lehtinen 2017 (Tables 1 and 2): each stage
+//! beside its limit, the cost against order, probes and receivers, and the CPU against a device.
+//!
+//! The bake is random with exactly the paper's sizes; two thirds of its relight rays meet receivers at random, which is
+//! worse for caches than any scene. Limits and stages take turns. Shown are the least time of many (what the machine can
+//! do) and the median (what it did under the load that it had).
+
+use super::{Bench, median};
+use anyhow::Result;
+use glam::Vec3;
+use interreflect::exec::{CpuExecutor, Executor, ExecutorExt};
+use interreflect::methods::srp::runtime::{PASSES, RuntimeOptions, SrpRuntime};
+use interreflect::methods::srp::synthetic::{self, SPONZA, Sizes};
+use interreflect_kernels::sh::project::sh_project;
+use interreflect_shared::sh::{ShLayout, ShParams};
+use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::time::Instant;
+
+const REPEATS: usize = 25;
+/// Repeats of a point of a curve.
+const CURVE_REPEATS: usize = 9;
+/// Bytes of the read-bandwidth measurement: far more than caches hold.
+const READ_BYTES: usize = 256 << 20;
+/// Side of the square matrices of the product that is the limit.
+const PRODUCT_SIDE: usize = 1024;
+/// The paper's times on a Titan X (Pascal), Table 2: scene relight, probe relight, cluster projection, receivers.
+const PAPER_MS: [f64; 4] = [0.36, 1.01, 1.00, 0.13];
+/// Sixty updates a second.
+const BUDGET_MS: f64 = 1000.0 / 60.0;
+
+/// Seconds of something done several times.
+#[derive(Clone, Default)]
+struct Times(Vec<f64>);
+
+impl Times {
+    fn add(&mut self, work: impl FnOnce() -> Result<()>) -> Result<()> {
+        let start = Instant::now();
+        work()?;
+        self.0.push(start.elapsed().as_secs_f64());
+        Ok(())
+    }
+    fn least_ms(&self) -> f64 {
+        self.0.iter().copied().fold(f64::INFINITY, f64::min) * 1e3
+    }
+    fn median_ms(&self) -> f64 {
+        median(self.0.clone()) * 1e3
+    }
+}
+
+/// A stage's figures.
+#[derive(Serialize)]
+struct Row {
+    stage: String,
+    least_ms: f64,
+    median_ms: f64,
+    /// What binds it: `product` or `reading`; empty where the stage stands beside no limit.
+    limit: &'static str,
+    /// Share of that limit, least time against least time.
+    share_least: Option<f64>,
+    /// The same with medians.
+    share_median: Option<f64>,
+}
+
+/// The section.
+pub fn run(bench: &mut Bench) -> Result<Value> {
+    let update = paper_size(bench)?;
+    let curves = curves(bench)?;
+    let devices = against_device(bench)?;
+    Ok(json!({ "update": update, "curves": curves, "device": devices }))
+}
+
+fn lit(exec: &mut dyn Executor, sizes: &Sizes, bounces: u32) -> Result<SrpRuntime> {
+    let bake = synthetic::bake(sizes, 1);
+    let mut runtime = SrpRuntime::new(exec, &bake, &RuntimeOptions::default())?;
+    runtime.set_direct(exec, &vec![Vec3::ONE; bake.receivers.len()])?;
+    runtime.set_bounces(bounces);
+    Ok(runtime)
+}
+
+/// All stages at the paper's size, in turns with the limits.
+fn paper_size(bench: &mut Bench) -> Result<Value> {
+    let exec = &mut bench.cpu;
+    let mark = exec.mark();
+    let runtime = lit(exec, &SPONZA, 1)?;
+    let unblocked = Unblocked::new(exec, &SPONZA)?;
+    let mut product = Product::new(PRODUCT_SIDE, PRODUCT_SIDE, PRODUCT_SIDE);
+    let coefs = (SPONZA.order + 1).pow(2) as usize;
+    let mut same_shape = Product::new(coefs, SPONZA.rays as usize, 3 * SPONZA.probes as usize);
+    let block = vec![1u32; READ_BYTES / 4];
+    let (mut whole, mut passes, mut atlas) = (Times::default(), vec![Times::default(); PASSES.len()], Times::default());
+    let (mut gathers, mut projections) = (Times::default(), Times::default());
+    let (mut products, mut shaped, mut reads, mut plain) =
+        (Times::default(), Times::default(), Times::default(), Times::default());
+    for turn in 0..=REPEATS {
+        products.add(|| product.run())?;
+        shaped.add(|| same_shape.run())?;
+        reads.add(|| read(&block))?;
+        let start = Instant::now();
+        for ((_, pass), times) in PASSES.iter().zip(&mut passes) {
+            times.add(|| Ok(pass(&runtime, exec)?))?;
+        }
+        atlas.add(|| runtime.atlas(exec).map(|_| ()).map_err(Into::into))?;
+        whole.0.push(start.elapsed().as_secs_f64());
+        gathers.add(|| Ok(runtime.gather_alone(exec)?))?;
+        projections.add(|| Ok(runtime.project_alone(exec)?))?;
+        plain.add(|| unblocked.run(exec))?;
+        if turn == 0 {
+            // The first turn warms up.
+            let all = [&mut products, &mut shaped, &mut reads, &mut atlas, &mut whole, &mut plain, &mut gathers];
+            all.into_iter().chain(&mut passes).chain([&mut projections]).for_each(|times| times.0.clear());
+        }
+    }
+    let operations = 2.0 * coefs as f64 * f64::from(SPONZA.rays) * 3.0 * f64::from(SPONZA.probes);
+    let product_operations = 2.0 * (PRODUCT_SIDE as f64).powi(3);
+    let of_product = |times: &Times| {
+        let share = |ms: f64, limit: f64| operations / ms / (product_operations / limit);
+        (share(times.least_ms(), products.least_ms()), share(times.median_ms(), products.median_ms()))
+    };
+    let of_reading = |times: &Times, bytes: f64| {
+        let share = |ms: f64, limit: f64| bytes / ms / (READ_BYTES as f64 / limit);
+        (share(times.least_ms(), reads.least_ms()), share(times.median_ms(), reads.median_ms()))
+    };
+    let bytes = runtime.matrix_bytes(exec);
+    let mut rows = Vec::new();
+    for ((name, _), times) in PASSES.iter().zip(&passes) {
+        let (limit, share) = match *name {
+            "cluster projection" => ("reading", Some(of_reading(times, bytes.0 as f64))),
+            "reconstruction" => ("reading", Some(of_reading(times, bytes.1 as f64))),
+            _ => ("", None),
+        };
+        rows.push(row(name, times, limit, share));
+    }
+    rows.push(row("lightmap with dilation", &atlas, "", None));
+    rows.push(row("whole update", &whole, "", None));
+    rows.push(row("(gathering alone)", &gathers, "", None));
+    rows.push(row("(projection alone)", &projections, "product", Some(of_product(&projections))));
+    rows.push(row("(sh_project, same product)", &plain, "product", Some(of_product(&plain))));
+    rows.push(row("(gemm crate, same product)", &shaped, "product", Some(of_product(&shaped))));
+    let layout = json!(SPONZA_TEXT);
+    println!("\nSparse radiance probes, {SPONZA_TEXT}");
+    println!("{:<28} {:>10} {:>10}   share of limit (least, median)", "stage", "least ms", "median ms");
+    for r in &rows {
+        let share = match (r.share_least, r.share_median) {
+            (Some(a), Some(b)) => format!("{:.0} %, {:.0} % of {}", 100.0 * a, 100.0 * b, r.limit),
+            _ => String::new(),
+        };
+        println!("{:<28} {:>10.2} {:>10.2}   {share}", r.stage, r.least_ms, r.median_ms);
+    }
+    let gflops = product_operations / products.least_ms() * 1e-6;
+    let gbytes = READ_BYTES as f64 / reads.least_ms() * 1e-6;
+    println!(
+        "limits: product {gflops:.0} GFLOP/s ({:.0} median), reading {gbytes:.1} GB/s ({:.1} median)",
+        product_operations / products.median_ms() * 1e-6,
+        READ_BYTES as f64 / reads.median_ms() * 1e-6
+    );
+    println!(
+        "budget {BUDGET_MS:.1} ms: {} by the least, {} by the median; the paper's GPU {:.2} ms",
+        verdict(whole.least_ms()),
+        verdict(whole.median_ms()),
+        PAPER_MS.iter().sum::<f64>()
+    );
+    exec.free_since(mark);
+    Ok(json!({ "sizes": layout, "rows": rows, "product_flops_per_s": gflops * 1e9, "read_bytes_per_s": gbytes * 1e9 }))
+}
+
+const SPONZA_TEXT: &str = "150 probes × 64 coefficients × 8000 rays, 935 clusters of 24.4 ranks and 20.2 probes, 246,325 \
+     receivers, lightmap of 1216²";
+
+fn verdict(ms: f64) -> &'static str {
+    if ms <= BUDGET_MS { "within" } else { "beyond" }
+}
+
+fn row(stage: &str, times: &Times, limit: &'static str, share: Option<(f64, f64)>) -> Row {
+    Row {
+        stage: stage.into(),
+        least_ms: times.least_ms(),
+        median_ms: times.median_ms(),
+        limit,
+        share_least: share.map(|s| s.0),
+        share_median: share.map(|s| s.1),
+    }
+}
+
+/// Reads every word once, on all threads.
+fn read(block: &[u32]) -> Result<()> {
+    let sum: u32 = block
+        .par_chunks(1 << 16)
+        .map(|part| part.iter().fold(0u32, |sum, &word| sum.wrapping_add(word)))
+        .reduce(|| 0, u32::wrapping_add);
+    anyhow::ensure!(sum == block.len() as u32, "the block was read wrongly");
+    Ok(())
+}
+
+/// A matrix product by a library that is made for it.
+struct Product {
+    size: [usize; 3],
+    a: Vec<f32>,
+    b: Vec<f32>,
+    c: Vec<f32>,
+}
+
+impl Product {
+    fn new(m: usize, k: usize, n: usize) -> Self {
+        Self { size: [m, k, n], a: vec![1.0; m * k], b: vec![0.5; k * n], c: vec![0.0; m * n] }
+    }
+    #[expect(unsafe_code, reason = "the library takes pointers")]
+    fn run(&mut self) -> Result<()> {
+        let [m, k, n] = self.size;
+        // SAFETY: the matrices are column-major and as large as the sizes and strides say.
+        unsafe {
+            gemm::gemm(
+                m,
+                n,
+                k,
+                self.c.as_mut_ptr(),
+                m as isize,
+                1,
+                false,
+                self.a.as_ptr(),
+                m as isize,
+                1,
+                self.b.as_ptr(),
+                k as isize,
+                1,
+                0.0,
+                1.0,
+                false,
+                false,
+                false,
+                gemm::Parallelism::Rayon(0),
+            );
+        }
+        anyhow::ensure!(self.c[0] == 0.5 * k as f32, "the product is wrong");
+        Ok(())
+    }
+}
+
+/// The same projection by the kernel that is not blocked.
+struct Unblocked {
+    buffers: [interreflect::exec::BufferId; 4],
+}
+
+impl Unblocked {
+    fn new(exec: &mut dyn Executor, sizes: &Sizes) -> Result<Self> {
+        let params = ShParams { element_count: sizes.probes, sample_count: sizes.rays, order: sizes.order, weight: 1.0 };
+        let layout = ShLayout::new(params.element_count, params.order);
+        let table = vec![0.5f32; (4 * layout.blocks * sizes.rays) as usize];
+        let light = vec![0.25f32; layout.samples_len(sizes.rays)];
+        Ok(Self {
+            buffers: [
+                exec.upload_one("params", &params)?,
+                exec.upload_slice("table", &table)?,
+                exec.upload_slice("radiance", &light)?,
+                exec.zeroed_slice::<f32>("coefs", layout.len())?,
+            ],
+        })
+    }
+    fn run(&self, exec: &mut dyn Executor) -> Result<()> {
+        Ok(exec.run(&sh_project::KERNEL, &self.buffers)?)
+    }
+}
+
+/// Cost against order, probes and receivers, one at a time, as the implementation study varies them (§6.5).
+fn curves(bench: &mut Bench) -> Result<Value> {
+    let base = Sizes {
+        probes: 20,
+        order: 2,
+        rays: 1024,
+        clusters: 100,
+        mean_rank: 16.0,
+        mean_probes: 10.0,
+        receivers: 50_784,
+        rows_per_receiver: 1,
+        atlas_side: 0,
+    };
+    // As many receivers per cluster everywhere.
+    let receivers = |n: u32| Sizes { receivers: n, clusters: n / 500, ..base };
+    let curves: [(&str, Vec<(u32, Sizes)>); 3] = [
+        ("order", (0..=9).map(|order| (order, Sizes { order, ..base })).collect()),
+        ("probes", [20, 50, 100, 150, 200].map(|probes| (probes, Sizes { probes, ..base })).to_vec()),
+        ("receivers", [50_784, 100_000, 250_000, 500_000, 1_000_000].map(|n| (n, receivers(n))).to_vec()),
+    ];
+    let mut report = serde_json::Map::new();
+    for (name, points) in curves {
+        println!("\nupdate against {name} (others: order 2, 20 probes, 50,784 receivers; 1024 rays, rank 16)");
+        let mut rows = Vec::new();
+        for (x, sizes) in points {
+            let (stages, whole) = update_ms(&mut bench.cpu, &sizes)?;
+            println!("{x:>10} {whole:>9.3} ms  ({})", stages.join(", "));
+            rows.push(json!({ name: x, "least_ms": whole }));
+        }
+        report.insert(name.into(), Value::Array(rows));
+    }
+    Ok(Value::Object(report))
+}
+
+/// Least milliseconds of each pass, as text, and of all together.
+fn update_ms(exec: &mut CpuExecutor, sizes: &Sizes) -> Result<(Vec<String>, f64)> {
+    let mark = exec.mark();
+    let runtime = lit(exec, sizes, 1)?;
+    let mut passes = vec![Times::default(); PASSES.len()];
+    for _ in 0..CURVE_REPEATS {
+        for ((_, pass), times) in PASSES.iter().zip(&mut passes) {
+            times.add(|| Ok(pass(&runtime, exec)?))?;
+        }
+    }
+    exec.free_since(mark);
+    let text = PASSES.iter().zip(&passes).map(|((name, _), t)| format!("{name} {:.2}", t.least_ms())).collect();
+    Ok((text, passes.iter().map(Times::least_ms).sum()))
+}
+
+/// Every pass on the CPU and on a device with the same bake, in turns.
+fn against_device(bench: &mut Bench) -> Result<Value> {
+    let Some(gpu) = &mut bench.gpu else { return Ok(Value::Null) };
+    let cpu = &mut bench.cpu;
+    let (cpu_mark, gpu_mark) = (cpu.mark(), gpu.mark());
+    let on_cpu = lit(cpu, &SPONZA, 1)?;
+    let on_gpu = lit(gpu, &SPONZA, 1)?;
+    let mut times = vec![[Times::default(), Times::default()]; PASSES.len()];
+    for turn in 0..=CURVE_REPEATS {
+        for ((_, pass), times) in PASSES.iter().zip(&mut times) {
+            let seconds = |exec: &mut dyn Executor, runtime: &SrpRuntime| -> Result<f64> {
+                exec.begin();
+                pass(runtime, exec)?;
+                Ok(exec.end()? * 1e-3)
+            };
+            let both = [seconds(cpu, &on_cpu)?, seconds(gpu, &on_gpu)?];
+            if turn > 0 {
+                times.iter_mut().zip(both).for_each(|(t, s)| t.0.push(s));
+            }
+        }
+    }
+    println!("\n{:<24} {:>10} {:>12} {:>10}", "stage", "CPU ms", "device ms", "CPU wins");
+    let mut rows = Vec::new();
+    for ((name, _), [cpu, gpu]) in PASSES.iter().zip(&times) {
+        let (cpu, gpu) = (cpu.median_ms(), gpu.median_ms());
+        println!("{name:<24} {cpu:>10.2} {gpu:>12.2} {:>9.1}×", gpu / cpu);
+        rows.push(json!({ "stage": name, "cpu_median_ms": cpu, "device_median_ms": gpu }));
+    }
+    cpu.free_since(cpu_mark);
+    gpu.free_since(gpu_mark);
+    Ok(Value::Array(rows))
+}
