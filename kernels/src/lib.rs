@@ -23,7 +23,8 @@ pub mod voxel;
 
 /// Every kernel: the table that executors, tests, benchmarks and the manifest run over.
 #[cfg(not(target_arch = "spirv"))]
-pub const ALL: &[&[&kernel::Kernel]] = &[smoke::KERNELS, trace::KERNELS, sh::KERNELS, voxel::KERNELS, cone::KERNELS, srp::KERNELS];
+pub const ALL: &[&[&kernel::Kernel]] =
+    &[smoke::KERNELS, trace::KERNELS, sh::KERNELS, voxel::KERNELS, cone::KERNELS, srp::KERNELS];
 
 /// Every kernel, flattened in table order.
 #[cfg(not(target_arch = "spirv"))]

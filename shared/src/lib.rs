@@ -11,8 +11,8 @@ pub mod cone;
 pub mod record;
 pub mod scene;
 pub mod sh;
-pub mod srp;
 pub mod smoke;
+pub mod srp;
 pub mod trace;
 pub mod voxel;
 

@@ -244,7 +244,8 @@ struct Unblocked {
 
 impl Unblocked {
     fn new(exec: &mut dyn Executor, sizes: &Sizes) -> Result<Self> {
-        let params = ShParams { element_count: sizes.probes, sample_count: sizes.rays, order: sizes.order, weight: 1.0 };
+        let params =
+            ShParams { element_count: sizes.probes, sample_count: sizes.rays, order: sizes.order, weight: 1.0 };
         let layout = ShLayout::new(params.element_count, params.order);
         let table = vec![0.5f32; (4 * layout.blocks * sizes.rays) as usize];
         let light = vec![0.25f32; layout.samples_len(sizes.rays)];

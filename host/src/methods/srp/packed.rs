@@ -130,8 +130,7 @@ impl Packed {
             } else {
                 let first_rank = self.rank_pairs.len() as u32 * SRP_RANKS;
                 let scales = cluster.scales.iter().enumerate();
-                self.sources
-                    .extend(scales.map(|(r, &scale)| SrpBasisSource { source: first_rank + r as u32, scale }));
+                self.sources.extend(scales.map(|(r, &scale)| SrpBasisSource { source: first_rank + r as u32, scale }));
                 let words_first = projection.add(&cluster.projection, pair_count as u32);
                 let block_pairs = cluster.blocks.len() as u32 / 2;
                 self.rank_pairs.extend((0..pair_count as u32).map(|pair| SrpRankPair {
@@ -340,7 +339,11 @@ fn column_blocks(columns: &[u32]) -> (Vec<u32>, Vec<usize>) {
 
 /// The power of two that takes the largest magnitude of a row to just below [`HALF_TOP`]; 1 for a row of zeros.
 fn power_of_two(largest: f32) -> f32 {
-    if largest > 0.0 && largest.is_finite() { (HALF_TOP / largest).log2().floor().clamp(-100.0, 100.0).exp2() } else { 1.0 }
+    if largest > 0.0 && largest.is_finite() {
+        (HALF_TOP / largest).log2().floor().clamp(-100.0, 100.0).exp2()
+    } else {
+        1.0
+    }
 }
 
 #[cfg(test)]

@@ -314,8 +314,7 @@ impl SrpRuntime {
     }
 
     fn relight(&self, exec: &mut dyn Executor) -> Result<(), ExecError> {
-        let buffers =
-            [self.relight_uniform, self.direct, self.irradiance, self.surfaces, self.special, self.radiance];
+        let buffers = [self.relight_uniform, self.direct, self.irradiance, self.surfaces, self.special, self.radiance];
         exec.run(&srp_relight::KERNEL, &buffers)
     }
 
@@ -398,8 +397,7 @@ impl SrpRuntime {
     /// # Errors
     /// The executor's.
     pub fn points(&self, exec: &mut dyn Executor, blends: &[Blend]) -> Result<Points, ExecError> {
-        let params =
-            SrpResolveParams { count: blends.len() as u32, slot_count: self.slot_count, _pad0: 0, _pad1: 0 };
+        let params = SrpResolveParams { count: blends.len() as u32, slot_count: self.slot_count, _pad0: 0, _pad1: 0 };
         let blends: Vec<_> = blends.iter().map(|b| super::packed::blend_of(b, &self.packed_slots)).collect();
         Ok(Points {
             uniform: exec.upload_one("srp point parameters", &params)?,

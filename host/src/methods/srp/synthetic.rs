@@ -125,8 +125,7 @@ fn receiver(random: &mut Random) -> Receiver {
 fn spread(count: u32, mean: f64, most: f64, random: &mut Random) -> Vec<u32> {
     let width = (most - mean).min(mean - 1.0).max(0.0);
     let total = (f64::from(count) * mean).round() as i64;
-    let mut values: Vec<i64> =
-        (0..count).map(|_| (mean + width * f64::from(random.signed())).round() as i64).collect();
+    let mut values: Vec<i64> = (0..count).map(|_| (mean + width * f64::from(random.signed())).round() as i64).collect();
     let mut rest = total - values.iter().sum::<i64>();
     // What rounding left, one by one where there is room.
     let mut i = 0;
