@@ -43,7 +43,7 @@ fn case(input: &mut CaseInput) -> Case {
     let p = SrpBasisParams { count, pair_count, coef_plane, _pad0: 0 };
     let source = |input: &mut CaseInput| {
         let identity = input.bits().is_multiple_of(3);
-        let source = if identity { SRP_IDENTITY | input.bits() % 100 } else { input.bits() % (2 * pair_count) };
+        let source = if identity { SRP_IDENTITY | (input.bits() % 100) } else { input.bits() % (2 * pair_count) };
         SrpBasisSource { source, scale: 0.25 + input.unit() }
     };
     let sources: alloc::vec::Vec<SrpBasisSource> = (0..count).map(|_| source(input)).collect();

@@ -68,7 +68,7 @@ fn case_atlas(input: &mut CaseInput) -> Case {
     let p = SrpResolveParams { count: input.count as u32, slot_count, _pad0: 0, _pad1: 0 };
     let word = |input: &mut CaseInput| match input.bits() % 3 {
         0 => SRP_EMPTY,
-        1 => SRP_BLENDED | input.bits() % 32,
+        1 => SRP_BLENDED | (input.bits() % 32),
         _ => input.bits() % slot_count,
     };
     let map: alloc::vec::Vec<u32> = (0..input.count).map(|_| word(input)).collect();
