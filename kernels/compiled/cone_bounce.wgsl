@@ -7,11 +7,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_19 {
-    member: array<vec4<f32>>,
-}
-
-struct type_27 {
+struct type_21 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -29,11 +25,11 @@ struct type_27 {
     member_14: f32,
 }
 
-struct type_28 {
-    member: type_27,
+struct type_22 {
+    member: type_21,
 }
 
-struct type_30 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -44,11 +40,15 @@ struct type_30 {
     member_7: u32,
 }
 
-struct type_32 {
-    member: array<type_30>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_38 {
+struct type_29 {
+    member: array<vec4<f32>>,
+}
+
+struct type_36 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -58,21 +58,21 @@ struct type_38 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_28;
+var<uniform> params: type_22;
 @group(0) @binding(1) 
 var<storage> cells: type_11;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_11;
 @group(0) @binding(3) 
-var<storage> facets: type_32;
+var<storage> facets: type_26;
 @group(0) @binding(4) 
-var<storage> radiance: type_19;
+var<storage> radiance: type_29;
 @group(0) @binding(5) 
-var<storage> odd: type_19;
+var<storage> odd: type_29;
 @group(0) @binding(6) 
-var<storage> even: type_19;
+var<storage> even: type_29;
 @group(0) @binding(7) 
-var<storage, read_write> out: type_19;
+var<storage, read_write> out: type_29;
 
 fn function_() {
     var phi_187_: vec3<f32>;
@@ -107,9 +107,9 @@ fn function_() {
     var phi_2397_: bool;
     var phi_757_: type_8;
     var phi_760_: vec3<f32>;
-    var phi_762_: type_38;
-    var phi_764_: type_38;
-    var phi_766_: type_38;
+    var phi_762_: type_36;
+    var phi_764_: type_36;
+    var phi_766_: type_36;
     var phi_768_: f32;
     var phi_770_: f32;
     var phi_758_: type_8;
@@ -218,51 +218,51 @@ fn function_() {
     var phi_1940_: f32;
     var phi_1941_: f32;
     var phi_2146_: i32;
-    var phi_2161_: type_38;
-    var phi_2162_: type_38;
+    var phi_2161_: type_36;
+    var phi_2162_: type_36;
     var phi_2181_: bool;
     var phi_2203_: f32;
     var phi_2204_: f32;
     var phi_2205_: bool;
     var phi_2067_: i32;
-    var phi_2082_: type_38;
-    var phi_2083_: type_38;
+    var phi_2082_: type_36;
+    var phi_2083_: type_36;
     var phi_2102_: bool;
     var phi_2124_: f32;
     var phi_2125_: f32;
     var phi_2126_: bool;
-    var phi_2211_: type_38;
-    var phi_2212_: type_38;
+    var phi_2211_: type_36;
+    var phi_2212_: type_36;
     var phi_1984_: i32;
-    var phi_1999_: type_38;
-    var phi_2000_: type_38;
+    var phi_1999_: type_36;
+    var phi_2000_: type_36;
     var phi_2019_: bool;
     var phi_2041_: f32;
     var phi_2042_: f32;
     var phi_2043_: bool;
-    var phi_2213_: type_38;
-    var phi_2214_: type_38;
-    var phi_2215_: type_38;
+    var phi_2213_: type_36;
+    var phi_2214_: type_36;
+    var phi_2215_: type_36;
     var phi_2468_: bool;
     var phi_2216_: vec3<f32>;
-    var phi_2217_: type_38;
-    var phi_2218_: type_38;
-    var phi_2219_: type_38;
+    var phi_2217_: type_36;
+    var phi_2218_: type_36;
+    var phi_2219_: type_36;
     var phi_2220_: f32;
     var phi_2221_: f32;
     var phi_2467_: bool;
     var phi_2223_: vec3<f32>;
-    var phi_2224_: type_38;
-    var phi_2225_: type_38;
-    var phi_2226_: type_38;
+    var phi_2224_: type_36;
+    var phi_2225_: type_36;
+    var phi_2226_: type_36;
     var phi_2227_: f32;
     var phi_2228_: f32;
     var phi_2229_: bool;
     var phi_2466_: bool;
     var phi_761_: vec3<f32>;
-    var phi_763_: type_38;
-    var phi_765_: type_38;
-    var phi_767_: type_38;
+    var phi_763_: type_36;
+    var phi_765_: type_36;
+    var phi_767_: type_36;
     var phi_769_: f32;
     var phi_771_: f32;
     var phi_2231_: bool;
@@ -527,9 +527,9 @@ fn function_() {
                         phi_2397_ = _e222;
                         phi_757_ = type_8(0u, 2048u);
                         phi_760_ = vec3<f32>(0f, 0f, 0f);
-                        phi_762_ = type_38(_e164, _e401, 0u, _e527, select(_e541, 340282350000000000000000000000000000000f, _e543));
-                        phi_764_ = type_38(_e163, _e400, 0u, _e484, select(_e498, 340282350000000000000000000000000000000f, _e500));
-                        phi_766_ = type_38(_e162, _e399, 0u, _e441, select(_e455, 340282350000000000000000000000000000000f, _e457));
+                        phi_762_ = type_36(_e164, _e401, 0u, _e527, select(_e541, 340282350000000000000000000000000000000f, _e543));
+                        phi_764_ = type_36(_e163, _e400, 0u, _e484, select(_e498, 340282350000000000000000000000000000000f, _e500));
+                        phi_766_ = type_36(_e162, _e399, 0u, _e441, select(_e455, 340282350000000000000000000000000000000f, _e457));
                         phi_768_ = 0f;
                         phi_770_ = 1f;
                         loop {
@@ -602,9 +602,9 @@ fn function_() {
                                 if (_e614 >= 340282350000000000000000000000000000000f) {
                                     phi_2467_ = _e547;
                                     phi_2223_ = vec3<f32>();
-                                    phi_2224_ = type_38();
-                                    phi_2225_ = type_38();
-                                    phi_2226_ = type_38();
+                                    phi_2224_ = type_36();
+                                    phi_2225_ = type_36();
+                                    phi_2226_ = type_36();
                                     phi_2227_ = f32();
                                     phi_2228_ = f32();
                                     phi_2229_ = false;
@@ -615,9 +615,9 @@ fn function_() {
                                     if _e624 {
                                         phi_2468_ = _e547;
                                         phi_2216_ = vec3<f32>();
-                                        phi_2217_ = type_38();
-                                        phi_2218_ = type_38();
-                                        phi_2219_ = type_38();
+                                        phi_2217_ = type_36();
+                                        phi_2218_ = type_36();
+                                        phi_2219_ = type_36();
                                         phi_2220_ = f32();
                                         phi_2221_ = f32();
                                     } else {
@@ -1265,11 +1265,11 @@ fn function_() {
                                                 phi_1984_ = (_e557.member_3 + 1i);
                                             }
                                             let _e1545 = phi_1984_;
-                                            let _e1551 = type_38(_e557.member, _e557.member_1, _e557.member_2, _e1545, _e557.member_4);
+                                            let _e1551 = type_36(_e557.member, _e557.member_1, _e557.member_2, _e1545, _e557.member_4);
                                             if (((_e557.member_3 & 1i) == 0i) == _e1537) {
                                                 if (_e1376 > _e557.member_2) {
-                                                    let _e1560 = type_38(_e1551.member, _e1551.member_1, (_e557.member_2 + 1u), _e1551.member_3, _e1551.member_4);
-                                                    phi_1999_ = type_38(_e1560.member, _e1560.member_1, _e1560.member_2, (_e1545 >> bitcast<u32>(1i)), _e1560.member_4);
+                                                    let _e1560 = type_36(_e1551.member, _e1551.member_1, (_e557.member_2 + 1u), _e1551.member_3, _e1551.member_4);
+                                                    phi_1999_ = type_36(_e1560.member, _e1560.member_1, _e1560.member_2, (_e1545 >> bitcast<u32>(1i)), _e1560.member_4);
                                                 } else {
                                                     phi_1999_ = _e1551;
                                                 }
@@ -1305,7 +1305,7 @@ fn function_() {
                                             let _e1605 = phi_2043_;
                                             phi_2213_ = _e553;
                                             phi_2214_ = _e555;
-                                            phi_2215_ = type_38(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3, select(_e1603, 340282350000000000000000000000000000000f, _e1605));
+                                            phi_2215_ = type_36(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3, select(_e1603, 340282350000000000000000000000000000000f, _e1605));
                                         } else {
                                             if (_e592 == 1u) {
                                                 let _e1456 = (_e555.member_1 < 0f);
@@ -1315,11 +1315,11 @@ fn function_() {
                                                     phi_2067_ = (_e555.member_3 + 1i);
                                                 }
                                                 let _e1464 = phi_2067_;
-                                                let _e1470 = type_38(_e555.member, _e555.member_1, _e555.member_2, _e1464, _e555.member_4);
+                                                let _e1470 = type_36(_e555.member, _e555.member_1, _e555.member_2, _e1464, _e555.member_4);
                                                 if (((_e555.member_3 & 1i) == 0i) == _e1456) {
                                                     if (_e1376 > _e555.member_2) {
-                                                        let _e1479 = type_38(_e1470.member, _e1470.member_1, (_e555.member_2 + 1u), _e1470.member_3, _e1470.member_4);
-                                                        phi_2082_ = type_38(_e1479.member, _e1479.member_1, _e1479.member_2, (_e1464 >> bitcast<u32>(1i)), _e1479.member_4);
+                                                        let _e1479 = type_36(_e1470.member, _e1470.member_1, (_e555.member_2 + 1u), _e1470.member_3, _e1470.member_4);
+                                                        phi_2082_ = type_36(_e1479.member, _e1479.member_1, _e1479.member_2, (_e1464 >> bitcast<u32>(1i)), _e1479.member_4);
                                                     } else {
                                                         phi_2082_ = _e1470;
                                                     }
@@ -1354,7 +1354,7 @@ fn function_() {
                                                 let _e1522 = phi_2125_;
                                                 let _e1524 = phi_2126_;
                                                 phi_2211_ = _e553;
-                                                phi_2212_ = type_38(_e1491.member, _e1491.member_1, _e1491.member_2, _e1491.member_3, select(_e1522, 340282350000000000000000000000000000000f, _e1524));
+                                                phi_2212_ = type_36(_e1491.member, _e1491.member_1, _e1491.member_2, _e1491.member_3, select(_e1522, 340282350000000000000000000000000000000f, _e1524));
                                             } else {
                                                 let _e1379 = (_e553.member_1 < 0f);
                                                 if _e1379 {
@@ -1363,11 +1363,11 @@ fn function_() {
                                                     phi_2146_ = (_e553.member_3 + 1i);
                                                 }
                                                 let _e1387 = phi_2146_;
-                                                let _e1393 = type_38(_e553.member, _e553.member_1, _e553.member_2, _e1387, _e553.member_4);
+                                                let _e1393 = type_36(_e553.member, _e553.member_1, _e553.member_2, _e1387, _e553.member_4);
                                                 if (((_e553.member_3 & 1i) == 0i) == _e1379) {
                                                     if (_e1376 > _e553.member_2) {
-                                                        let _e1402 = type_38(_e1393.member, _e1393.member_1, (_e553.member_2 + 1u), _e1393.member_3, _e1393.member_4);
-                                                        phi_2161_ = type_38(_e1402.member, _e1402.member_1, _e1402.member_2, (_e1387 >> bitcast<u32>(1i)), _e1402.member_4);
+                                                        let _e1402 = type_36(_e1393.member, _e1393.member_1, (_e553.member_2 + 1u), _e1393.member_3, _e1393.member_4);
+                                                        phi_2161_ = type_36(_e1402.member, _e1402.member_1, _e1402.member_2, (_e1387 >> bitcast<u32>(1i)), _e1402.member_4);
                                                     } else {
                                                         phi_2161_ = _e1393;
                                                     }
@@ -1401,7 +1401,7 @@ fn function_() {
                                                 }
                                                 let _e1445 = phi_2204_;
                                                 let _e1447 = phi_2205_;
-                                                phi_2211_ = type_38(_e1414.member, _e1414.member_1, _e1414.member_2, _e1414.member_3, select(_e1445, 340282350000000000000000000000000000000f, _e1447));
+                                                phi_2211_ = type_36(_e1414.member, _e1414.member_1, _e1414.member_2, _e1414.member_3, select(_e1445, 340282350000000000000000000000000000000f, _e1447));
                                                 phi_2212_ = _e555;
                                             }
                                             let _e1533 = phi_2211_;
@@ -1456,9 +1456,9 @@ fn function_() {
                             } else {
                                 phi_2466_ = _e547;
                                 phi_761_ = vec3<f32>();
-                                phi_763_ = type_38();
-                                phi_765_ = type_38();
-                                phi_767_ = type_38();
+                                phi_763_ = type_36();
+                                phi_765_ = type_36();
+                                phi_767_ = type_36();
                                 phi_769_ = f32();
                                 phi_771_ = f32();
                                 phi_2231_ = false;

@@ -1,19 +1,8 @@
-struct type_8 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-}
-
 struct type_9 {
-    member: type_8,
-}
-
-struct type_12 {
     member: array<vec4<f32>>,
 }
 
-struct type_15 {
+struct type_13 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -26,21 +15,32 @@ struct type_15 {
     member_9: f32,
 }
 
+struct type_15 {
+    member: array<type_13>,
+}
+
 struct type_17 {
-    member: array<type_15>,
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_18 {
+    member: type_17,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_9;
+var<uniform> params: type_18;
 @group(0) @binding(1) 
-var<storage> surfels: type_17;
+var<storage> surfels: type_15;
 @group(0) @binding(2) 
-var<storage> direct: type_12;
+var<storage> direct: type_9;
 @group(0) @binding(3) 
-var<storage> indirect: type_12;
+var<storage> indirect: type_9;
 @group(0) @binding(4) 
-var<storage, read_write> radiance: type_12;
+var<storage, read_write> radiance: type_9;
 
 fn function_() {
     switch bitcast<i32>(0u) {

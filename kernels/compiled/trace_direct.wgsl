@@ -11,7 +11,7 @@ struct type_20 {
     member: array<vec4<f32>>,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -24,11 +24,11 @@ struct type_25 {
     member_9: f32,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_31 {
+struct type_30 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -39,11 +39,11 @@ struct type_31 {
     member_7: vec4<f32>,
 }
 
-struct type_33 {
-    member: array<type_31>,
+struct type_32 {
+    member: array<type_30>,
 }
 
-struct type_35 {
+struct type_34 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -52,8 +52,8 @@ struct type_35 {
     member_5: u32,
 }
 
-struct type_37 {
-    member: array<type_35>,
+struct type_36 {
+    member: array<type_34>,
 }
 
 struct type_40 {
@@ -119,9 +119,9 @@ struct type_61 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_33;
+var<storage> nodes: type_32;
 @group(0) @binding(2) 
-var<storage> triangles: type_37;
+var<storage> triangles: type_36;
 @group(0) @binding(3) 
 var<storage> attributes: type_42;
 @group(0) @binding(4) 
@@ -131,7 +131,7 @@ var<uniform> params: type_52;
 @group(0) @binding(5) 
 var<storage> lights: type_56;
 @group(0) @binding(6) 
-var<storage> surfels: type_27;
+var<storage> surfels: type_26;
 @group(0) @binding(7) 
 var<storage, read_write> irradiance: type_20;
 

@@ -24,7 +24,7 @@ struct type_24 {
     member: array<type_22>,
 }
 
-struct type_29 {
+struct type_28 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -35,11 +35,11 @@ struct type_29 {
     member_7: vec4<f32>,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_33 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -48,8 +48,8 @@ struct type_33 {
     member_5: u32,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_34 {
+    member: array<type_32>,
 }
 
 struct type_38 {
@@ -99,9 +99,9 @@ struct type_55 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_31;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_35;
+var<storage> triangles: type_34;
 @group(0) @binding(3) 
 var<storage> attributes: type_40;
 @group(0) @binding(4) 

@@ -7,18 +7,18 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_25 {
+struct type_24 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -29,11 +29,11 @@ struct type_25 {
     member_7: vec4<f32>,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -42,8 +42,8 @@ struct type_29 {
     member_5: u32,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_30 {
+    member: array<type_28>,
 }
 
 struct type_34 {
@@ -87,11 +87,11 @@ struct type_53 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_19;
+var<uniform> params: type_21;
 @group(0) @binding(1) 
-var<storage> nodes: type_27;
+var<storage> nodes: type_26;
 @group(0) @binding(2) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_30;
 @group(0) @binding(3) 
 var<storage> attributes: type_36;
 @group(0) @binding(4) 

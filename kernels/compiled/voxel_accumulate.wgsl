@@ -7,7 +7,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_23 {
+struct type_22 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -16,8 +16,8 @@ struct type_23 {
     member_5: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_24 {
+    member: array<type_22>,
 }
 
 struct type_28 {
@@ -105,7 +105,7 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> params: type_35;
 @group(0) @binding(1) 
-var<storage> triangles: type_25;
+var<storage> triangles: type_24;
 @group(0) @binding(2) 
 var<storage> attributes: type_30;
 @group(0) @binding(3) 

@@ -7,11 +7,7 @@ struct type_12 {
     member: array<u32>,
 }
 
-struct type_21 {
-    member: array<vec4<f32>>,
-}
-
-struct type_28 {
+struct type_22 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -22,11 +18,15 @@ struct type_28 {
     member_7: u32,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_34 {
+struct type_27 {
+    member: array<vec4<f32>>,
+}
+
+struct type_33 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -37,11 +37,11 @@ struct type_34 {
     member_7: vec4<f32>,
 }
 
-struct type_36 {
-    member: array<type_34>,
+struct type_35 {
+    member: array<type_33>,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -50,8 +50,8 @@ struct type_38 {
     member_5: u32,
 }
 
-struct type_40 {
-    member: array<type_38>,
+struct type_39 {
+    member: array<type_37>,
 }
 
 struct type_43 {
@@ -126,11 +126,11 @@ struct type_63 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(7) 
-var<storage, read_write> out: type_21;
+var<storage, read_write> out: type_27;
 @group(0) @binding(1) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_35;
 @group(0) @binding(2) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_39;
 @group(0) @binding(3) 
 var<storage> attributes: type_45;
 @group(0) @binding(4) 
@@ -140,7 +140,7 @@ var<storage> lights: type_56;
 @group(0) @binding(0) 
 var<uniform> params: type_63;
 @group(0) @binding(6) 
-var<storage> facets: type_30;
+var<storage> facets: type_24;
 
 fn function_() {
     var local: array<u32, 64>;

@@ -2,7 +2,7 @@ struct type_8 {
     member: array<u32>,
 }
 
-struct type_13 {
+struct type_15 {
     member: array<vec4<f32>>,
 }
 
@@ -39,9 +39,9 @@ var<uniform> params: type_19;
 @group(0) @binding(2) 
 var<storage> children: type_8;
 @group(0) @binding(3) 
-var<storage> finer: type_13;
+var<storage> finer: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> out: type_13;
+var<storage, read_write> out: type_15;
 
 fn function_() {
     var local: array<vec4<f32>, 8>;

@@ -1,8 +1,4 @@
-struct type_10 {
-    member: array<vec4<f32>>,
-}
-
-struct type_16 {
+struct type_11 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -13,8 +9,12 @@ struct type_16 {
     member_7: u32,
 }
 
-struct type_18 {
-    member: array<type_16>,
+struct type_13 {
+    member: array<type_11>,
+}
+
+struct type_16 {
+    member: array<vec4<f32>>,
 }
 
 struct type_20 {
@@ -44,15 +44,15 @@ struct type_21 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
-var<storage> direct: type_10;
+var<storage> direct: type_16;
 @group(0) @binding(0) 
 var<uniform> params: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> out: type_10;
+var<storage, read_write> out: type_16;
 @group(0) @binding(1) 
-var<storage> facets: type_18;
+var<storage> facets: type_13;
 @group(0) @binding(3) 
-var<storage> bounced: type_10;
+var<storage> bounced: type_16;
 
 fn function_() {
     var phi_127_: f32;
