@@ -4,7 +4,7 @@ use crate::exec::{BufferId, DeviceInfo, ExecError, Executor, ExecutorExt};
 use crate::image_io::Image;
 use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, StageClock};
 use crate::metrics::ErrorMetrics;
-use crate::report::{self, Frame, MemoryBytes, MethodResult, TimeMs};
+use crate::report::{self, Frame, MemoryBytes, MethodResult, TimeMs, TimeSpread};
 use crate::scene::device::SceneBuffers;
 use crate::scene::{Camera, Scene};
 use crate::shading::{self, DirectSettings};
@@ -178,6 +178,11 @@ fn times(precompute: &Repeated, light: &Repeated, frame: &Repeated) -> TimeMs {
         precompute: precompute.median_ms,
         light_change: light.median_ms,
         frame: frame.median_ms,
+        spread: Some(TimeSpread {
+            precompute: precompute.spread_ms,
+            light_change: light.spread_ms,
+            frame: frame.spread_ms,
+        }),
         ..TimeMs::from_stages(stages)
     }
 }
@@ -220,6 +225,7 @@ pub fn peak_memory_bytes() -> u64 {
 
 struct Repeated {
     median_ms: f64,
+    spread_ms: [f64; 2],
     runs: u32,
     stages: Vec<(String, f64)>,
 }
@@ -254,7 +260,9 @@ fn repeat(
         .enumerate()
         .map(|(k, name)| (name, median(runs.iter().filter_map(|(_, stages)| stages.get(k).map(|s| s.1)).collect())))
         .collect();
-    Ok(Repeated { median_ms: median(runs.iter().map(|r| r.0).collect()), runs: runs.len() as u32, stages })
+    let spread_ms = runs.iter().fold([f64::INFINITY, 0.0], |[low, high], r| [low.min(r.0), high.max(r.0)]);
+    let median_ms = median(runs.iter().map(|r| r.0).collect());
+    Ok(Repeated { median_ms, spread_ms, runs: runs.len() as u32, stages })
 }
 
 /// Waits until everything that was asked for is done.

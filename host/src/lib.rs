@@ -1,8 +1,10 @@
 //! Global illumination measured against path-traced truth.
 //!
 //! [`scene`] loads or builds scenes, [`exec`] runs kernels on the CPU or through wgpu, [`methods`] holds every
-//! lighting method, [`mod@reference`] the truth, `metrics` and `report` what is said of them.
+//! lighting method, [`mod@reference`] the truth, `metrics` and `report` what is said of them; [`chart`] runs ladders of
+//! settings.
 
+pub mod chart;
 pub mod cli;
 pub mod error;
 pub mod evaluate;

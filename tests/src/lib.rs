@@ -4,6 +4,7 @@
 //! other; [`gpu`] opens the adapters and decides whether a missing one is ignored or a failure. A check returns a
 //! [`Failure`]; `tests/harness_fails.rs` provokes each of them.
 
+pub mod browser;
 pub mod compare;
 pub mod failure;
 pub mod gpu;

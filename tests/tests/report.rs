@@ -413,7 +413,18 @@ fn nothing_is_left_when_a_comparison_cannot_be_written() {
 
 fn point(name: &str, ms: f64, error: f64, control: bool) -> ChartPoint {
     let name = name.to_string();
-    ChartPoint { series: name.clone(), label: name, dynamic_ms: ms, frame_ms: ms / 2.0, error, control }
+    ChartPoint {
+        series: name.clone(),
+        mark: name.clone(),
+        label: name,
+        cost: ms,
+        still_cost: ms / 2.0,
+        spread: None,
+        error,
+        control,
+        under_noise: false,
+        link: String::new(),
+    }
 }
 
 #[test]
@@ -426,7 +437,7 @@ fn pareto_front_holds_what_nothing_beats() {
         point("fast", 1.0, 0.4, false),
         point("free", 0.0, 0.01, true),
     ];
-    let chart = Chart { title: "t".into(), points, noise_floor: Some(0.002) };
+    let chart = Chart { title: "t".into(), points, noise_floor: Some(0.002), ..Chart::default() };
     let front: Vec<&str> = chart.pareto_front().iter().map(|p| p.label.as_str()).collect();
     assert_eq!(front, ["fast", "middle", "slow-best"]);
     let svg = chart.svg(800.0, 400.0, "");
@@ -441,8 +452,9 @@ fn pareto_front_holds_what_nothing_beats() {
 
 #[test]
 fn charts_of_nothing_or_of_zeros_are_charts() {
-    let empty = Chart { title: String::new(), points: vec![], noise_floor: None };
-    let zero = Chart { title: "z".into(), points: vec![point("z", 0.0, 0.0, false)], noise_floor: Some(0.0) };
+    let empty = Chart { title: String::new(), points: vec![], noise_floor: None, ..Chart::default() };
+    let points = vec![point("z", 0.0, 0.0, false)];
+    let zero = Chart { title: "z".into(), points, noise_floor: Some(0.0), ..Chart::default() };
     for svg in [empty.svg(400.0, 300.0, ""), zero.svg(400.0, 300.0, "")] {
         assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }

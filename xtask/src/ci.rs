@@ -1,14 +1,18 @@
 //! `cargo xtask test` and `cargo xtask ci`.
 
-use crate::{kernels, vulkan, workspace};
+use crate::{browser, kernels, vulkan, workspace};
 use anyhow::{Context, Result, bail};
 use std::process::Command;
 use std::time::Instant;
 
-/// Every test, those on a device included: without an adapter they fail and are not ignored.
+/// Every test, those on a device included: without an adapter they fail and are not ignored. Those in a browser are
+/// ignored only where none can be had.
 pub fn test(args: &[String]) -> Result<()> {
     vulkan::ensure_driver()?;
     let mut command = cargo(&["test", "--release", "--workspace"]);
+    if browser::ensure() {
+        command.env("INTERREFLECT_REQUIRE_BROWSER", "1");
+    }
     run(command.args(args).env("INTERREFLECT_REQUIRE_GPU", "1"))
 }
 

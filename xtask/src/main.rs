@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 mod bench;
+mod browser;
 mod ci;
 mod compile;
 mod kernels;

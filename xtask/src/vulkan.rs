@@ -47,12 +47,13 @@ fn adapter() -> Option<String> {
 }
 
 /// Whether packages can be installed without asking anybody: apt-get there, and the superuser.
-fn may_install() -> bool {
+pub fn may_install() -> bool {
     let root = Command::new("id").arg("-u").output().is_ok_and(|out| out.stdout.trim_ascii() == b"0");
     root && Path::new("/etc/debian_version").exists() && workspace::on_path("apt-get").is_some()
 }
 
-fn install(packages: &[&str]) -> Result<()> {
+/// Installs Debian packages.
+pub fn install(packages: &[&str]) -> Result<()> {
     let run = |args: &[&str]| -> Result<()> {
         let status = Command::new("apt-get").args(args).env("DEBIAN_FRONTEND", "noninteractive").status()?;
         if !status.success() {

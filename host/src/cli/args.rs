@@ -1,5 +1,6 @@
 //! The command line's grammar.
 
+use crate::chart::trial::SceneSpec;
 use crate::exec::Backend;
 use clap::{Args, Parser, Subcommand};
 use glam::Vec3;
@@ -29,12 +30,20 @@ pub enum Verb {
     Render(RenderArgs),
     /// Path-trace a scene: the truth.
     Reference(ReferenceArgs),
+    /// Speed against accuracy: every method's ladder of settings on several scenes, charts, tables, a page.
+    Chart(ChartArgs),
     /// List the methods with their settings.
     Methods,
     /// List the built-in scenes.
     Scenes,
     /// List the adapters that kernels can run on.
     Devices,
+    /// Do the job of a trial's folder (what `chart` starts for each rung).
+    #[command(hide = true)]
+    Trial {
+        /// Folder with `job.json`.
+        folder: PathBuf,
+    },
 }
 
 /// What picture of what scene.
@@ -64,6 +73,96 @@ pub struct SceneArgs {
     /// Folder that truths are kept in between runs (default: the user's cache folder).
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
+}
+
+/// Several scenes with one view each.
+#[derive(Args, Debug, Clone)]
+pub struct ScenesArgs {
+    /// Built-in names or paths. A scene may carry its own view and light:
+    /// `sponza.glb?camera=-11.5,1.7,-0.4,0,2.6,0,60&sun=0.12,-1,0.3,30,28.5,26&env=1.2,1.5,2`.
+    #[arg(required = true)]
+    pub scenes: Vec<String>,
+    /// Camera of scenes that carry none: a name, or `px,py,pz,tx,ty,tz,fovy_deg`.
+    #[arg(long, allow_hyphen_values = true)]
+    pub camera: Option<String>,
+    /// Radiance of a constant environment of scenes that carry none, W/(sr m²).
+    #[arg(long, value_name = "R,G,B", value_parser = colour, allow_hyphen_values = true)]
+    pub env: Option<Vec3>,
+    /// Parallel light added to scenes that carry none: direction of travel and perpendicular irradiance (W/m²).
+    #[arg(long, value_name = "DX,DY,DZ,R,G,B", value_parser = sun, allow_hyphen_values = true)]
+    pub sun: Option<(Vec3, Vec3)>,
+    /// Width and height of the pictures in pixels.
+    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
+    pub size: (u32, u32),
+    /// Seed of every random number.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Folder for what the command writes.
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub out: PathBuf,
+    /// Folder that truths are kept in between runs (default: the user's cache folder).
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+}
+
+impl ScenesArgs {
+    /// The scenes with their views.
+    ///
+    /// # Errors
+    /// A part after `?` that is not `camera=…`, `sun=…` or `env=…`, in words.
+    pub fn specs(&self) -> Result<Vec<SceneSpec>, String> {
+        self.scenes.iter().map(|text| self.spec(text)).collect()
+    }
+
+    fn spec(&self, text: &str) -> Result<SceneSpec, String> {
+        let pair = |(a, b): (Vec3, Vec3)| (a.to_array(), b.to_array());
+        let mut spec = SceneSpec {
+            scene: text.to_string(),
+            camera: self.camera.clone(),
+            env: self.env.map(|e| e.to_array()),
+            sun: self.sun.map(pair),
+        };
+        // A file may have a question mark in its name.
+        let Some((scene, view)) = text.split_once('?').filter(|_| !std::path::Path::new(text).exists()) else {
+            return Ok(spec);
+        };
+        spec.scene = scene.to_string();
+        for part in view.split('&').filter(|part| !part.is_empty()) {
+            match part.split_once('=') {
+                Some(("camera", value)) => spec.camera = Some(value.to_string()),
+                Some(("env", value)) => spec.env = Some(colour(value)?.to_array()),
+                Some(("sun", value)) => spec.sun = Some(pair(sun(value)?)),
+                _ => return Err(format!("`{part}` of `{text}` is not camera=…, sun=… or env=…")),
+            }
+        }
+        Ok(spec)
+    }
+}
+
+/// Arguments of `chart`.
+#[derive(Args, Debug)]
+pub struct ChartArgs {
+    #[command(flatten)]
+    pub scenes: ScenesArgs,
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    #[command(flatten)]
+    pub truth: TruthArgs,
+    /// Methods, separated by commas, or `all`.
+    #[arg(long, default_value = "all")]
+    pub methods: String,
+    /// Minutes for everything: a coarser truth and fewer rungs where that is too little, and what was left out is said.
+    #[arg(long, value_name = "M", value_parser = minutes)]
+    pub budget_minutes: Option<f64>,
+    /// Seconds after which a single rung is ended, and its row says so.
+    #[arg(long, value_name = "S", default_value = "900", value_parser = seconds)]
+    pub rung_timeout: f64,
+    /// Counted runs of each phase after a warm-up; their median, fastest and slowest are reported.
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub repeats: u32,
+    /// Run rungs again that failed, crashed or timed out in an earlier run in the same folder.
+    #[arg(long)]
+    pub retry: bool,
 }
 
 /// Where kernels run.
@@ -173,6 +272,18 @@ fn sun(text: &str) -> Result<(Vec3, Vec3), String> {
         return Err(format!("`{text}`: irradiance is not negative"));
     }
     Ok((direction, Vec3::new(r, g, b)))
+}
+
+fn minutes(text: &str) -> Result<f64, String> {
+    positive(text, 1e5).ok_or_else(|| format!("`{text}` is not a number of minutes above 0"))
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    positive(text, 1e7).ok_or_else(|| format!("`{text}` is not a number of seconds above 0"))
+}
+
+fn positive(text: &str, most: f64) -> Option<f64> {
+    text.parse().ok().filter(|x: &f64| *x > 0.0 && *x <= most)
 }
 
 fn noise(text: &str) -> Result<f64, String> {

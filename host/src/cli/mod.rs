@@ -1,8 +1,8 @@
 //! The program: verbs, progress, exit codes. Everything it does is in the library; this only asks and prints.
 
 mod args;
+mod chart;
 mod compare;
-
 mod list;
 mod progress;
 mod reference;
@@ -26,9 +26,11 @@ pub fn run(cli: Cli) -> Result<(), Error> {
         Verb::Compare(args) => compare::run(&args, cli.json),
         Verb::Render(args) => render::run(&args, cli.json),
         Verb::Reference(args) => reference::run(&args, cli.json),
+        Verb::Chart(args) => chart::run(&args, cli.threads, cli.json),
         Verb::Methods => list::methods(cli.json),
         Verb::Scenes => list::scenes(cli.json),
         Verb::Devices => list::devices(cli.json),
+        Verb::Trial { folder } => crate::chart::trial::execute(&folder),
     }
 }
 

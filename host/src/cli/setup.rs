@@ -64,3 +64,8 @@ pub fn truth_irradiance(
     let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
     Ok(reference::cached_irradiance(&folder, scene, receivers, settings, &mut |p| bar.update(p))?.truth)
 }
+
+/// The path of this program, to start it again.
+pub fn program() -> Result<std::path::PathBuf, Error> {
+    std::env::current_exe().map_err(|e| Error::Usage(format!("cannot find this program's own file: {e}")))
+}

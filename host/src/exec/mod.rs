@@ -200,6 +200,17 @@ pub enum Backend {
     Gpu,
 }
 
+impl Backend {
+    /// The word of the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Cpu => "cpu",
+            Self::Gpu => "gpu",
+        }
+    }
+}
+
 impl std::str::FromStr for Backend {
     type Err = ExecError;
     fn from_str(text: &str) -> Result<Self, ExecError> {

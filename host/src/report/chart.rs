@@ -1,9 +1,10 @@
-//! Time against error as an SVG picture: logarithmic axes, one colour per method, the Pareto front, the truth's noise.
+//! Time (or memory) against error as an SVG picture: logarithmic axes, one colour per method, the Pareto front, the
+//! truth's noise, and what plain path tracing costs for the same error.
 //!
 //! Written by hand rather than through a plotting library: the picture follows the reader's light or dark theme, places
 //! labels where they do not collide, and carries a description of every point for those who do not see it.
 
-use super::table::{milliseconds, number};
+use super::table::{bytes, milliseconds, number};
 use super::{Comparison, escape};
 use std::fmt::Write;
 
@@ -12,20 +13,70 @@ use std::fmt::Write;
 pub struct ChartPoint {
     /// Method: points of one series share a colour and are joined.
     pub series: String,
-    /// Name beside the point.
+    /// Name of the point, in its description.
     pub label: String,
-    /// Time of a frame in which lights move, milliseconds: where the point stands.
-    pub dynamic_ms: f64,
-    /// Time of a frame in which nothing moves, milliseconds: the end of the point's tail to the left.
-    pub frame_ms: f64,
+    /// Name drawn beside it; empty for none.
+    pub mark: String,
+    /// Where the point stands: time of a frame in which lights move, milliseconds, or memory in bytes.
+    pub cost: f64,
+    /// The end of the point's tail to the left: time of a frame in which nothing moves. Equal to `cost` for no tail.
+    pub still_cost: f64,
+    /// Smallest and largest cost of the repeated runs, where it was repeated.
+    pub spread: Option<[f64; 2]>,
     /// Error.
     pub error: f64,
-    /// Drawn hollow, and not part of the Pareto front.
+    /// Drawn as a diamond, and not part of the Pareto front.
     pub control: bool,
+    /// Too close to the truth's own noise to be ranked: drawn hollow, and not part of the Pareto front.
+    pub under_noise: bool,
+    /// Where a click on the point leads on a page; empty for nowhere.
+    pub link: String,
+}
+
+/// What the horizontal axis shows.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Cost {
+    /// Milliseconds.
+    #[default]
+    Time,
+    /// Bytes.
+    Memory,
+}
+
+impl Cost {
+    /// A value with its unit.
+    fn words(self, value: f64) -> String {
+        match self {
+            Self::Time => milliseconds(value),
+            Self::Memory => bytes(value as u64),
+        }
+    }
+
+    fn tick(self, value: f64) -> String {
+        match self {
+            Self::Time => tick_ms(value),
+            Self::Memory => tick_bytes(value),
+        }
+    }
+
+    fn axis(self, narrow: bool) -> &'static str {
+        match (self, narrow) {
+            (Self::Time, true) => "time per frame, lights moving",
+            (Self::Time, false) => "time per frame with moving lights",
+            (Self::Memory, _) => "memory of the method's buffers",
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Time => "Time against error",
+            Self::Memory => "Memory against error",
+        }
+    }
 }
 
 /// Time against error.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Default, Debug)]
 pub struct Chart {
     /// What is shown, for the description: `cornell-box, 512 x 512`.
     pub title: String,
@@ -33,6 +84,19 @@ pub struct Chart {
     pub points: Vec<ChartPoint>,
     /// Error of a perfect method, from the truth's own noise.
     pub noise_floor: Option<f64>,
+    /// Error of path tracing for one millisecond: for `t` ms it is this over √t. Drawn as a line.
+    pub path_tracing: Option<f64>,
+    /// What the horizontal axis shows.
+    pub cost: Cost,
+}
+
+/// Where the colours come from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Theme {
+    /// The reader's light or dark theme, by CSS variables.
+    Reader,
+    /// Light, as plain CSS: for programs that know no variables.
+    Light,
 }
 
 /// Colours that keep apart from each other on white and on near black, in the order in which methods take them.
@@ -105,10 +169,12 @@ impl Axis {
 
     /// Ticks: value, and whether it is a power of ten. Steps 1, 2, 5 where a decade has room for them.
     fn ticks(&self) -> Vec<(f64, bool)> {
+        /// Where 1 and 2 stand far enough apart for the names of both.
+        const ROOM_PX: f64 = 190.0;
         let decades = (self.hi / self.lo).log10();
         let px_per_decade = (self.to - self.from).abs() / decades;
-        let steps: &[f64] = if px_per_decade > 130.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-        let stride = (48.0 / px_per_decade).ceil().max(1.0) as i32;
+        let steps: &[f64] = if px_per_decade > ROOM_PX { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let stride = (54.0 / px_per_decade).ceil().max(1.0) as i32;
         let (first, last) = (self.lo.log10().floor() as i32, self.hi.log10().ceil() as i32);
         let decade = |d: i32| steps.iter().map(move |s| (s * 10.0_f64.powi(d), *s == 1.0));
         let all = (first..=last).filter(|d| d.rem_euclid(stride) == 0).flat_map(decade);
@@ -123,10 +189,14 @@ impl Chart {
             Some(ChartPoint {
                 series: r.method.clone(),
                 label: r.title(),
-                dynamic_ms: r.time_ms.dynamic_frame(),
-                frame_ms: r.time_ms.frame,
+                mark: r.title(),
+                cost: r.time_ms.dynamic_frame(),
+                still_cost: r.time_ms.frame,
+                spread: r.time_ms.dynamic_spread(),
                 error: r.error?.nrmse_block,
                 control: r.control,
+                under_noise: false,
+                link: String::new(),
             })
         };
         let [width, height] = comparison.size;
@@ -134,13 +204,14 @@ impl Chart {
             title: format!("{}, {width} × {height} pixels", comparison.scene),
             points: comparison.results.iter().filter_map(point).collect(),
             noise_floor: comparison.truth.noise_floor.map(|f| f.nrmse_block),
+            ..Self::default()
         }
     }
 
     /// Points that no other is both faster and closer to the truth than, fastest first. Controls take no part.
     pub fn pareto_front(&self) -> Vec<&ChartPoint> {
-        let mut points: Vec<_> = self.points.iter().filter(|p| !p.control).collect();
-        points.sort_by(|a, b| a.dynamic_ms.total_cmp(&b.dynamic_ms).then(a.error.total_cmp(&b.error)));
+        let mut points: Vec<_> = self.points.iter().filter(|p| !p.control && !p.under_noise).collect();
+        points.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)));
         let mut best = f64::INFINITY;
         points.retain(|p| {
             p.error < best && {
@@ -153,6 +224,19 @@ impl Chart {
 
     /// The picture, `width` × `height` CSS pixels. `id` is added to ids, for pages with more than one chart.
     pub fn svg(&self, width: f64, height: f64, id: &str) -> String {
+        self.themed(width, height, id, Theme::Reader)
+    }
+
+    /// The picture in its light colours, by plain CSS alone: for programs that make bitmaps of it.
+    pub fn plain_svg(&self, width: f64, height: f64, id: &str) -> String {
+        self.themed(width, height, id, Theme::Light)
+    }
+
+    fn themed(&self, width: f64, height: f64, id: &str, theme: Theme) -> String {
+        let style = match theme {
+            Theme::Reader => format!("{COLOURS}{STYLE}"),
+            Theme::Light => plain_style(),
+        };
         let canvas = self.canvas(width, height);
         let mut svg = String::new();
         let title = escape(&self.title);
@@ -160,9 +244,10 @@ impl Chart {
             svg,
             "<svg xmlns=\"{SVG_NAMESPACE}\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
              role=\"img\" aria-labelledby=\"chart-title{id} chart-desc{id}\" class=\"tae\">\n\
-             <title id=\"chart-title{id}\">Time against error: {title}</title>\n\
-             <desc id=\"chart-desc{id}\">{}</desc>\n<style>{STYLE}</style>\n\
+             <title id=\"chart-title{id}\">{}: {title}</title>\n\
+             <desc id=\"chart-desc{id}\">{}</desc>\n<style>{style}</style>\n\
              <rect class=\"bg\" width=\"{width}\" height=\"{height}\" rx=\"8\"/>\n",
+            self.cost.title(),
             escape(&self.description())
         );
         self.draw_axes(&mut svg, &canvas);
@@ -172,22 +257,23 @@ impl Chart {
     }
 
     /// The picture as an element of an HTML page, where the namespace goes without saying.
-    pub(super) fn inline_svg(&self, width: f64, height: f64, id: &str) -> String {
+    pub(crate) fn inline_svg(&self, width: f64, height: f64, id: &str) -> String {
         self.svg(width, height, id).replacen(&format!(" xmlns=\"{SVG_NAMESPACE}\""), "", 1)
     }
 
     fn canvas(&self, width: f64, height: f64) -> Canvas {
-        let mut times: Vec<f64> = self.points.iter().flat_map(|p| [p.dynamic_ms, p.frame_ms]).collect();
+        let spreads = self.points.iter().flat_map(|p| p.spread.into_iter().flatten());
+        let mut costs: Vec<f64> = self.points.iter().flat_map(|p| [p.cost, p.still_cost]).chain(spreads).collect();
         // A tail to zero is drawn to the edge; only a point at zero asks for a place there.
-        if self.points.iter().all(|p| p.dynamic_ms > 0.0) {
-            times.retain(|t| *t > 0.0);
+        if self.points.iter().all(|p| p.cost > 0.0) {
+            costs.retain(|t| *t > 0.0);
         }
         let errors: Vec<f64> = self.points.iter().map(|p| p.error).chain(self.noise_floor).collect();
-        Canvas { width, height, x: Axis::over(&times, 58.0, width - 22.0), y: Axis::over(&errors, height - 56.0, 34.0) }
+        Canvas { width, height, x: Axis::over(&costs, 58.0, width - 22.0), y: Axis::over(&errors, height - 56.0, 34.0) }
     }
 
     fn description(&self) -> String {
-        let point = |p: &ChartPoint| format!("{}: {}, error {}", p.label, milliseconds(p.dynamic_ms), number(p.error));
+        let point = |p: &ChartPoint| format!("{}: {}, error {}", p.label, self.cost.words(p.cost), number(p.error));
         let points: Vec<_> = self.points.iter().map(point).collect();
         format!("Lower left is better. {}.", points.join("; "))
     }
@@ -197,7 +283,7 @@ impl Chart {
         for (value, major) in c.x.ticks() {
             let (x, class) = (c.x.at(value), if major { "grid" } else { "grid minor" });
             let _ = writeln!(svg, "<path class=\"{class}\" d=\"M{x:.1} {top}V{bottom}\"/>");
-            text(svg, "tick mid", x, bottom + 18.0, &tick_ms(value));
+            text(svg, "tick mid", x, bottom + 18.0, &self.cost.tick(value));
         }
         for (value, major) in c.y.ticks() {
             let (y, class) = (c.y.at(value), if major { "grid" } else { "grid minor" });
@@ -213,15 +299,14 @@ impl Chart {
         }
         let _ = writeln!(svg, "<path class=\"axis\" d=\"M{left} {top}V{bottom}H{right}\"/>");
         text(svg, "name", left - 44.0, 20.0, "error (block NRMSE)");
-        let name = if c.width < 600.0 { "time per frame, lights moving" } else { "time per frame with moving lights" };
-        text(svg, "name end", right, c.height - 14.0, name);
+        text(svg, "name end", right, c.height - 14.0, self.cost.axis(c.width < 600.0));
         text(svg, "hint", left - 44.0, c.height - 14.0, "↙ better");
     }
 
     fn draw_lines(&self, svg: &mut String, c: &Canvas) {
         let (left, right, top, bottom) = (58.0, c.width - 22.0, 34.0, c.height - 56.0);
         for (k, (ms, name)) in BUDGETS_MS.into_iter().enumerate() {
-            if ms > c.x.lo && ms < c.x.hi {
+            if self.cost == Cost::Time && ms > c.x.lo && ms < c.x.hi {
                 let x = c.x.at(ms);
                 let _ = writeln!(svg, "<path class=\"budget\" d=\"M{x:.1} {top}V{bottom}\"/>");
                 // The two budgets lie close together: their names go to either side.
@@ -234,13 +319,16 @@ impl Chart {
             let _ = writeln!(svg, "<path class=\"floor\" d=\"M{left} {y:.1}H{right}\"/>");
             text(svg, "hint", left + 6.0, y - 5.0, "noise of the truth");
         }
+        if let Some(at_one_ms) = self.path_tracing {
+            draw_path_tracing(svg, c, at_one_ms);
+        }
         let front = self.pareto_front();
         if front.len() > 1 {
             let path: String = front
                 .iter()
                 .enumerate()
                 .map(|(k, p)| {
-                    let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
+                    let (x, y) = (c.x.at(p.cost), c.y.at(p.error));
                     if k == 0 { format!("M{x:.1} {y:.1}") } else { format!("H{x:.1}V{y:.1}") }
                 })
                 .collect();
@@ -253,7 +341,7 @@ impl Chart {
         for (series, colour) in &colours {
             let of_series: Vec<_> = self.points.iter().filter(|p| p.series == *series).collect();
             let path: Vec<_> =
-                of_series.iter().map(|p| format!("{:.1} {:.1}", c.x.at(p.dynamic_ms), c.y.at(p.error))).collect();
+                of_series.iter().map(|p| format!("{:.1} {:.1}", c.x.at(p.cost), c.y.at(p.error))).collect();
             if path.len() > 1 {
                 let _ = writeln!(svg, "<path class=\"series\" stroke=\"{colour}\" d=\"M{}\"/>", path.join("L"));
             }
@@ -262,16 +350,12 @@ impl Chart {
             self.points.iter().flat_map(|p| [Rect::of_point(p, c), Rect::of_tail(p, c)]).collect();
         for p in &self.points {
             let colour = colours.iter().find(|(s, _)| *s == p.series).map_or(PALETTE[0], |(_, colour)| colour);
-            let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
-            let tail = c.x.at(p.frame_ms).max(58.0);
-            let tip = format!(
-                "{}: block NRMSE {}, {} per frame with moving lights, {} with still ones",
-                p.label,
-                number(p.error),
-                milliseconds(p.dynamic_ms),
-                milliseconds(p.frame_ms)
-            );
-            let _ = writeln!(svg, "<g><title>{}</title>", escape(&tip));
+            let (x, y) = (c.x.at(p.cost), c.y.at(p.error));
+            let tail = c.x.at(p.still_cost).max(58.0);
+            let _ = writeln!(svg, "<g><title>{}</title>", escape(&self.tip(p)));
+            if !p.link.is_empty() {
+                let _ = writeln!(svg, "<a href=\"{}\">", escape(&p.link));
+            }
             if x - tail > 8.0 && !p.control {
                 let _ = writeln!(
                     svg,
@@ -279,27 +363,79 @@ impl Chart {
                     y - 4.0
                 );
             }
+            if let Some([low, high]) = p.spread {
+                let (low, high) = (c.x.at(low).max(58.0), c.x.at(high));
+                let _ = writeln!(svg, "<path class=\"spread\" stroke=\"{colour}\" d=\"M{low:.1} {y:.1}H{high:.1}\"/>");
+            }
             let _ = if p.control {
                 writeln!(
                     svg,
                     "<path class=\"control\" stroke=\"{colour}\" d=\"M{x:.1} {:.1}l6 6l-6 6l-6 -6z\"/>",
                     y - 6.0
                 )
+            } else if p.under_noise {
+                writeln!(svg, "<circle class=\"unranked\" stroke=\"{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\"/>")
             } else {
                 writeln!(svg, "<circle class=\"dot\" fill=\"{colour}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\"/>")
             };
-            place_label(svg, &mut taken, c, (x, y), &p.label);
+            if !p.link.is_empty() {
+                svg.push_str("</a>");
+            }
+            if !p.mark.is_empty() {
+                place_label(svg, &mut taken, c, (x, y), &p.mark);
+            }
             svg.push_str("</g>\n");
         }
+    }
+
+    /// What a point says when it is pointed at.
+    fn tip(&self, p: &ChartPoint) -> String {
+        let noise = if p.under_noise { " (within the truth's noise: not ranked)" } else { "" };
+        let error = format!("{}: block NRMSE {}{noise}", p.label, number(p.error));
+        match self.cost {
+            Cost::Memory => format!("{error}, {}", bytes(p.cost as u64)),
+            Cost::Time => format!(
+                "{error}, {} per frame with moving lights, {} with still ones",
+                milliseconds(p.cost),
+                milliseconds(p.still_cost)
+            ),
+        }
+    }
+}
+
+/// The line of path tracing: four times the time for half the error.
+fn draw_path_tracing(svg: &mut String, c: &Canvas, at_one_ms: f64) {
+    // Within the picture in both directions.
+    let time_of = |error: f64| (at_one_ms / error).powi(2);
+    let (from, to) = (c.x.lo.max(time_of(c.y.hi)), c.x.hi.min(time_of(c.y.lo)));
+    if at_one_ms > 0.0 && from < to {
+        let at = |ms: f64| (c.x.at(ms), c.y.at(at_one_ms / ms.sqrt()));
+        let ((x0, y0), (x1, y1)) = (at(from), at(to));
+        let _ = writeln!(
+            svg,
+            "<path class=\"paths\" d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\"><title>plain path tracing: error for a time</title></path>"
+        );
+        text(svg, "hint end", x0.max(190.0), (y0 - 6.0).max(44.0), "plain path tracing");
     }
 }
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 
+/// Names of the colours, and their values on light and on dark ground.
+const COLOUR_NAMES: [(&str, &str); 5] =
+    [("--bg", "#ffffff"), ("--fg", "#1c2026"), ("--mute", "#667080"), ("--line", "#e4e7ec"), ("--front", "#9aa3b2")];
+
+const COLOURS: &str = "\
+.tae{--bg:#fff;--fg:#1c2026;--mute:#667080;--line:#e4e7ec;--front:#9aa3b2}\
+@media(prefers-color-scheme:dark){.tae{--bg:#171a1f;--fg:#e8eaee;--mute:#98a1b0;--line:#2b3038;--front:#6b7585}}";
+
+/// The style without variables.
+fn plain_style() -> String {
+    COLOUR_NAMES.iter().fold(STYLE.to_string(), |css, (name, value)| css.replace(&format!("var({name})"), value))
+}
+
 const STYLE: &str = "\
-.tae{font:12px system-ui,-apple-system,'Segoe UI',Roboto,sans-serif;--bg:#fff;--fg:#1c2026;--mute:#667080;\
---line:#e4e7ec;--front:#9aa3b2}\
-@media(prefers-color-scheme:dark){.tae{--bg:#171a1f;--fg:#e8eaee;--mute:#98a1b0;--line:#2b3038;--front:#6b7585}}\
+.tae{font-size:12px;font-family:system-ui,-apple-system,'Segoe UI',Roboto,Ubuntu,sans-serif}\
 .tae .bg{fill:var(--bg)}.tae text{fill:var(--fg)}.tae .tick,.tae .hint{fill:var(--mute);font-size:11px}\
 .tae .name{font-weight:600}.tae .mid{text-anchor:middle}.tae .end{text-anchor:end}\
 .tae .label{font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:4px;stroke-linejoin:round}\
@@ -307,6 +443,8 @@ const STYLE: &str = "\
 .tae .budget{stroke:var(--mute);stroke-dasharray:2 4}.tae .floor{stroke:var(--mute);stroke-dasharray:6 4}\
 .tae .front{stroke:var(--front);stroke-width:8;stroke-linejoin:round;stroke-linecap:round;opacity:.3}\
 .tae .series{stroke-width:1.5;opacity:.7}.tae .tail{stroke-width:1.5;opacity:.55}\
+.tae .spread{stroke-width:5;opacity:.3;stroke-linecap:round}.tae .paths{stroke:var(--fg);stroke-dasharray:9 5;\
+opacity:.55}.tae .unranked{fill:var(--bg);stroke-width:2;stroke-dasharray:3 2}\
 .tae .dot{stroke:var(--bg);stroke-width:1.5}.tae .control{stroke-width:2;fill:var(--bg)}";
 
 fn text(svg: &mut String, class: &str, x: f64, y: f64, words: &str) {
@@ -323,14 +461,14 @@ struct Rect {
 
 impl Rect {
     fn of_point(p: &ChartPoint, c: &Canvas) -> Self {
-        let (x, y) = (c.x.at(p.dynamic_ms), c.y.at(p.error));
+        let (x, y) = (c.x.at(p.cost), c.y.at(p.error));
         Self { x0: x - 7.0, y0: y - 7.0, x1: x + 7.0, y1: y + 7.0 }
     }
 
     fn of_tail(p: &ChartPoint, c: &Canvas) -> Self {
         let y = c.y.at(p.error);
-        let x0 = if p.control { c.x.at(p.dynamic_ms) } else { c.x.at(p.frame_ms) };
-        Self { x0, y0: y - 3.0, x1: c.x.at(p.dynamic_ms), y1: y + 3.0 }
+        let x0 = if p.control { c.x.at(p.cost) } else { c.x.at(p.still_cost) };
+        Self { x0, y0: y - 3.0, x1: c.x.at(p.cost), y1: y + 3.0 }
     }
 
     fn overlap(&self, other: &Self) -> f64 {
@@ -373,4 +511,10 @@ fn round_tick(value: f64) -> f64 {
 
 fn tick_ms(ms: f64) -> String {
     if ms < 1000.0 { format!("{} ms", round_tick(ms)) } else { format!("{} s", round_tick(ms / 1000.0)) }
+}
+
+fn tick_bytes(value: f64) -> String {
+    const UNITS: [&str; 5] = ["B", "kB", "MB", "GB", "TB"];
+    let unit = ((value.max(1.0).log10() / 3.0 + 1e-9) as usize).min(UNITS.len() - 1);
+    format!("{} {}", round_tick(value / 1000.0_f64.powi(unit as i32)), UNITS[unit])
 }

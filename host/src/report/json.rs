@@ -212,6 +212,20 @@ pub struct TimeMs {
     /// Phase of each stage: `precompute`, `light_change`, `frame`.
     #[serde(default)]
     pub stage_phases: Ordered<Phase>,
+    /// Fastest and slowest counted run of each phase, where phases were repeated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spread: Option<TimeSpread>,
+}
+
+/// Fastest and slowest counted run of each phase, milliseconds.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+pub struct TimeSpread {
+    /// Of precompute.
+    pub precompute: [f64; 2],
+    /// Of light change.
+    pub light_change: [f64; 2],
+    /// Of a frame.
+    pub frame: [f64; 2],
 }
 
 impl TimeMs {
@@ -239,6 +253,11 @@ impl TimeMs {
     /// Time of a frame in which the lights move: light change and frame.
     pub fn dynamic_frame(&self) -> f64 {
         self.light_change + self.frame
+    }
+
+    /// Smallest and largest time of a frame in which the lights move.
+    pub fn dynamic_spread(&self) -> Option<[f64; 2]> {
+        self.spread.map(|s| [s.light_change[0] + s.frame[0], s.light_change[1] + s.frame[1]])
     }
 }
 

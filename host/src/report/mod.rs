@@ -10,13 +10,16 @@ mod page;
 mod table;
 mod write;
 
-pub use chart::{Chart, ChartPoint, PALETTE};
+pub(crate) use chart::colours;
+pub use chart::{Chart, ChartPoint, Cost, PALETTE};
 pub use headline::headline;
 pub use json::{
-    Camera, Comparison, Device, MemoryBytes, MethodResult, Ordered, RenderReport, TimeMs, Truth, settings_json,
-    to_json, version,
+    Camera, Comparison, Device, MemoryBytes, MethodResult, Ordered, RenderReport, TimeMs, TimeSpread, Truth,
+    settings_json, to_json, version,
 };
+pub(crate) use page::{data_uri, document};
 pub use table::Table;
+pub(crate) use table::{bytes, milliseconds, number};
 pub use write::{ERROR_RANGE, Frame, Pictures, flip_error, folder_names, tone_map, write_comparison, write_render};
 
 use crate::image_io::ImageError;
@@ -57,7 +60,7 @@ pub enum ReportError {
 }
 
 /// Text for HTML and SVG, in elements and in quoted attributes.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -5,10 +5,12 @@ mod sections;
 use super::chart::Chart;
 use super::headline::headline;
 use super::{Comparison, escape};
+use base64::Engine;
 use std::fmt::Write;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
+const SORT: &str = include_str!("sort.js");
 
 /// A picture of the page: a PNG file's bytes and what it is.
 pub(super) struct Picture {
@@ -35,10 +37,7 @@ pub(super) fn page(comparison: &Comparison, pictures: &[Picture]) -> String {
     let scene = escape(&comparison.scene);
     let _ = write!(
         html,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{scene}: lighting methods against path-traced truth</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<main>\n\
-         <header>\n<p class=\"eyebrow\">Global illumination against path-traced truth</p>\n<h1>{scene}</h1>\n\
+        "<header>\n<p class=\"eyebrow\">Global illumination against path-traced truth</p>\n<h1>{scene}</h1>\n\
          <p class=\"lead\">{}</p>\n<ul class=\"facts\">\n",
         escape(&headline(comparison))
     );
@@ -59,13 +58,29 @@ pub(super) fn page(comparison: &Comparison, pictures: &[Picture]) -> String {
     sections::gallery(&mut html, comparison, pictures);
     sections::setup(&mut html, comparison);
     sections::explanations(&mut html, comparison);
-    let _ = write!(
+    let _ = writeln!(
         html,
-        "<footer>Made by interreflect {}. Every number here is in compare.json beside this file.</footer>\n</main>\n\
-         <script>{SCRIPT}</script>\n</body>\n</html>\n",
+        "<footer>Made by interreflect {}. Every number here is in compare.json beside this file.</footer>",
         escape(&comparison.version)
     );
-    html
+    document(&format!("{}: lighting methods against path-traced truth", comparison.scene), &html, SCRIPT)
+}
+
+/// A page that needs nothing else: its title (text), the inside of `main` (HTML), and its script; tables of class
+/// `sortable` sort by a click on the buttons of their head.
+pub(crate) fn document(title: &str, main: &str, script: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<main>\n{main}</main>\n\
+         <script>{SORT}{script}</script>\n</body>\n</html>\n",
+        escape(title)
+    )
+}
+
+/// A PNG file's bytes as the address of a picture.
+pub(crate) fn data_uri(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", base64::engine::general_purpose::STANDARD.encode(png))
 }
 
 fn chart(html: &mut String, comparison: &Comparison) {

@@ -1,12 +1,11 @@
 //! The page's parts, from top to bottom.
 
-use super::{LAYERS, Picture};
+use super::{LAYERS, Picture, data_uri};
 use crate::image_io::{DIVERGING_ENDS, colour_of_signed, magma};
 use crate::metrics::{BLOCK_PX, ErrorMetrics};
 use crate::report::chart::{PALETTE, colours};
 use crate::report::table::{bytes, milliseconds, number};
 use crate::report::{Comparison, ERROR_RANGE, MethodResult, escape};
-use base64::Engine;
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -115,7 +114,7 @@ pub fn table(html: &mut String, comparison: &Comparison) {
         "<section aria-labelledby=\"h-table\">\n<h2 id=\"h-table\">Numbers</h2>\n\
          <p class=\"note\">Errors of indirect irradiance at the visible points; FLIP of the full picture. Bold: the best \
          candidate of a column. Click a column to sort.</p>\n\
-         <div class=\"card scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\">\n<table id=\"results\">\n\
+         <div class=\"card scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\">\n<table class=\"sortable\">\n\
          <thead><tr><th scope=\"col\"><button>method</button></th>",
     );
     for (name, help, ..) in COLUMNS {
@@ -231,13 +230,13 @@ pub fn gallery(html: &mut String, comparison: &Comparison, pictures: &[Picture])
         for (maps, title) in [(false, name.to_string()), (true, format!("{name}: error maps"))] {
             let _ = write!(html, "<div><h3>{title}</h3><div class=\"row\">");
             for p in pictures.iter().filter(|p| p.layer == layer && p.choice.starts_with('e') == maps) {
-                let data = base64::engine::general_purpose::STANDARD.encode(&p.png);
                 let _ = write!(
                     html,
                     "<figure><img{small} id=\"{layer}-{}\" data-name=\"{1}\" alt=\"{name}, {1}\" \
-                     src=\"data:image/png;base64,{data}\"><figcaption>{1}</figcaption></figure>",
+                     src=\"{2}\"><figcaption>{1}</figcaption></figure>",
                     p.choice,
-                    escape(&p.name)
+                    escape(&p.name),
+                    data_uri(&p.png)
                 );
             }
             let _ = write!(html, "</div>");
