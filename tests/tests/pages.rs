@@ -5,7 +5,7 @@ use interreflect_tests::browser;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 /// Widths and heights of windows: a desktop and a phone.
 const WINDOWS: [(&str, u32, u32); 2] = [("desktop", 1280, 1700), ("phone", 390, 1700)];
@@ -74,10 +74,13 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
+/// Names of the pages that were made, and how that ended.
+type Made = Vec<(String, Result<(), String>)>;
+
 /// The page's folder, made once for all windows.
 fn made(page: &Page) -> Result<&'static Path, Failed> {
     static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
-    static MADE: OnceLock<std::sync::Mutex<Vec<(String, Result<(), String>)>>> = OnceLock::new();
+    static MADE: OnceLock<Mutex<Made>> = OnceLock::new();
     let folder = FOLDER.get_or_init(|| tempfile::tempdir().expect("a folder")).path();
     let mut made = MADE.get_or_init(Default::default).lock().unwrap_or_else(|e| e.into_inner());
     if !made.iter().any(|(name, _)| name == page.name) {
