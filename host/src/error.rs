@@ -41,6 +41,9 @@ pub enum Error {
         /// The system's words.
         source: std::io::Error,
     },
+    /// No settings of any method keep the limits that were asked for.
+    #[error("nothing fits: {0}")]
+    NothingFits(String),
     /// The command line asks for something that does not exist.
     #[error("{0}")]
     Usage(String),

@@ -32,6 +32,10 @@ pub enum Verb {
     Reference(ReferenceArgs),
     /// Speed against accuracy: every method's ladder of settings on several scenes, charts, tables, a page.
     Chart(ChartArgs),
+    /// Where methods fail: leaks, flicker, energy, feedback, ringing, thin geometry, scale, lights; safe ranges.
+    Stress(StressArgs),
+    /// The cheapest method and settings for an error, or the most accurate ones for a time or a memory.
+    Fit(FitArgs),
     /// List the methods with their settings.
     Methods,
     /// List the built-in scenes.
@@ -165,6 +169,60 @@ pub struct ChartArgs {
     pub retry: bool,
 }
 
+/// Arguments of `stress`.
+#[derive(Args, Debug)]
+pub struct StressArgs {
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    /// Methods, separated by commas, or `all` (which leaves the controls out).
+    #[arg(long, default_value = "all")]
+    pub methods: String,
+    /// Families, separated by commas, or `all`.
+    #[arg(long, default_value = "all")]
+    pub families: String,
+    /// Rung of each method's ladder, from 0, cheapest first: ranges are in the method's own unit, so a cheap one will do.
+    #[arg(long, default_value_t = 1)]
+    pub rung: usize,
+    /// Seed of every random number.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+    /// Folder for what the command writes.
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    pub out: PathBuf,
+    /// Folder that truths are kept in between runs (default: the user's cache folder).
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+}
+
+/// Arguments of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    #[command(flatten)]
+    pub scenes: ScenesArgs,
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    #[command(flatten)]
+    pub truth: TruthArgs,
+    /// Largest error (block NRMSE of indirect light). Without it: the smallest error within the other limits.
+    #[arg(long, value_name = "E", value_parser = error_limit)]
+    pub error: Option<f64>,
+    /// Longest frame in milliseconds.
+    #[arg(long, value_name = "T", value_parser = milliseconds)]
+    pub ms: Option<f64>,
+    /// Largest memory of the method's buffers, MiB.
+    #[arg(long, value_name = "MIB", value_parser = mebibytes)]
+    pub memory: Option<f64>,
+    /// Lights stand still: a frame does not pay for a change of light.
+    #[arg(long)]
+    pub still: bool,
+    /// Methods, separated by commas, or `all` (which leaves the controls out).
+    #[arg(long, default_value = "all")]
+    pub methods: String,
+    /// Judge the search instead: on every scene its choices for three errors beside an exhaustive sweep.
+    #[arg(long, conflicts_with_all = ["error", "ms", "memory", "still"])]
+    pub evaluate: bool,
+}
+
 /// Where kernels run.
 #[derive(Args, Debug, Clone)]
 pub struct DeviceArgs {
@@ -215,8 +273,11 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub device: DeviceArgs,
     /// Method (see `methods`).
-    #[arg(long)]
-    pub method: String,
+    #[arg(long, required_unless_present = "settings")]
+    pub method: Option<String>,
+    /// File with a method and its settings, as `fit` writes it; `--set` changes single ones.
+    #[arg(long, value_name = "FILE", conflicts_with = "method")]
+    pub settings: Option<PathBuf>,
     /// A setting of the method: `key=value`.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
@@ -280,6 +341,18 @@ fn minutes(text: &str) -> Result<f64, String> {
 
 fn seconds(text: &str) -> Result<f64, String> {
     positive(text, 1e7).ok_or_else(|| format!("`{text}` is not a number of seconds above 0"))
+}
+
+fn milliseconds(text: &str) -> Result<f64, String> {
+    positive(text, 1e9).ok_or_else(|| format!("`{text}` is not a number of milliseconds above 0"))
+}
+
+fn mebibytes(text: &str) -> Result<f64, String> {
+    positive(text, 1e9).ok_or_else(|| format!("`{text}` is not a number of MiB above 0"))
+}
+
+fn error_limit(text: &str) -> Result<f64, String> {
+    positive(text, 1e3).ok_or_else(|| format!("`{text}` is not an error above 0 (0.1 is 10 %)"))
 }
 
 fn positive(text: &str, most: f64) -> Option<f64> {

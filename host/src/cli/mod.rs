@@ -3,11 +3,13 @@
 mod args;
 mod chart;
 mod compare;
+mod fit;
 mod list;
 mod progress;
 mod reference;
 mod render;
 mod setup;
+mod stress;
 
 pub use args::{Cli, Verb};
 
@@ -27,6 +29,8 @@ pub fn run(cli: Cli) -> Result<(), Error> {
         Verb::Render(args) => render::run(&args, cli.json),
         Verb::Reference(args) => reference::run(&args, cli.json),
         Verb::Chart(args) => chart::run(&args, cli.threads, cli.json),
+        Verb::Stress(args) => stress::run(&args, cli.json),
+        Verb::Fit(args) => fit::run(&args, cli.json),
         Verb::Methods => list::methods(cli.json),
         Verb::Scenes => list::scenes(cli.json),
         Verb::Devices => list::devices(cli.json),

@@ -5,6 +5,7 @@ use super::{print_json, setup};
 use crate::error::Error;
 use crate::evaluate::{self, Repeats, View};
 use crate::exec::Executor;
+use crate::fit::SettingsFile;
 use crate::image_io::{ToneMap, read_exr};
 use crate::methods::{Input, MethodRow, Settings, method};
 use crate::metrics::{self, ErrorMetrics};
@@ -68,9 +69,12 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
 
 /// The method and its settings, checked before anything is loaded.
 fn chosen(args: &RenderArgs) -> Result<(&'static MethodRow, Settings), Error> {
-    let row = method(&args.method)?;
     let changes = args.set.iter().map(|text| key_value(text)).collect::<Result<Vec<_>, _>>()?;
-    let settings = row.with(changes)?;
+    let file = args.settings.as_deref().map(SettingsFile::read).transpose()?;
+    let name = file.as_ref().map(|f| f.method.as_str()).or(args.method.as_deref()).unwrap_or_default();
+    let row = method(name)?;
+    let fitted = file.iter().flat_map(|f| f.settings.iter().map(|(k, v)| (k.as_str(), v.as_str())));
+    let settings = row.with(fitted.chain(changes))?;
     (row.new)(&settings)?;
     Ok((row, settings))
 }

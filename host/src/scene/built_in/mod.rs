@@ -14,6 +14,7 @@ mod slit;
 
 pub use blue_orange_box::blue_orange_box;
 pub use build::SceneBuilder;
+pub(crate) use build::hash_unit;
 pub use colonnade::colonnade;
 pub use cornell::cornell_box;
 pub use corridor::corridor;

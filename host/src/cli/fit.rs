@@ -1,0 +1,145 @@
+//! `fit`: no more than the scene needs.
+
+use super::args::FitArgs;
+use super::{print_json, setup};
+use crate::error::Error;
+use crate::fit::{self, Evidence, FitReport, Goal, Verdict, evaluate_scene};
+use crate::image_io::write_whole;
+use crate::methods::MethodRow;
+use crate::reference;
+use crate::report::{self, bytes, milliseconds, number};
+
+/// Finds settings for each scene and writes `settings.json` and `fit.json`; or judges the search itself.
+pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
+    let scenes = args.scenes.specs().map_err(Error::Usage)?;
+    let methods = candidates(&args.methods)?;
+    let goal = Goal {
+        error: args.error,
+        ms: args.ms,
+        memory_bytes: args.memory.map(|mib| (mib * 1048576.0) as u64),
+        still: args.still,
+    };
+    if !args.evaluate && goal == (Goal { still: args.still, ..Goal::default() }) {
+        return Err(Error::Usage("fit needs a limit: --error E, --ms T or --memory M".into()));
+    }
+    let out = &args.scenes.out;
+    if args.evaluate {
+        setup::output_folder(out)?;
+        return evaluate(args, &scenes, &methods, as_json);
+    }
+    let [spec] = scenes.as_slice() else {
+        return Err(Error::Usage("fit takes one scene; several only with --evaluate".into()));
+    };
+    let cache = args.scenes.cache.clone().unwrap_or_else(reference::default_dir);
+    let exec = setup::executor(&args.device)?;
+    let mut evidence = Evidence::new(spec, args.scenes.size.into(), args.scenes.seed, cache, exec)?;
+    setup::output_folder(out)?;
+    let mut news = |c: &fit::Candidate| {
+        eprintln!("  {}: error {}, {}", c.row, number(c.error), milliseconds(goal.cost(c)));
+    };
+    let report = fit::fit(&mut evidence, &spec.scene, &methods, goal, true, &mut news)?;
+    write_whole(&out.join("fit.json"), report::to_json(&report)?.as_bytes())?;
+    if let (Some(choice), true) = (&report.choice, report.found) {
+        write_whole(&out.join("settings.json"), report::to_json(choice)?.as_bytes())?;
+    }
+    if as_json {
+        print_json(&report);
+    } else {
+        print(&report, args);
+    }
+    match report.found {
+        true => Ok(()),
+        false => Err(Error::NothingFits(report.choice.map_or_else(
+            || "no method gave an answer".into(),
+            |c| format!("{} comes closest: error {}, {}", c.method, number(c.error), milliseconds(c.ms[0])),
+        ))),
+    }
+}
+
+/// The methods of a list; of all, the candidates.
+fn candidates(list: &str) -> Result<Vec<&'static MethodRow>, Error> {
+    let mut methods = super::chart::methods(list)?;
+    if list.trim() == "all" {
+        methods.retain(|m| !m.control);
+    }
+    Ok(methods)
+}
+
+fn print(report: &FitReport, args: &FitArgs) {
+    if let Some(c) = &report.choice {
+        let settings: Vec<String> = c.settings.iter().map(|(k, v)| format!("{k}={v}")).collect();
+        let [low, high] = report.error_bounds;
+        println!("{}: {} {}", report.scene, c.method, settings.join(" "));
+        println!(
+            "  error {} ({} to {}, from {} blocks), {} with moving lights, {} with still ones, {}",
+            number(c.error),
+            number(low),
+            number(high),
+            report.blocks,
+            milliseconds(c.ms[0]),
+            milliseconds(c.ms[1]),
+            bytes(c.memory_bytes)
+        );
+    }
+    for reason in &report.why {
+        println!("  {}", reason.words);
+    }
+    for other in &report.rejected {
+        println!("  not {}: {}", other.method, other.reason);
+    }
+    println!(
+        "  {} trials in {:.1} s (truth {:.1} s), and {:.1} s for the neighbours",
+        report.trials, report.search_s, report.truth_s, report.why_s
+    );
+    if report.found {
+        println!("{}", args.scenes.out.join("settings.json").display());
+    }
+}
+
+/// The search beside an exhaustive sweep.
+fn evaluate(
+    args: &FitArgs,
+    scenes: &[crate::chart::trial::SceneSpec],
+    methods: &[&'static MethodRow],
+    as_json: bool,
+) -> Result<(), Error> {
+    /// Noise of the sweep's truth: as in `compare`.
+    const TRUTH_NOISE: f64 = 0.1;
+    let truth = setup::truth_settings(&args.truth, args.scenes.seed, TRUTH_NOISE);
+    let folder = args.scenes.cache.clone().unwrap_or_else(reference::default_dir);
+    let mut cases = Vec::new();
+    for spec in scenes {
+        let open = || setup::executor(&args.device);
+        cases.extend(evaluate_scene(spec, args.scenes.size.into(), truth, &folder, &open, methods, &mut |line| {
+            eprintln!("{line}");
+        })?);
+    }
+    let verdict = Verdict::of(cases);
+    write_whole(&args.scenes.out.join("evaluate.json"), report::to_json(&verdict)?.as_bytes())?;
+    if as_json {
+        print_json(&verdict);
+        return Ok(());
+    }
+    for c in &verdict.cases {
+        println!(
+            "{:<14} error <= {:.3}: {:<60} {:.3} {:<6} cost x {:.2}  time x {:.3}",
+            c.scene,
+            c.target,
+            c.choice,
+            c.error,
+            if c.within { "within" } else { "OVER" },
+            c.cost_ratio,
+            c.fit_s / c.sweep_s
+        );
+    }
+    println!(
+        "{} cases: {:.0} % within the limit (90 % wanted), {:.0} % at no more than 1.3 times the best cost, {:.0} % in no more \
+         than a fifth of the sweep's time: {}",
+        verdict.cases.len(),
+        100.0 * verdict.within,
+        100.0 * verdict.cheap,
+        100.0 * verdict.quick,
+        if verdict.passed { "passed" } else { "not passed" }
+    );
+    Ok(())
+}

@@ -1,0 +1,258 @@
+//! How good the search is: its choice beside the best that an exhaustive sweep of the same settings finds.
+//!
+//! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, against the
+//! truth of the whole picture. The search runs from nothing, with a cache of its own, once per target.
+
+use super::{Candidate, Evidence, Goal, axes, fit, step};
+use crate::chart::trial::SceneSpec;
+use crate::chart::{Judge, TruthPlan};
+use crate::error::Error;
+use crate::exec::Executor;
+use crate::methods::{MethodRow, Settings};
+use crate::reference::ReferenceSettings;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::time::Instant;
+
+/// Largest ratio of the choice's cost to the sweep's best.
+pub const MOST_COST: f64 = 1.3;
+/// Largest ratio of the search's time to the sweep's.
+pub const MOST_TIME: f64 = 0.2;
+/// Least share of choices that keep the limit.
+pub const LEAST_WITHIN: f64 = 0.9;
+
+/// Targets, as parts of the sweep's settings that are better.
+const QUANTILES: [f64; 3] = [0.1, 0.4, 0.75];
+
+/// One target on one scene.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Case {
+    /// Scene.
+    pub scene: String,
+    /// Largest error asked for.
+    pub target: f64,
+    /// Method and settings of the choice, changed ones only.
+    pub choice: String,
+    /// The choice's error against the whole picture's truth.
+    pub error: f64,
+    /// Whether it keeps the limit.
+    pub within: bool,
+    /// The sweep's best for this target.
+    pub best: String,
+    /// Cost of the choice over that of the best, both timed in turn.
+    pub cost_ratio: f64,
+    /// Seconds of the search.
+    pub fit_s: f64,
+    /// Seconds of the sweep, truth included.
+    pub sweep_s: f64,
+    /// Sets of settings that the search ran.
+    pub fit_trials: usize,
+    /// Sets of settings that the sweep ran.
+    pub sweep_trials: usize,
+}
+
+/// All cases together.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Verdict {
+    /// Cases.
+    pub cases: Vec<Case>,
+    /// Share of cases within the limit.
+    pub within: f64,
+    /// Share of cases whose cost is at most [`MOST_COST`] of the best.
+    pub cheap: f64,
+    /// Share of cases in at most [`MOST_TIME`] of the sweep's time.
+    pub quick: f64,
+    /// Whether all three hold: the first in [`LEAST_WITHIN`] of the cases, the others in as many.
+    pub passed: bool,
+}
+
+impl Verdict {
+    /// Adds cases up.
+    pub fn of(cases: Vec<Case>) -> Self {
+        let share =
+            |f: &dyn Fn(&Case) -> bool| cases.iter().filter(|c| f(c)).count() as f64 / cases.len().max(1) as f64;
+        let within = share(&|c| c.within);
+        let cheap = share(&|c| c.cost_ratio <= MOST_COST);
+        let quick = share(&|c| c.fit_s <= MOST_TIME * c.sweep_s);
+        let passed = !cases.is_empty() && [within, cheap, quick].iter().all(|s| *s >= LEAST_WITHIN);
+        Self { within, cheap, quick, passed, cases }
+    }
+}
+
+/// Opens an executor.
+pub type Open<'a> = dyn Fn() -> Result<Box<dyn Executor>, Error> + 'a;
+
+/// A set of settings of the sweep.
+struct Swept {
+    row: &'static MethodRow,
+    settings: Settings,
+    error: f64,
+    cost: f64,
+}
+
+/// Sweeps a scene, and searches it once for each of three targets.
+///
+/// # Errors
+/// What loading and path tracing say.
+pub fn evaluate_scene(
+    spec: &SceneSpec,
+    size: [u32; 2],
+    truth: ReferenceSettings,
+    folder: &Path,
+    open: &Open<'_>,
+    methods: &[&'static MethodRow],
+    news: &mut dyn FnMut(&str),
+) -> Result<Vec<Case>, Error> {
+    let plan = TruthPlan { settings: truth, limit_s: None, cache: folder.to_path_buf(), notes: folder.to_path_buf() };
+    let judge = Judge::new(spec, size, &plan, &mut |_| {})?;
+    let mut evidence = Evidence::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?;
+    let start = Instant::now();
+    let swept = sweep(&mut evidence, &judge, methods)?;
+    // The truth of a later run comes from the cache; its time is what it took to trace.
+    let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
+    news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
+    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).collect();
+    errors.sort_by(f64::total_cmp);
+    let mut cases = Vec::new();
+    for quantile in QUANTILES {
+        let Some(&at) = errors.get((quantile * errors.len() as f64) as usize) else { break };
+        let target = 1.02 * at;
+        let case = one(spec, size, target, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
+        news(&format!(
+            "  error {target:.3}: {} with {:.3} ({}), cost x {:.2} of {}, {:.1} s for {} trials",
+            case.choice,
+            case.error,
+            if case.within { "within" } else { "OVER" },
+            case.cost_ratio,
+            case.best,
+            case.fit_s,
+            case.fit_trials
+        ));
+        cases.push(case);
+    }
+    Ok(cases)
+}
+
+/// Every rung of every method, and every neighbour of every rung.
+fn sweep(evidence: &mut Evidence, judge: &Judge, methods: &[&'static MethodRow]) -> Result<Vec<Swept>, Error> {
+    let mut all: Vec<(&'static MethodRow, Settings)> = Vec::new();
+    for row in methods {
+        for (_, changes) in row.ladder {
+            let rung = row.with(changes.iter().copied())?;
+            let neighbours = axes(row, &rung)
+                .into_iter()
+                .flat_map(|axis| [-1, 1].map(|d| step(&rung, &axis, d)))
+                .flatten()
+                .collect::<Vec<_>>();
+            for settings in std::iter::once(rung).chain(neighbours) {
+                if !all.iter().any(|(r, s)| r.name == row.name && *s == settings) {
+                    all.push((row, settings));
+                }
+            }
+        }
+    }
+    let mut swept = Vec::new();
+    for (row, settings) in all {
+        // What a method refuses is no answer.
+        let Ok(candidate) = evidence.execute(row, &settings) else { continue };
+        if let Some(error) = full_error(evidence, judge, &candidate)? {
+            swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });
+        }
+    }
+    Ok(swept)
+}
+
+/// Block NRMSE over the whole picture, without what the truth's noise adds.
+fn full_error(evidence: &Evidence, judge: &Judge, candidate: &Candidate) -> Result<Option<f64>, Error> {
+    let floor = judge.about.noise_floor.map_or(0.0, |f| f.nrmse_block);
+    let error = judge.error(&evidence.image(candidate))?;
+    Ok(error.map(|e| (e.nrmse_block * e.nrmse_block - floor * floor).max(0.0).sqrt()))
+}
+
+fn one(
+    spec: &SceneSpec,
+    size: [u32; 2],
+    target: f64,
+    swept: &[Swept],
+    judge: &Judge,
+    evidence: &mut Evidence,
+    sweep_s: f64,
+    (open, methods, seed): (&Open<'_>, &[&'static MethodRow], u32),
+) -> Result<Case, Error> {
+    let cache = tempfile::tempdir().map_err(|e| crate::image_io::ImageError::io("create", Path::new("cache"), e))?;
+    let start = Instant::now();
+    let mut fresh = Evidence::new(spec, size, seed, cache.path().to_path_buf(), open()?)?;
+    let goal = Goal { error: Some(target), ..Goal::default() };
+    let report = fit(&mut fresh, &spec.scene, methods, goal, false, &mut |_| {})?;
+    let fit_s = start.elapsed().as_secs_f64();
+    drop(fresh);
+    let best = swept.iter().filter(|s| s.error <= target).min_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mut case = Case {
+        scene: spec.scene.clone(),
+        target,
+        choice: "nothing".into(),
+        error: f64::MAX,
+        within: false,
+        best: best.map_or_else(|| "nothing".into(), |b| name(b.row, &b.settings)),
+        cost_ratio: f64::MAX,
+        fit_s,
+        sweep_s,
+        fit_trials: report.trials,
+        sweep_trials: swept.len(),
+    };
+    let chosen = report.choice.filter(|_| report.found);
+    let (Some(choice), Some(best)) = (chosen, best) else { return Ok(case) };
+    let Some(row) = methods.iter().find(|m| m.name == choice.method).copied() else { return Ok(case) };
+    // In turn, so that whatever else the machine does meets both.
+    let (mut costs, mut bests) = (Vec::new(), Vec::new());
+    for _ in 0..3 {
+        let candidate = evidence.execute(row, &choice.settings)?;
+        costs.push(candidate.dynamic_ms);
+        case.error = full_error(evidence, judge, &candidate)?.unwrap_or(f64::MAX);
+        bests.push(evidence.execute(best.row, &best.settings)?.dynamic_ms);
+    }
+    case.choice = name(row, &choice.settings);
+    case.within = case.error <= target;
+    case.cost_ratio = crate::evaluate::median(costs) / crate::evaluate::median(bests).max(1e-9);
+    Ok(case)
+}
+
+/// Method and the settings that differ from its defaults.
+fn name(row: &MethodRow, settings: &Settings) -> String {
+    let defaults = row.defaults();
+    let changed: Vec<String> =
+        settings.iter().filter(|(k, v)| defaults.get(*k) != Some(*v)).map(|(k, v)| format!("{k}={v}")).collect();
+    format!("{} {}", row.name, changed.join(" ")).trim().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_verdict_needs_all_three() {
+        let good = Case {
+            scene: "s".into(),
+            target: 0.2,
+            choice: "a".into(),
+            error: 0.19,
+            within: true,
+            best: "b".into(),
+            cost_ratio: 1.2,
+            fit_s: 1.0,
+            sweep_s: 10.0,
+            fit_trials: 5,
+            sweep_trials: 50,
+        };
+        assert!(Verdict::of(vec![good.clone(); 10]).passed);
+        for bad in [
+            Case { within: false, ..good.clone() },
+            Case { cost_ratio: 1.4, ..good.clone() },
+            Case { fit_s: 3.0, ..good.clone() },
+        ] {
+            let one_in_ten = |n: usize| [vec![bad.clone(); n], vec![good.clone(); 10 - n]].concat();
+            assert!(Verdict::of(one_in_ten(1)).passed && !Verdict::of(one_in_ten(2)).passed);
+        }
+        assert!(!Verdict::of(vec![]).passed);
+    }
+}

@@ -1,0 +1,193 @@
+//! (c) Furnace, (d) feedback, (e) iterations and steps.
+
+use super::studio;
+use crate::error::Error;
+use crate::scene::Scene;
+use crate::scene::built_in::furnace as furnace_scene;
+use crate::stress::lab::{SIDE_PX, difference, mean, picture};
+use crate::stress::{Answer, Danger, Entry, Lab, NOT_FINITE, Question};
+use glam::Vec3;
+use std::f64::consts::PI;
+
+/// Reflectances.
+const ALBEDOS: [f64; 7] = [0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99];
+/// Frames in which a loop must settle.
+const FRAMES: usize = 500;
+
+pub fn furnace(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
+    let closed = Question {
+        variant: "all bounces",
+        measure: "the error of the energy in a closed box",
+        parameter: "albedo",
+        unit: "",
+        bound: 0.1,
+        percent: true,
+        danger: Danger::High,
+    };
+    let all = closed.sweep(lab, "furnace", &ALBEDOS, 2, |lab, albedo| {
+        let scene = furnace_scene(albedo as f32, 1.0);
+        let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
+        let values = lab.measure(&scene, &surfels)?.values;
+        let expected = PI * albedo / (1.0 - albedo);
+        let words = format!("Inside a box of albedo {albedo:.2}: the truth is one flat colour.");
+        let flat = vec![Vec3::splat(expected as f32); values.len()];
+        Ok(Answer {
+            value: (mean(&values) / expected - 1.0).abs(),
+            picture: picture(&values, &flat).map(|png| (png, words)),
+        })
+    })?;
+    let counted = Question {
+        variant: "counted bounces",
+        measure: "the error of the energy of a number of bounces at albedo 0.5",
+        parameter: "bounces",
+        ..closed
+    };
+    let tail: &[(&str, &str)] = if lab.settings.contains_key("tail") { &[("tail", "0")] } else { &[] };
+    if lab.changed(&[tail, &[("bounces", "1")]].concat()).is_none() {
+        let reason = "the method has no number of bounces to set";
+        return Ok(vec![all, counted.not_applicable(lab, "furnace", reason)]);
+    }
+    let scene = furnace_scene(0.5, 1.0);
+    let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
+    let some = counted.sweep(lab, "furnace", &[1.0, 2.0, 3.0, 5.0, 8.0], 0, |lab, bounces| {
+        let text = format!("{bounces}");
+        let Some(settings) = lab.changed(&[tail, &[("bounces", text.as_str())]].concat()) else {
+            return Ok(NOT_FINITE.into());
+        };
+        let values = lab.measure_with(&settings, &scene, &surfels)?.values;
+        // Every reflection sends on half: ½ + ¼ + … of π·Lₑ.
+        let expected = PI * (1.0 - 0.5_f64.powf(bounces));
+        Ok((mean(&values) / expected - 1.0).abs().into())
+    })?;
+    Ok(vec![all, some])
+}
+
+/// What many frames of a loop did.
+struct Loop {
+    /// Ratio of successive changes; 0 where the second frame was the first.
+    gain: f64,
+    /// Frames after which 95 % of a step in the lights have arrived.
+    response: usize,
+}
+
+pub fn feedback(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
+    let gain = Question {
+        variant: "gain",
+        measure: "the gain of the bounce loop",
+        parameter: "albedo",
+        unit: "",
+        bound: 0.999,
+        percent: false,
+        danger: Danger::High,
+    };
+    let response = Question {
+        variant: "step response",
+        measure: "the number of frames after which 95 % of a step in the lights have arrived",
+        bound: 60.0,
+        ..gain.clone()
+    };
+    let mut responses = Vec::new();
+    let gains = gain.sweep(lab, "feedback", &[0.5, 0.8, 0.95, 0.99], 0, |lab, albedo| {
+        let scene = furnace_scene(albedo as f32, 1.0);
+        let surfels = lab.seen(&scene, &scene.cameras[0], 8)?;
+        let settings = lab.settings.clone();
+        let (observed, stated) = lab.session(&settings, &scene, &surfels, |session| {
+            let observed = settle(session, albedo, &scene)?;
+            Ok((observed, session.method.feedback_gain()))
+        })?;
+        responses.push((albedo, observed.response as f64));
+        Ok(observed.gain.max(stated.unwrap_or(0.0)).into())
+    })?;
+    let steps = response.sweep(lab, "feedback", &[0.5, 0.8, 0.95, 0.99], 0, |_, albedo| {
+        Ok(responses.iter().find(|r| r.0 == albedo).map_or(NOT_FINITE, |r| r.1).into())
+    })?;
+    Ok(vec![gains, steps])
+}
+
+/// Runs the loop until it settles, then doubles the lights and counts.
+fn settle(session: &mut crate::stress::Session<'_>, albedo: f64, scene: &Scene) -> Result<Loop, Error> {
+    let mut step = |scene: &Scene| -> Result<f64, Error> {
+        session.light_change(scene)?;
+        Ok(mean(&session.frame(scene)?))
+    };
+    let mut history = vec![step(scene)?];
+    for _ in 0..FRAMES {
+        history.push(step(scene)?);
+        let n = history.len();
+        let change = (history[n - 1] - history[n - 2]).abs();
+        if change <= 1e-6 * history[n - 1].abs() || !history[n - 1].is_finite() {
+            break;
+        }
+    }
+    let settled = history[history.len() - 1];
+    if !settled.is_finite() {
+        return Ok(Loop { gain: NOT_FINITE, response: FRAMES });
+    }
+    let gain = growth(&history);
+    let brighter = furnace_scene(albedo as f32, 2.0);
+    session.relight(&brighter)?;
+    let mut response = FRAMES;
+    for k in 0..FRAMES {
+        session.light_change(&brighter)?;
+        if mean(&session.frame(&brighter)?) - settled >= 0.95 * settled {
+            response = k + 1;
+            break;
+        }
+    }
+    Ok(Loop { gain, response })
+}
+
+/// Ratio of successive changes over the later half of a history, where they are larger than rounding.
+fn growth(history: &[f64]) -> f64 {
+    let changes: Vec<f64> = history.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
+    let scale = history.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let ratios: Vec<f64> = changes
+        .windows(2)
+        .skip(changes.len() / 2)
+        .filter(|w| w[0] > 1e-5 * scale && w[1] > 1e-6 * scale)
+        .map(|w| w[1] / w[0])
+        .collect();
+    crate::evaluate::median(ratios)
+}
+
+/// Settings that hold a number of iterations or a size of steps.
+const STEPS: [&str; 4] = ["iterations", "aperture", "step", "max_iterations"];
+
+pub fn iteration(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
+    let mut entries = Vec::new();
+    let scene = studio(Vec3::new(2.3, 2.4, 2.6), 1.1);
+    let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
+    let question = Question {
+        variant: "",
+        measure: "the difference from the finest",
+        parameter: "",
+        unit: "",
+        bound: 0.1,
+        percent: true,
+        danger: Danger::Cases,
+    };
+    let keys: Vec<&str> = STEPS.into_iter().filter(|key| lab.settings.contains_key(*key)).collect();
+    for key in keys {
+        let axes = crate::fit::axes(lab.row, &lab.settings);
+        let mut values: Vec<String> = axes.into_iter().find(|a| a.key == key).map(|a| a.values).unwrap_or_default();
+        // Beyond what a search would try: an iteration that blows up does so late.
+        if let Some(last) = values.last().and_then(|v| v.parse::<u32>().ok()).filter(|_| key.contains("iterations")) {
+            values.extend([(4 * last).to_string(), (16 * last).to_string()]);
+        }
+        values.retain(|v| lab.changed(&[(key, v.as_str())]).is_some());
+        let Some(finest) = values.last().and_then(|v| lab.changed(&[(key, v.as_str())])) else { continue };
+        let finest = lab.measure_with(&finest, &scene, &surfels)?.values;
+        let names: Vec<String> = values.iter().map(|v| format!("{key} = {v}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        entries.push(question.cases(lab, "iteration", &names, |lab, k| {
+            let settings = lab.changed(&[(key, values[k].as_str())]).unwrap_or_else(|| lab.settings.clone());
+            let got = lab.measure_with(&settings, &scene, &surfels)?.values;
+            let value = difference(&got, &finest);
+            Ok(Answer { value, picture: picture(&got, &finest).map(|png| (png, names[k].to_string())) })
+        }));
+    }
+    if entries.is_empty() {
+        entries.push(question.not_applicable(lab, "iteration", "the method has no iterations or steps to set"));
+    }
+    Ok(entries)
+}

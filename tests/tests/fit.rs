@@ -1,0 +1,120 @@
+//! `fit`: its choice keeps the limits, its file is a render's settings, its reasons are measurements.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn run(args: &[&str], out: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_interreflect-under-test"))
+        .args(args)
+        .args(["--size", "64x64", "--backend", "cpu", "--json", "--cache"])
+        .arg(out.join("cache"))
+        .arg("--out")
+        .arg(out)
+        .output()
+        .expect("the program starts")
+}
+
+fn json(output: &Output) -> Value {
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("no JSON: {e}\n{said}"))
+}
+
+#[test]
+fn the_choice_keeps_the_error_and_renders_from_its_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path();
+    let report = json(&run(&["fit", "cornell-box", "--error", "0.25"], out));
+    assert_eq!(report["found"], true);
+    let choice = &report["choice"];
+    let error = choice["error"].as_f64().unwrap();
+    assert!(error <= 0.25, "{error}");
+
+    // Every parameter has a reason, and a cheaper value that keeps the limit saves nothing.
+    let why = report["why"].as_array().unwrap();
+    assert!(why.len() >= 3, "{why:#?}");
+    for reason in why {
+        let below = &reason["below"];
+        if let (Some(e), Some(ms)) = (below["error"].as_f64(), below["ms"].as_f64()) {
+            let chosen_ms = choice["ms"][0].as_f64().unwrap();
+            // Times of single frames scatter; a value that would halve the time must have been taken.
+            assert!(e > 0.25 || ms > 0.5 * chosen_ms, "{reason:#}");
+        }
+        assert!(reason["words"].as_str().unwrap().starts_with(reason["key"].as_str().unwrap()), "{reason}");
+    }
+
+    // The file is what `render` takes, and the picture's error is what was promised.
+    let truth = out.join("truth");
+    json(&run(&["reference", "cornell-box", "--spp", "1024"], &truth));
+    let file = out.join("settings.json");
+    let (file, picture) = (file.to_str().unwrap(), truth.join("irradiance.exr"));
+    let args = ["render", "cornell-box", "--settings", file, "--truth", picture.to_str().unwrap()];
+    let render = json(&run(&args, &out.join("render")));
+    assert_eq!(render["method"], choice["method"]);
+    let measured = render["error"]["nrmse_block"].as_f64().unwrap();
+    let [low, high] = [0, 1].map(|k| report["error_bounds"][k].as_f64().unwrap());
+    assert!(low * 0.85 <= measured && measured <= high * 1.15, "promised {low} to {high}, measured {measured}");
+    for (key, value) in choice["settings"].as_object().unwrap() {
+        let used = &render["settings"][key];
+        let used = used.as_str().map_or_else(|| used.to_string(), String::from);
+        assert_eq!(used, value.as_str().unwrap(), "{key}");
+    }
+}
+
+#[test]
+fn a_larger_error_never_costs_more_settings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cheap = json(&run(&["fit", "cornell-box", "--error", "0.6"], folder.path()));
+    let dear = json(&run(&["fit", "cornell-box", "--error", "0.15"], folder.path()));
+    let ms = |r: &Value| r["choice"]["ms"][0].as_f64().unwrap();
+    assert!(ms(&cheap) < ms(&dear), "{} {}", ms(&cheap), ms(&dear));
+    assert!(dear["choice"]["error"].as_f64().unwrap() <= 0.15);
+}
+
+#[test]
+fn a_memory_limit_is_kept_and_the_error_is_the_smallest_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = json(&run(&["fit", "cornell-box", "--memory", "4", "--ms", "2000"], folder.path()));
+    let choice = &report["choice"];
+    assert!(choice["memory_bytes"].as_u64().unwrap() <= 4 << 20);
+    assert!(choice["error"].as_f64().unwrap() < 0.5, "{choice}");
+}
+
+#[test]
+fn what_cannot_be_had_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = run(&["fit", "cornell-box", "--error", "0.001", "--ms", "0.01"], folder.path());
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("nothing fits") && said.contains("closest"), "{said}");
+    assert!(!folder.path().join("settings.json").exists());
+    let report: Value =
+        serde_json::from_str(&std::fs::read_to_string(folder.path().join("fit.json")).unwrap()).unwrap();
+    assert_eq!(report["found"], false);
+}
+
+#[test]
+fn wrong_use_says_what_is_right() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let broken = folder.path().join("broken.json");
+    std::fs::write(&broken, "{\"method\": 3}").unwrap();
+    let unknown = folder.path().join("unknown.json");
+    std::fs::write(&unknown, "{\"method\": \"vtc\", \"settings\": {}}").unwrap();
+    let (broken, unknown) = (broken.to_str().unwrap(), unknown.to_str().unwrap());
+    for (args, named) in [
+        (&["fit", "cornell-box"][..], "--error"),
+        (&["fit", "cornell-box", "furnace", "--error", "0.1"], "one scene"),
+        (&["fit", "cornell-box", "--error", "-1"], "error"),
+        (&["fit", "cornell-box", "--memory", "none"], "MiB"),
+        (&["render", "cornell-box", "--settings", broken], "broken.json"),
+        (&["render", "cornell-box", "--settings", unknown], "vct"),
+        (&["render", "cornell-box", "--settings", "nowhere.json"], "nowhere.json"),
+        (&["render", "cornell-box"], "--method"),
+    ] {
+        let output = run(args, &folder.path().join("out"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
+        assert!(said.contains(named), "{args:?}: {said}");
+    }
+}
