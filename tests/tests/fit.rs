@@ -7,7 +7,8 @@ use std::process::{Command, Output};
 fn run(args: &[&str], out: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_interreflect-under-test"))
         .args(args)
-        .args(["--size", "64x64", "--backend", "cpu", "--json", "--cache"])
+        .args(if args[0] == "reference" { &[][..] } else { &["--backend", "cpu"] })
+        .args(["--size", "64x64", "--json", "--cache"])
         .arg(out.join("cache"))
         .arg("--out")
         .arg(out)

@@ -32,6 +32,8 @@ const PAGES: &[Page] = &[
             "vct.resolution=32",
             "--spp",
             "64",
+            "--size",
+            "64x48",
         ],
         least_pictures: 10,
         least_tables: 1,
@@ -46,6 +48,8 @@ const PAGES: &[Page] = &[
             "direct,ambient,vct",
             "--spp",
             "64",
+            "--size",
+            "64x48",
             "--repeats",
             "2",
             "--rung-timeout",
@@ -53,6 +57,12 @@ const PAGES: &[Page] = &[
         ],
         least_pictures: 16,
         least_tables: 2,
+    },
+    Page {
+        name: "stress",
+        args: &["stress", "--methods", "vct", "--rung", "0", "--families", "leak,furnace,rotation,lights,degenerate"],
+        least_pictures: 5,
+        least_tables: 1,
     },
 ];
 
@@ -86,7 +96,7 @@ fn made(page: &Page) -> Result<&'static Path, Failed> {
     if !made.iter().any(|(name, _)| name == page.name) {
         let out = folder.join(page.name);
         let mut command = Command::new(env!("CARGO_BIN_EXE_interreflect-under-test"));
-        command.args(page.args).args(["--size", "64x48", "--backend", "cpu"]);
+        command.args(page.args).args(["--backend", "cpu"]);
         let output = command.arg("--cache").arg(folder.join("cache")).arg("--out").arg(out).output()?;
         let result = match output.status.success() {
             true => Ok(()),

@@ -25,6 +25,7 @@ pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
             seed: args.seed,
             cache: args.cache.clone().unwrap_or_else(reference::default_dir),
             exec,
+            not_finite: false,
         };
         entries.extend(stress::run(&mut lab, &families, &mut |entry| eprintln!("{}", line(entry))));
     }

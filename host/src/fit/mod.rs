@@ -56,6 +56,14 @@ impl Goal {
         self.error.is_none_or(|limit| c.bounds[1] <= limit)
     }
 
+    /// How far a candidate is over the limit that it breaks most, as a ratio.
+    fn overrun(&self, c: &Candidate) -> f64 {
+        let error = self.error.map_or(0.0, |limit| c.bounds[1] / limit);
+        let time = self.ms.map_or(0.0, |ms| self.cost(c) / ms);
+        let memory = self.memory_bytes.map_or(0.0, |bytes| c.memory_bytes as f64 / bytes.max(1) as f64);
+        error.max(time).max(memory)
+    }
+
     /// Whether a is the better answer of two that fit.
     fn prefers(&self, a: &Candidate, b: &Candidate) -> bool {
         match self.error {
@@ -248,6 +256,9 @@ pub fn fit(
         search.climb(methods, news)?;
     }
     let mut chosen = search.confirmed()?;
+    if chosen.is_none() && !dark {
+        chosen = search.rescue(methods, news)?;
+    }
     if let Some(best) = chosen.take() {
         chosen = Some(search.descend(best, methods, news)?);
     }
@@ -374,6 +385,39 @@ impl Search<'_> {
             return None;
         }
         self.tried.iter().filter(|c| self.goal.affords(c)).min_by(|a, b| a.error.total_cmp(&b.error)).cloned()
+    }
+
+    /// Where no rung fits: from each method's nearest one beyond the ladder's ends, parameter by parameter, as long as that
+    /// brings it nearer.
+    fn rescue(
+        &mut self,
+        methods: &[&'static MethodRow],
+        news: &mut dyn FnMut(&Candidate),
+    ) -> Result<Option<Candidate>, Error> {
+        for row in methods.iter().copied() {
+            let own = self.tried.iter().filter(|c| c.row == row.name);
+            let nearest = own.min_by(|a, b| self.goal.overrun(a).total_cmp(&self.goal.overrun(b))).cloned();
+            let Some(mut best) = nearest else { continue };
+            for axis in axes(row, &best.settings) {
+                // Too slow or too large asks for less, too wrong for more.
+                let direction = if self.goal.affords(&best) { 1 } else { -1 };
+                while let Some(settings) = step(&best.settings, &axis, direction) {
+                    let Some(mut next) = self.run(row, &settings) else { break };
+                    if let Some(limit) = self.goal.error {
+                        self.settle(&mut next, limit)?;
+                    }
+                    news(&next);
+                    if self.goal.overrun(&next) > 0.97 * self.goal.overrun(&best) {
+                        break;
+                    }
+                    best = next;
+                    if self.goal.affords(&best) && self.goal.accepts(&best) {
+                        return Ok(Some(best));
+                    }
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// Where nothing fits: the smallest error of all that time and memory allow, or of all.

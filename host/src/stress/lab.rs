@@ -29,6 +29,9 @@ pub struct Lab {
     pub cache: PathBuf,
     /// Where kernels run.
     pub exec: Box<dyn Executor>,
+    /// Whether the method gave a number that is not finite since this was last set to false: whatever a family makes of
+    /// such numbers, they are a failure.
+    pub not_finite: bool,
 }
 
 /// What a method made of a scene.
@@ -76,6 +79,7 @@ impl Lab {
     ) -> Result<T, Error> {
         let exec = self.exec.as_mut();
         let mark = exec.mark();
+        let not_finite = &mut self.not_finite;
         let result = (|| {
             let buffers = SceneBuffers::upload(exec, scene)?;
             let gbuffer = exec.upload_slice("gbuffer", surfels)?;
@@ -83,7 +87,7 @@ impl Lab {
             let mut method = (self.row.new)(settings)?;
             let input = Input { scene, buffers: &buffers, seed: self.seed, true_mean: None };
             method.precompute(exec, &input, &mut StageClock::default())?;
-            let mut session = Session { exec, method, buffers, gbuffer, irradiance, seed: self.seed };
+            let mut session = Session { exec, method, buffers, gbuffer, irradiance, seed: self.seed, not_finite };
             work(&mut session)
         })();
         self.exec.free_since(mark);
@@ -144,6 +148,7 @@ pub struct Session<'a> {
     gbuffer: BufferId,
     irradiance: BufferId,
     seed: u32,
+    not_finite: &'a mut bool,
 }
 
 impl Session<'_> {
@@ -181,7 +186,9 @@ impl Session<'_> {
         let input = Input { scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
         self.method.frame(self.exec, &input, self.gbuffer, self.irradiance, &mut StageClock::default())?;
         let values = self.exec.read_slice::<Vec4>(self.irradiance)?;
-        Ok(values.iter().map(|v| v.truncate()).collect())
+        let values: Vec<Vec3> = values.iter().map(|v| v.truncate()).collect();
+        *self.not_finite |= values.iter().any(|v| !v.is_finite());
+        Ok(values)
     }
 }
 

@@ -160,6 +160,13 @@ pub struct Answer {
     pub picture: Option<(Vec<u8>, String)>,
 }
 
+impl Answer {
+    /// The number, or that the method gave something that is none.
+    fn value_of(&self, lab: &Lab) -> f64 {
+        if lab.not_finite || !self.value.is_finite() { NOT_FINITE } else { self.value }
+    }
+}
+
 impl From<f64> for Answer {
     fn from(value: f64) -> Self {
         Self { value, picture: None }
@@ -182,8 +189,9 @@ impl Question {
         let (mut samples, mut picture) = (Vec::new(), None);
         let mut worst = f64::NEG_INFINITY;
         let mut ask = |lab: &mut Lab, parameter: f64| -> Result<f64, Error> {
+            lab.not_finite = false;
             let answer = measure(lab, parameter)?;
-            let value = if answer.value.is_finite() { answer.value } else { NOT_FINITE };
+            let value = answer.value_of(lab);
             if value > worst && answer.picture.is_some() {
                 (worst, picture) = (value, answer.picture);
             }
@@ -231,10 +239,11 @@ impl Question {
     ) -> Entry {
         let (mut samples, mut picture, mut worst) = (Vec::new(), None, f64::NEG_INFINITY);
         for (k, name) in names.iter().enumerate() {
+            lab.not_finite = false;
             let answer = measure(lab, k);
             let said = answer.as_ref().err().map(|e| format!(" ({e})")).unwrap_or_default();
             let answer = answer.unwrap_or(Answer { value: NOT_FINITE, picture: None });
-            let value = if answer.value.is_finite() { answer.value } else { NOT_FINITE };
+            let value = answer.value_of(lab);
             if value > worst && answer.picture.is_some() {
                 (worst, picture) = (value, answer.picture);
             }
@@ -294,11 +303,14 @@ impl Entry {
     fn say(&self) -> String {
         let (method, measure) = (&self.method, &self.measure);
         let bound = self.amount(self.bound);
-        let place = |at: f64| {
-            let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-            format!("{}{unit} of {}", short(at), self.parameter)
+        let place = |at: f64| match self.unit.as_str() {
+            "" => format!("{} {}", self.parameter, short(at)),
+            unit => format!("{} {unit} of {}", short(at), self.parameter),
         };
         let span = || match (self.samples.first(), self.samples.last()) {
+            (Some(a), Some(b)) if self.unit.is_empty() => {
+                format!("{} {} to {}", self.parameter, short(a.parameter), short(b.parameter))
+            }
             (Some(a), Some(b)) => format!("{} to {}", short(a.parameter), place(b.parameter)),
             _ => "nothing".into(),
         };
@@ -339,6 +351,7 @@ impl Entry {
 fn short(value: f64) -> String {
     match value.abs() {
         0.0 => "0".into(),
+        v if (0.99..1.0).contains(&v) => format!("{value:.3}"),
         v if !(0.001..1e5).contains(&v) => format!("{value:.1e}"),
         v if v < 0.1 => format!("{value:.3}"),
         v if v < 10.0 => format!("{}", (value * 100.0).round() / 100.0),

@@ -87,9 +87,9 @@ fn overview(html: &mut String, atlas: &Atlas) {
         "<section aria-labelledby=\"h-all\">\n<h2 id=\"h-all\">Safe ranges</h2>\n\
          <p class=\"note\">Click a column to sort.</p>\n\
          <div class=\"card scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Safe ranges\">\n<table class=\"sortable\">\n\
-         <thead><tr><th scope=\"col\"><button>method</button></th><th scope=\"col\"><button>what fails</button></th>\
+         <thead><tr><th scope=\"col\"><button>method</button></th><th scope=\"col\" class=\"words\"><button>what fails</button></th>\
          <th scope=\"col\"><button>state</button></th><th scope=\"col\"><button>worst over bound</button></th>\
-         <th scope=\"col\"><button>in words</button></th></tr></thead>\n<tbody>\n",
+         <th scope=\"col\" class=\"words\"><button>in words</button></th></tr></thead>\n<tbody>\n",
     );
     for entry in &atlas.entries {
         let what = if entry.variant.is_empty() {

@@ -50,7 +50,7 @@ pub fn scale(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let larger = Question {
         variant: "larger",
         measure: "the change of the picture",
-        parameter: "times its size",
+        parameter: "size factor",
         unit: "",
         bound: SAME,
         percent: true,

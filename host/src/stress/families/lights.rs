@@ -87,7 +87,7 @@ fn patch_values(lab: &mut Lab, angle_deg: f64, with_truth: bool) -> Result<(Vec<
 fn most_negative(values: &[Vec3]) -> f64 {
     let low = values.iter().map(|v| f64::from(v.min_element())).fold(0.0, f64::min);
     let scale = mean(values);
-    if scale > 0.0 { -low / scale } else { 0.0 }
+    if scale > 0.0 { low.abs() / scale } else { 0.0 }
 }
 
 /// Contrast: difference of the 95th and the 5th percentile over the mean.
