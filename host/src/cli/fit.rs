@@ -110,9 +110,18 @@ fn evaluate(
     let mut cases = Vec::new();
     for spec in scenes {
         let open = || setup::executor(&args.device);
-        cases.extend(evaluate_scene(spec, args.scenes.size.into(), truth, &folder, &open, methods, &mut |line| {
-            eprintln!("{line}");
-        })?);
+        cases.extend(evaluate_scene(
+            spec,
+            args.scenes.size.into(),
+            truth,
+            args.ms,
+            &folder,
+            &open,
+            methods,
+            &mut |line| {
+                eprintln!("{line}");
+            },
+        )?);
     }
     let verdict = Verdict::of(cases);
     write_whole(&args.scenes.out.join("evaluate.json"), report::to_json(&verdict)?.as_bytes())?;

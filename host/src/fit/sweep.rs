@@ -98,6 +98,7 @@ pub fn evaluate_scene(
     spec: &SceneSpec,
     size: [u32; 2],
     truth: ReferenceSettings,
+    limit_ms: Option<f64>,
     folder: &Path,
     open: &Open<'_>,
     methods: &[&'static MethodRow],
@@ -107,7 +108,7 @@ pub fn evaluate_scene(
     let judge = Judge::new(spec, size, &plan, &mut |_| {})?;
     let mut evidence = Evidence::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?;
     let start = Instant::now();
-    let swept = sweep(&mut evidence, &judge, methods)?;
+    let swept = sweep(&mut evidence, &judge, methods, limit_ms)?;
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
     news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
@@ -117,7 +118,8 @@ pub fn evaluate_scene(
     for quantile in QUANTILES {
         let Some(&at) = errors.get((quantile * errors.len() as f64) as usize) else { break };
         let target = 1.02 * at;
-        let case = one(spec, size, target, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
+        let goal = Goal { error: Some(target), ms: limit_ms, ..Goal::default() };
+        let case = one(spec, size, goal, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
         news(&format!(
             "  error {target:.3}: {} with {:.3} ({}), cost x {:.2} of {}, {:.1} s for {} trials",
             case.choice,
@@ -133,30 +135,43 @@ pub fn evaluate_scene(
     Ok(cases)
 }
 
-/// Every rung of every method, and every neighbour of every rung.
-fn sweep(evidence: &mut Evidence, judge: &Judge, methods: &[&'static MethodRow]) -> Result<Vec<Swept>, Error> {
-    let mut all: Vec<(&'static MethodRow, Settings)> = Vec::new();
+/// Every rung of every method, and every neighbour of every rung; only cheaper neighbours of the last rung, and no rung
+/// after one whose frames are longer than the limit.
+fn sweep(
+    evidence: &mut Evidence,
+    judge: &Judge,
+    methods: &[&'static MethodRow],
+    limit_ms: Option<f64>,
+) -> Result<Vec<Swept>, Error> {
+    let within = |ms: f64| limit_ms.is_none_or(|limit| ms <= limit);
+    let mut swept: Vec<Swept> = Vec::new();
     for row in methods {
-        for (_, changes) in row.ladder {
+        for (k, (_, changes)) in row.ladder.iter().enumerate() {
             let rung = row.with(changes.iter().copied())?;
-            let neighbours = axes(row, &rung)
-                .into_iter()
-                .flat_map(|axis| [-1, 1].map(|d| step(&rung, &axis, d)))
-                .flatten()
-                .collect::<Vec<_>>();
-            for settings in std::iter::once(rung).chain(neighbours) {
-                if !all.iter().any(|(r, s)| r.name == row.name && *s == settings) {
-                    all.push((row, settings));
+            let directions: &[isize] = if k + 1 < row.ladder.len() { &[-1, 1] } else { &[-1] };
+            let neighbours: Vec<Settings> = axes(row, &rung)
+                .iter()
+                .flat_map(|axis| directions.iter().filter_map(|d| step(&rung, axis, *d)))
+                .collect();
+            let mut too_slow = false;
+            for (n, settings) in std::iter::once(rung).chain(neighbours).enumerate() {
+                if swept.iter().any(|s| s.row.name == row.name && s.settings == settings) {
+                    continue;
+                }
+                // What a method refuses is no answer.
+                let Ok(candidate) = evidence.execute(row, &settings) else { continue };
+                if !within(candidate.dynamic_ms) {
+                    too_slow |= n == 0;
+                } else if let Some(error) = full_error(evidence, judge, &candidate)? {
+                    swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });
+                }
+                if too_slow {
+                    break;
                 }
             }
-        }
-    }
-    let mut swept = Vec::new();
-    for (row, settings) in all {
-        // What a method refuses is no answer.
-        let Ok(candidate) = evidence.execute(row, &settings) else { continue };
-        if let Some(error) = full_error(evidence, judge, &candidate)? {
-            swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });
+            if too_slow {
+                break;
+            }
         }
     }
     Ok(swept)
@@ -172,7 +187,7 @@ fn full_error(evidence: &Evidence, judge: &Judge, candidate: &Candidate) -> Resu
 fn one(
     spec: &SceneSpec,
     size: [u32; 2],
-    target: f64,
+    goal: Goal,
     swept: &[Swept],
     judge: &Judge,
     evidence: &mut Evidence,
@@ -182,7 +197,7 @@ fn one(
     let cache = tempfile::tempdir().map_err(|e| crate::image_io::ImageError::io("create", Path::new("cache"), e))?;
     let start = Instant::now();
     let mut fresh = Evidence::new(spec, size, seed, cache.path().to_path_buf(), open()?)?;
-    let goal = Goal { error: Some(target), ..Goal::default() };
+    let target = goal.error.unwrap_or(f64::MAX);
     let report = fit(&mut fresh, &spec.scene, methods, goal, false, &mut |_| {})?;
     let fit_s = start.elapsed().as_secs_f64();
     drop(fresh);
