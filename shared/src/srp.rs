@@ -4,6 +4,8 @@
 //! whole [`SRP_LANES`]. After the receivers' slots come special ones: [`SrpLayout::black`], the environment, and one for
 //! each dynamic occluder's own light.
 
+use glam::Vec4;
+
 /// Neighbours that lie side by side everywhere: one vector of a CPU, a quarter of a device's workgroup.
 pub const SRP_LANES: u32 = 16;
 /// Coefficients (of each colour channel) that one invocation of the projection owns.
@@ -24,10 +26,10 @@ crate::record! {
         pub slot_count: u32,
         /// Special slots after them.
         pub special_count: u32,
+        /// Factor on indirect irradiance: 1, or less where the loop of bounces must be damped.
+        pub feedback: f32,
         /// Zero.
         pub _pad0: u32,
-        /// Zero.
-        pub _pad1: u32,
     }
 }
 
@@ -240,6 +242,87 @@ crate::record! {
         pub _pad0: u32,
         /// Zero.
         pub _pad1: u32,
+    }
+}
+
+/// [`SrpOccluder::kind`]: the unit sphere.
+pub const SRP_SPHERE: u32 = 0;
+/// [`SrpOccluder::kind`]: the cube from −1 to 1.
+pub const SRP_CUBE: u32 = 1;
+
+crate::record! {
+    /// A moving body that blocks relight rays: a sphere or a cube under any affine transformation (ellipsoids, boxes).
+    pub struct SrpOccluder: 64 {
+        /// Rows of the matrix that takes world to the body's own coordinates; w is the translation.
+        pub local_from_world: [Vec4; 3],
+        /// One of the constants `SRP_SPHERE`, `SRP_CUBE`.
+        pub kind: u32,
+        /// Slot whose radiance a blocked ray sees.
+        pub slot: u32,
+        /// Zero.
+        pub _pad0: u32,
+        /// Zero.
+        pub _pad1: u32,
+    }
+}
+
+crate::record! {
+    /// Rays and bodies of `srp_occlude` and `srp_occlude_mesh`.
+    pub struct SrpOccludeParams: 80 {
+        /// Rows of the matrix that takes world to the mesh's own coordinates (`srp_occlude_mesh`).
+        pub local_from_world: [Vec4; 3],
+        /// Probes.
+        pub probe_count: u32,
+        /// Relight rays of each probe.
+        pub ray_count: u32,
+        /// Rays of a slice.
+        pub slice_rays: u32,
+        /// Bodies.
+        pub occluder_count: u32,
+        /// Slot whose radiance rays see that the mesh blocks.
+        pub slot: u32,
+        /// Entries of the buffer of hits.
+        pub entry_count: u32,
+        /// Zero.
+        pub _pad0: u32,
+        /// Zero.
+        pub _pad1: u32,
+    }
+}
+
+crate::record! {
+    /// A point on a glossy surface and its viewer.
+    pub struct SrpGloss: 32 {
+        /// Unit direction to the viewer.
+        pub wo: [f32; 3],
+        /// Width α of the GGX distribution: roughness squared. From 0.01 to 1; narrower counts as that.
+        pub alpha: f32,
+        /// Reflectance at normal incidence.
+        pub f0: [f32; 3],
+        /// Zero.
+        pub _pad0: u32,
+    }
+}
+
+crate::record! {
+    /// Sizes of `srp_probe_light`.
+    pub struct SrpProbeLightParams: 32 {
+        /// Points.
+        pub count: u32,
+        /// Probes.
+        pub probe_count: u32,
+        /// Coefficients of each probe and channel.
+        pub coefficient_count: u32,
+        /// Floats of a channel of probe coefficients.
+        pub coef_plane: u32,
+        /// Radius of the probes' support (m). Larger: smoother, and light from farther away.
+        pub radius: f32,
+        /// Zero.
+        pub _pad0: u32,
+        /// Zero.
+        pub _pad1: u32,
+        /// Zero.
+        pub _pad2: u32,
     }
 }
 

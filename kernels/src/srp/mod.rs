@@ -15,6 +15,9 @@
 //! 5. [`reconstruct`]: `U` times that, one irradiance or four coefficients per receiver ("receiver irradiance").
 //! 6. [`normals`], where receivers hold four coefficients: irradiance for normals; [`resolve`]: receivers to lightmap texels with dilation, and to arbitrary points.
 //!
+//! Beside them: [`occlude`] when bodies move, before step 2; [`glossy`] for highlights from four coefficients; [`probe_light`]
+//! for dynamic objects, after step 3. [`query`] is for other renderers.
+//!
 //! Further bounces: step 1 takes the irradiance of step 5 in. Matrices are half floats, unpacked in lanes.
 //!
 //! Good when geometry stands still and light, albedo and emission move: soft indirect light with shadows at millions of
@@ -26,10 +29,14 @@ use crate::kernel::Kernel;
 
 pub mod cluster;
 pub mod gather;
+pub mod glossy;
 pub mod light_basis;
 pub mod normals;
+pub mod occlude;
+pub mod probe_light;
 pub mod probe_sum;
 pub mod project;
+pub mod query;
 pub mod reconstruct;
 pub mod relight;
 pub mod resolve;
@@ -49,6 +56,10 @@ pub const KERNELS: &[&Kernel] = &[
     &normals::srp_normal_mapped::KERNEL,
     &resolve::srp_atlas::KERNEL,
     &resolve::srp_resolve::KERNEL,
+    &glossy::srp_glossy::KERNEL,
+    &occlude::srp_occlude::KERNEL,
+    &occlude::srp_occlude_mesh::KERNEL,
+    &probe_light::srp_probe_light::KERNEL,
 ];
 
 /// Sizes of probes for a test case.

@@ -34,7 +34,7 @@ pub fn relight(
     }
     let (direct, surface) = (direct[at], surfaces[at]);
     let arriving =
-        Vec3::new(direct.x + indirect[at], direct.y + indirect[slots + at], direct.z + indirect[2 * slots + at]);
+        Vec3::new(direct.x + p.feedback * indirect[at], direct.y + p.feedback * indirect[slots + at], direct.z + p.feedback * indirect[2 * slots + at]);
     let reflected = arriving * Vec3::from_array(surface.albedo) * (1.0 / PI);
     (reflected + Vec3::from_array(surface.emission)).extend(0.0)
 }
@@ -43,7 +43,7 @@ pub fn relight(
 fn case(input: &mut CaseInput) -> Case {
     let special_count = (input.count as u32).min(3);
     let slot_count = input.count as u32 - special_count;
-    let p = SrpRelightParams { slot_count, special_count, _pad0: 0, _pad1: 0 };
+    let p = SrpRelightParams { slot_count, special_count, feedback: 0.5 + 0.5 * input.unit(), _pad0: 0 };
     let slots = slot_count as usize;
     let vector = |v: alloc::vec::Vec<f32>| -> alloc::vec::Vec<Vec4> {
         v.chunks_exact(3).map(|v| Vec4::new(v[0], v[1], v[2], 0.0)).collect()
@@ -72,5 +72,5 @@ kernel! {
     read 4 special: Vec4;
     write 5 radiance: Vec4;
     over super::slots;
-    case super::case; tolerance Tolerance::RelAbs(1e-6, 1e-6), "a sum that may cancel and a multiply-add, which a device may fuse";
+    case super::case; tolerance Tolerance::RelAbs(1e-6, 1e-6), "a sum of products that may cancel and a multiply-add, which a device may fuse";
 }

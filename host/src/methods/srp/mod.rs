@@ -5,7 +5,9 @@
 //!
 //! [`model`] is what precomputation hands to run time.
 
+pub mod feedback;
 pub mod model;
+pub mod occluders;
 pub mod packed;
 pub mod runtime;
 pub mod synthetic;

@@ -3,7 +3,9 @@
 //! Every pass runs only when something that it reads has changed. [`SrpRuntime::update`] makes as many bounces as are
 //! asked for, starting from the light that was there; a scene in which nothing moves costs nothing after that.
 
+use super::feedback::Feedback;
 use super::model::{Blend, NO_RECEIVER, SrpBake};
+use super::occluders::Occlusion;
 use super::packed::{Packed, SLICE_RAYS};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use crate::methods::{MethodError, StageClock};
@@ -12,8 +14,10 @@ use bytemuck::Zeroable;
 use glam::{Vec3, Vec4};
 use interreflect_kernels::srp::cluster::srp_cluster;
 use interreflect_kernels::srp::gather::srp_gather;
+use interreflect_kernels::srp::glossy::srp_glossy;
 use interreflect_kernels::srp::light_basis::srp_light_basis;
 use interreflect_kernels::srp::normals::{srp_normal_mapped, srp_receiver_irradiance};
+use interreflect_kernels::srp::probe_light::srp_probe_light;
 use interreflect_kernels::srp::probe_sum::srp_probe_sum;
 use interreflect_kernels::srp::project::srp_project;
 use interreflect_kernels::srp::reconstruct::{srp_reconstruct, srp_reconstruct4};
@@ -22,7 +26,7 @@ use interreflect_kernels::srp::resolve::{srp_atlas, srp_resolve};
 use interreflect_kernels::trace::direct::trace_direct;
 use interreflect_shared::scene::{NO_SURFACE, Surfel};
 use interreflect_shared::srp::{
-    SRP_LANES, SrpBasisParams, SrpProbeParams, SrpRelightParams, SrpResolveParams, SrpSurface, SrpTransportParams,
+    SRP_LANES, SrpBasisParams, SrpProbeLightParams, SrpProbeParams, SrpRelightParams, SrpResolveParams, SrpSurface, SrpTransportParams,
 };
 use interreflect_shared::trace::DirectParams;
 use serde_json::json;
@@ -30,7 +34,7 @@ use serde_json::json;
 /// Largest binding that every device has: WebGPU's default limit.
 pub const BINDING_BYTES: usize = 128 << 20;
 /// Special slots before those of occluders: black, environment.
-const FIRST_SPECIAL: u32 = 2;
+pub(super) const FIRST_SPECIAL: u32 = 2;
 
 /// Sizes that do not come from the bake.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +43,7 @@ pub struct RuntimeOptions {
     pub slice_rays: u32,
     /// Largest binding in bytes; matrices beyond it are split.
     pub binding_bytes: usize,
-    /// Dynamic occluders with a light of their own that there is room for.
+    /// Dynamic occluders that there is room for; 0 saves their buffers, three of the size of the relight rays'. Default 0.
     pub occluder_slots: u32,
     /// Whether the receivers' baked emission is lit by probes. False where emitters count as direct light.
     pub emission: bool,
@@ -47,7 +51,7 @@ pub struct RuntimeOptions {
 
 impl Default for RuntimeOptions {
     fn default() -> Self {
-        Self { slice_rays: SLICE_RAYS, binding_bytes: BINDING_BYTES, occluder_slots: 8, emission: false }
+        Self { slice_rays: SLICE_RAYS, binding_bytes: BINDING_BYTES, occluder_slots: 0, emission: false }
     }
 }
 
@@ -56,6 +60,8 @@ impl Default for RuntimeOptions {
 pub struct Runs {
     /// Direct light at the receivers.
     pub direct: u32,
+    /// What relight rays meet behind dynamic occluders.
+    pub occlusions: u32,
     /// Bounces: all passes from relighting to reconstruction.
     pub bounces: u32,
 }
@@ -68,11 +74,12 @@ struct PartBuffers {
 
 /// A bake on an executor, with light.
 pub struct SrpRuntime {
-    packed_slots: Vec<u32>,
+    slot_of_receiver: Vec<u32>,
     receiver_of_slot: Vec<u32>,
-    slot_count: u32,
+    pub(super) slot_count: u32,
     special_count: u32,
     rows: u32,
+    relight_params: SrpRelightParams,
     texel_count: u32,
     relight_uniform: BufferId,
     probe_uniform: BufferId,
@@ -86,6 +93,9 @@ pub struct SrpRuntime {
     special: BufferId,
     radiance: BufferId,
     hits: BufferId,
+    occlusion: Option<Occlusion>,
+    probe_light: SrpProbeLightParams,
+    probe_positions: BufferId,
     table: BufferId,
     light: BufferId,
     probe_partial: BufferId,
@@ -104,6 +114,8 @@ pub struct SrpRuntime {
     atlas_map: BufferId,
     dilation: BufferId,
     atlas: BufferId,
+    /// What was last measured about the loop of bounces.
+    feedback: Option<Feedback>,
     /// Bounces that the last change still asks for.
     pending: u32,
     /// Bounces that a change asks for.
@@ -124,7 +136,15 @@ impl SrpRuntime {
         let special_count = FIRST_SPECIAL + options.occluder_slots;
         let pair_count = packed.rank_pairs.len() as u32;
         let rows = bake.rows_per_receiver;
-        let relight = SrpRelightParams { slot_count, special_count, _pad0: 0, _pad1: 0 };
+        let relight = SrpRelightParams { slot_count, special_count, feedback: 1.0, _pad0: 0 };
+        let probe_light = SrpProbeLightParams {
+            probe_count: layout.probes,
+            coefficient_count: layout.coefs,
+            coef_plane: layout.coef_plane(),
+            radius: bake.radius,
+            ..SrpProbeLightParams::zeroed()
+        };
+        let probe_positions: Vec<Vec4> = bake.probes.iter().map(|p| p.extend(0.0)).collect();
         let basis = SrpBasisParams {
             count: packed.sources.len() as u32,
             pair_count,
@@ -155,6 +175,7 @@ impl SrpRuntime {
             slot_count,
             special_count,
             rows,
+            relight_params: relight,
             texel_count,
             relight_uniform: exec.upload_one("srp relight parameters", &relight)?,
             probe_uniform: exec.upload_one("srp probe parameters", &packed.probes)?,
@@ -167,6 +188,12 @@ impl SrpRuntime {
             special: exec.zeroed_slice::<Vec4>("srp special", special_count as usize)?,
             radiance: exec.zeroed_slice::<Vec4>("srp radiance", slots + special_count as usize)?,
             hits: exec.upload_slice("srp ray hits", &packed.hits)?,
+            occlusion: match options.occluder_slots {
+                0 => None,
+                slots => Some(Occlusion::new(exec, bake, &packed, slots)?),
+            },
+            probe_light,
+            probe_positions: exec.upload_slice("srp probes", &probe_positions)?,
             table: exec.upload_slice("srp basis functions", &packed.table)?,
             light: exec.zeroed_slice::<f32>("srp ray light", 3 * (together * layout.slice_plane()) as usize)?,
             slices: slices.into_iter().collect::<Result<_, _>>()?,
@@ -187,10 +214,11 @@ impl SrpRuntime {
             atlas_map: exec.upload_slice("srp atlas map", &packed.atlas)?,
             dilation: exec.upload_slice("srp dilation", &packed.dilation)?,
             atlas: exec.zeroed_slice::<Vec4>("srp atlas", texel_count as usize)?,
+            feedback: None,
             pending: 0,
             bounces: 1,
             runs: Runs::default(),
-            packed_slots: packed.slot_of_receiver,
+            slot_of_receiver: packed.slot_of_receiver,
             receiver_of_slot: packed.receiver_of_slot,
         })
     }
@@ -277,9 +305,29 @@ impl SrpRuntime {
         Ok(())
     }
 
+    /// Moving bodies that block relight rays, each with the radiance (W/(sr m²)) that a blocked ray sees instead, and that of
+    /// the environment as for [`SrpRuntime::set_special`]. Costs a test per ray and body now, and nothing per update.
+    ///
+    /// # Errors
+    /// The executor's; [`ExecError::Buffer`] for more bodies than there is room for.
+    pub fn set_occluders(
+        &mut self,
+        exec: &mut dyn Executor,
+        environment: Vec3,
+        occluders: &[super::occluders::Occluder<'_>],
+    ) -> Result<(), ExecError> {
+        let light: Vec<Vec3> = occluders.iter().map(|o| o.light).collect();
+        self.set_special(exec, environment, &light)?;
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.update(exec, self.hits, self.slot_count + FIRST_SPECIAL, occluders)?;
+            self.runs.occlusions += 1;
+        }
+        Ok(())
+    }
+
     fn per_slot<T, U: Copy>(&self, values: &[T], padding: U, of: impl Fn(&T) -> U) -> Result<Vec<U>, ExecError> {
-        if values.len() != self.packed_slots.len() {
-            let reason = format!("{} values for {} receivers", values.len(), self.packed_slots.len());
+        if values.len() != self.slot_of_receiver.len() {
+            let reason = format!("{} values for {} receivers", values.len(), self.slot_of_receiver.len());
             return Err(ExecError::buffer("srp receivers", reason));
         }
         let slot = |&r: &u32| if r == NO_RECEIVER { padding } else { of(&values[r as usize]) };
@@ -305,7 +353,7 @@ impl SrpRuntime {
     }
 
     /// One bounce: all passes once, each a stage.
-    fn bounce(&mut self, exec: &mut dyn Executor, clock: &mut StageClock) -> Result<(), MethodError> {
+    pub(super) fn bounce(&mut self, exec: &mut dyn Executor, clock: &mut StageClock) -> Result<(), MethodError> {
         for (name, pass) in PASSES {
             clock.stage(exec, name, |exec| pass(self, exec))?;
         }
@@ -327,7 +375,8 @@ impl SrpRuntime {
     }
 
     fn gather(&self, exec: &mut dyn Executor, slice: BufferId) -> Result<(), ExecError> {
-        exec.run(&srp_gather::KERNEL, &[slice, self.hits, self.radiance, self.light])
+        let hits = self.occlusion.as_ref().and_then(Occlusion::seen).unwrap_or(self.hits);
+        exec.run(&srp_gather::KERNEL, &[slice, hits, self.radiance, self.light])
     }
 
     fn project(&self, exec: &mut dyn Executor, slice: BufferId) -> Result<(), ExecError> {
@@ -398,7 +447,7 @@ impl SrpRuntime {
     /// The executor's.
     pub fn points(&self, exec: &mut dyn Executor, blends: &[Blend]) -> Result<Points, ExecError> {
         let params = SrpResolveParams { count: blends.len() as u32, slot_count: self.slot_count, _pad0: 0, _pad1: 0 };
-        let blends: Vec<_> = blends.iter().map(|b| super::packed::blend_of(b, &self.packed_slots)).collect();
+        let blends: Vec<_> = blends.iter().map(|b| super::packed::blend_of(b, &self.slot_of_receiver)).collect();
         Ok(Points {
             uniform: exec.upload_one("srp point parameters", &params)?,
             blends: exec.upload_slice("srp points", &blends)?,
@@ -428,6 +477,46 @@ impl SrpRuntime {
         exec.run(&srp_normal_mapped::KERNEL, &[points.uniform, points.blends, self.radiance4, surfels, out])
     }
 
+    /// Glossy reflection (radiance, W/(sr m²)) at points towards their viewers, `Vec4` each. `gloss`:
+    /// [`interreflect_shared::srp::SrpGloss`] per point. For bakes of four rows.
+    ///
+    /// # Errors
+    /// The executor's; [`ExecError::Buffer`] for a bake of one row.
+    pub fn glossy(
+        &self,
+        exec: &mut dyn Executor,
+        points: &Points,
+        surfels: BufferId,
+        gloss: BufferId,
+        out: BufferId,
+    ) -> Result<(), ExecError> {
+        self.needs_four_rows()?;
+        exec.run(&srp_glossy::KERNEL, &[points.uniform, points.blends, self.radiance4, surfels, gloss, out])
+    }
+
+    /// Parameters of [`SrpRuntime::light_objects`] for a number of points.
+    ///
+    /// # Errors
+    /// The executor's.
+    pub fn object_points(&self, exec: &mut dyn Executor, count: u32) -> Result<BufferId, ExecError> {
+        exec.upload_one("srp object parameters", &SrpProbeLightParams { count, ..self.probe_light })
+    }
+
+    /// Irradiance (W/m²) of the probes at points of dynamic objects ([`Surfel`] each), `Vec4` each. `params` from
+    /// [`SrpRuntime::object_points`].
+    ///
+    /// # Errors
+    /// The executor's.
+    pub fn light_objects(
+        &self,
+        exec: &mut dyn Executor,
+        params: BufferId,
+        surfels: BufferId,
+        out: BufferId,
+    ) -> Result<(), ExecError> {
+        exec.run(&srp_probe_light::KERNEL, &[params, self.probe_positions, self.coefs, surfels, out])
+    }
+
     fn needs_four_rows(&self) -> Result<(), ExecError> {
         if self.rows != 4 {
             return Err(ExecError::buffer("srp order-1 radiance", "the bake holds one row per receiver".into()));
@@ -446,7 +535,7 @@ impl SrpRuntime {
             let slot = slot as usize;
             Vec3::new(planes[slot], planes[n + slot], planes[2 * n + slot])
         };
-        Ok(self.packed_slots.iter().map(at).collect())
+        Ok(self.slot_of_receiver.iter().map(at).collect())
     }
 
     /// Irradiance at receivers in planes `[channel][slot]`, for kernels of other renderers.
@@ -457,6 +546,48 @@ impl SrpRuntime {
     /// Probe coefficients λ in planes `[channel][probe][k]`.
     pub fn coefficients_buffer(&self) -> BufferId {
         self.coefs
+    }
+
+    /// Turns off all light but that which is fed back; gives what [`SrpRuntime::relit`] needs.
+    pub(super) fn darken(&mut self, exec: &mut dyn Executor) -> Result<Saved, ExecError> {
+        let saved = Saved {
+            direct: exec.read(self.direct)?,
+            special: exec.read(self.special)?,
+            surfaces: exec.read(self.surfaces)?,
+            irradiance: exec.read(self.irradiance)?,
+            runs: self.runs,
+        };
+        let mut surfaces: Vec<SrpSurface> = bytemuck::pod_collect_to_vec(&saved.surfaces);
+        surfaces.iter_mut().for_each(|s| s.emission = [0.0; 3]);
+        exec.write(self.surfaces, bytemuck::cast_slice(&surfaces))?;
+        exec.clear(self.direct)?;
+        exec.clear(self.special)?;
+        Ok(saved)
+    }
+
+    /// Undoes [`SrpRuntime::darken`]. What lies between light and irradiance is computed anew by the next bounce.
+    pub(super) fn relit(&mut self, exec: &mut dyn Executor, saved: &Saved) -> Result<(), ExecError> {
+        exec.write(self.direct, &saved.direct)?;
+        exec.write(self.special, &saved.special)?;
+        exec.write(self.surfaces, &saved.surfaces)?;
+        exec.write(self.irradiance, &saved.irradiance)?;
+        self.runs = saved.runs;
+        // Probe coefficients and order-1 radiance are those of the measurement: one bounce makes them right.
+        self.pending = self.pending.max(1);
+        Ok(())
+    }
+
+    /// Factor on the light that is fed back.
+    pub(super) fn set_damping(&mut self, exec: &mut dyn Executor, damping: f32) -> Result<(), ExecError> {
+        self.relight_params.feedback = damping;
+        exec.write(self.relight_uniform, bytemuck::bytes_of(&self.relight_params))?;
+        self.changed();
+        Ok(())
+    }
+
+    /// Remembers a measurement for reports.
+    pub(super) fn note_feedback(&mut self, feedback: Feedback) {
+        self.feedback = Some(feedback);
     }
 
     /// Bytes of the projection and of the reconstruction matrices, which every bounce reads once.
@@ -479,6 +610,8 @@ impl SrpRuntime {
             "reconstruction_dispatches": self.reconstruction.len(),
             "direct_runs": self.runs.direct,
             "bounce_runs": self.runs.bounces,
+            "occlusion_runs": self.runs.occlusions,
+            "feedback": self.feedback,
             "settled": self.is_settled(),
         })
     }
@@ -493,6 +626,15 @@ pub const PASSES: [(&str, Pass); 4] = [
     ("cluster projection", SrpRuntime::cluster),
     ("reconstruction", SrpRuntime::reconstruct),
 ];
+
+/// Light that was turned off.
+pub(super) struct Saved {
+    direct: Vec<u8>,
+    special: Vec<u8>,
+    surfaces: Vec<u8>,
+    irradiance: Vec<u8>,
+    runs: Runs,
+}
 
 /// Points to read irradiance at.
 pub struct Points {
