@@ -343,10 +343,18 @@ fn four_rows_give_normals_and_highlights() {
         .collect();
     let direction = |i: u32, n: u32| interreflect_kernels::math::sampling::spherical_fibonacci(i, n);
     let surfels: Vec<Surfel> = (0..count)
-        .map(|i| Surfel { normal: direction(i, count).to_array(), ..interreflect_kernels::trace::surface::no_surface() })
+        .map(|i| Surfel {
+            normal: direction(i, count).to_array(),
+            ..interreflect_kernels::trace::surface::no_surface()
+        })
         .collect();
     let gloss: Vec<SrpGloss> = (0..count)
-        .map(|i| SrpGloss { wo: direction(7 * i % count, count).to_array(), alpha: 0.5, f0: [0.04, 0.5, 1.0], _pad0: 0 })
+        .map(|i| SrpGloss {
+            wo: direction(7 * i % count, count).to_array(),
+            alpha: 0.5,
+            f0: [0.04, 0.5, 1.0],
+            _pad0: 0,
+        })
         .collect();
     let points = runtime.points(&mut exec, &blends).unwrap();
     let (surfel_buffer, gloss_buffer) =
@@ -459,9 +467,8 @@ fn bounces_converge_as_fast_as_the_bound_promises() {
             runtime.update(&mut exec, 1, &mut StageClock::default()).unwrap();
             steps.push(runtime.read_irradiance(&mut exec).unwrap());
         }
-        let distance = |a: &[Vec3], b: &[Vec3]| {
-            a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element()).fold(0.0, f32::max)
-        };
+        let distance =
+            |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, b)| (*a - *b).abs().max_element()).fold(0.0, f32::max);
         let first = f64::from(distance(&steps[1], &steps[0]));
         for n in 1..30 {
             let now = f64::from(distance(&steps[n + 1], &steps[n]));

@@ -34,7 +34,11 @@ const SMALLEST_ALPHA: f32 = 0.01;
 #[inline(always)]
 pub fn dominant_light(red: [f32; 4], green: [f32; 4], blue: [f32; 4]) -> (Vec3, Vec3) {
     // Y₁ is (y, z, x).
-    let (r, g, b) = (Vec3::new(red[3], red[1], red[2]), Vec3::new(green[3], green[1], green[2]), Vec3::new(blue[3], blue[1], blue[2]));
+    let (r, g, b) = (
+        Vec3::new(red[3], red[1], red[2]),
+        Vec3::new(green[3], green[1], green[2]),
+        Vec3::new(blue[3], blue[1], blue[2]),
+    );
     let direction = normalize_or(r * LUMINANCE.x + g * LUMINANCE.y + b * LUMINANCE.z, Vec3::Y);
     let along = |linear: Vec3| max(linear.dot(direction), 0.0) * (1.0 / LINEAR);
     (direction, Vec3::new(along(r), along(g), along(b)))

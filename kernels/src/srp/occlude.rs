@@ -9,9 +9,9 @@
 //! Good for doors, vehicles, large bodies: blocks at the probes alone. Bodies smaller than the spacing of probes cast hardly a
 //! shadow, and no body blocks light between receivers and what the baked transport lets them see.
 
+use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::kernel::Rows;
 use crate::math::float::{abs, max, min, sqrt};
 use crate::trace::{Ray, SceneRef, any_hit};
 use glam::{Vec3, Vec4};

@@ -33,8 +33,11 @@ pub fn relight(
         return special[at - slots];
     }
     let (direct, surface) = (direct[at], surfaces[at]);
-    let arriving =
-        Vec3::new(direct.x + p.feedback * indirect[at], direct.y + p.feedback * indirect[slots + at], direct.z + p.feedback * indirect[2 * slots + at]);
+    let arriving = Vec3::new(
+        direct.x + p.feedback * indirect[at],
+        direct.y + p.feedback * indirect[slots + at],
+        direct.z + p.feedback * indirect[2 * slots + at],
+    );
     let reflected = arriving * Vec3::from_array(surface.albedo) * (1.0 / PI);
     (reflected + Vec3::from_array(surface.emission)).extend(0.0)
 }

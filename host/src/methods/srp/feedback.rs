@@ -96,7 +96,8 @@ fn norm(values: &[f32]) -> f64 {
 pub fn gain_bound(bake: &SrpBake) -> f64 {
     let albedo = bake.receivers.iter().map(|r| r.albedo.max_element()).fold(0.0, f32::max);
     let largest = bake.clusters.par_iter().map(|c| cluster_bound(bake, c)).reduce(|| 0.0, f64::max);
-    largest * (4.0 * PI * gram_eigenvalue(&bake.ray_directions, bake.coefficient_count())).sqrt() * f64::from(albedo) / PI
+    largest * (4.0 * PI * gram_eigenvalue(&bake.ray_directions, bake.coefficient_count())).sqrt() * f64::from(albedo)
+        / PI
 }
 
 /// The largest `Σ_p ‖t_ip‖` of a cluster's receivers.

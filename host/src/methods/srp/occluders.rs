@@ -79,12 +79,7 @@ pub(super) struct Occlusion {
 }
 
 impl Occlusion {
-    pub(super) fn new(
-        exec: &mut dyn Executor,
-        bake: &SrpBake,
-        packed: &Packed,
-        room: u32,
-    ) -> Result<Self, ExecError> {
+    pub(super) fn new(exec: &mut dyn Executor, bake: &SrpBake, packed: &Packed, room: u32) -> Result<Self, ExecError> {
         let params = SrpOccludeParams {
             probe_count: packed.layout.probes,
             ray_count: packed.probes.ray_count,
@@ -151,8 +146,7 @@ impl Occlusion {
             exec.write(uniform, bytemuck::bytes_of(&params))?;
             let (from, out) = (self.current.unwrap_or(hits), self.seen[turn]);
             let [nodes, triangles, attributes, surfaces] = mesh.trace_bindings();
-            let buffers =
-                [uniform, from, self.distances, self.rays, nodes, triangles, attributes, surfaces, out];
+            let buffers = [uniform, from, self.distances, self.rays, nodes, triangles, attributes, surfaces, out];
             exec.run(&srp_occlude_mesh::KERNEL, &buffers)?;
             self.current = Some(out);
             turn = 1 - turn;

@@ -26,7 +26,8 @@ use interreflect_kernels::srp::resolve::{srp_atlas, srp_resolve};
 use interreflect_kernels::trace::direct::trace_direct;
 use interreflect_shared::scene::{NO_SURFACE, Surfel};
 use interreflect_shared::srp::{
-    SRP_LANES, SrpBasisParams, SrpProbeLightParams, SrpProbeParams, SrpRelightParams, SrpResolveParams, SrpSurface, SrpTransportParams,
+    SRP_LANES, SrpBasisParams, SrpProbeLightParams, SrpProbeParams, SrpRelightParams, SrpResolveParams, SrpSurface,
+    SrpTransportParams,
 };
 use interreflect_shared::trace::DirectParams;
 use serde_json::json;
