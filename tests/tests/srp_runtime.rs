@@ -168,6 +168,29 @@ fn atlas_and_points_hold_the_receivers() {
     for (got, blend) in exec.read_slice::<Vec4>(out).unwrap().iter().zip(&blends) {
         assert!((got.truncate() - blend.of(&irradiance)).abs().max_element() < 1e-5);
     }
+    let reversed = [blends[2], blends[1], blends[0]];
+    runtime.set_points(&mut exec, &points, &reversed).unwrap();
+    runtime.resolve(&mut exec, &points, out).unwrap();
+    for (got, blend) in exec.read_slice::<Vec4>(out).unwrap().iter().zip(&reversed) {
+        assert!((got.truncate() - blend.of(&irradiance)).abs().max_element() < 1e-5);
+    }
+    assert!(runtime.set_points(&mut exec, &points, &[Blend::NONE; 9]).is_err());
+}
+
+#[test]
+fn light_settles_in_as_many_bounces_as_it_takes() {
+    let bake = white_room(0.5);
+    let mut exec = CpuExecutor::new();
+    let mut runtime = SrpRuntime::new(&mut exec, &bake, &RuntimeOptions::default()).unwrap();
+    runtime.set_direct(&mut exec, &direct(&bake)).unwrap();
+    let mut clock = StageClock::default();
+    // Halved each time: 2⁻¹⁰ is the first below a thousandth of what has come together.
+    let bounces = runtime.settle(&mut exec, 100, 1e-3, &mut clock).unwrap();
+    assert!((9..=12).contains(&bounces), "{bounces}");
+    assert!(runtime.is_settled());
+    let expected = bake.bounce(&direct(&bake), 60);
+    assert!(relative(&runtime.read_irradiance(&mut exec).unwrap(), &expected) < 2e-3);
+    assert_eq!(runtime.settle(&mut exec, 3, 0.0, &mut clock).unwrap(), 3);
 }
 
 /// A bake with an open scene: every ray misses.

@@ -2,8 +2,10 @@
 //! beside its limit, the cost against order, probes and receivers, and the CPU against a device.
 //!
 //! The bake is random with exactly the paper's sizes; two thirds of its relight rays meet receivers at random, which is
-//! worse for caches than any scene. Limits and stages take turns. Shown are the least time of many (what the machine can
-//! do) and the median (what it did under the load that it had).
+//! worse for caches than any scene. Limits and stages take turns. Shown are the least time of many, the median, and
+//! processor time: what all threads together spent, over their number. On a machine that does nothing else the three
+//! agree; on a busy one the clock counts the others' time too, and processor time is what a free machine would take, if
+//! work is even.
 
 use super::{Bench, median};
 use anyhow::Result;
@@ -18,7 +20,9 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use std::time::Instant;
 
-const REPEATS: usize = 25;
+const REPEATS: usize = 40;
+/// Repeats between two readings of processor time, which the system keeps in steps of milliseconds.
+const PROCESSOR_REPEATS: usize = 40;
 /// Repeats of a point of a curve.
 const CURVE_REPEATS: usize = 9;
 /// Bytes of the read-bandwidth measurement: far more than caches hold.
@@ -49,18 +53,44 @@ impl Times {
     }
 }
 
+/// Nanoseconds that all threads of this program have run, where the system tells.
+fn processor_ns() -> Option<u64> {
+    let mut sum = 0;
+    for task in std::fs::read_dir("/proc/self/task").ok()? {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        sum += text.split_whitespace().next()?.parse::<u64>().ok()?;
+    }
+    Some(sum)
+}
+
+/// Processor milliseconds of one piece of work on every thread, from [`PROCESSOR_REPEATS`] of them.
+fn processor_ms(mut work: impl FnMut() -> Result<()>) -> Result<f64> {
+    let before = processor_ns();
+    for _ in 0..PROCESSOR_REPEATS {
+        work()?;
+    }
+    let spent = processor_ns().zip(before).map_or(f64::NAN, |(after, before)| (after - before) as f64);
+    Ok(spent * 1e-6 / PROCESSOR_REPEATS as f64 / rayon::current_num_threads() as f64)
+}
+
 /// A stage's figures.
 #[derive(Serialize)]
 struct Row {
-    stage: String,
+    stage: &'static str,
     least_ms: f64,
     median_ms: f64,
+    /// Of all threads, over their number.
+    processor_ms: f64,
     /// What binds it: `product` or `reading`; empty where the stage stands beside no limit.
     limit: &'static str,
-    /// Share of that limit, least time against least time.
-    share_least: Option<f64>,
-    /// The same with medians.
-    share_median: Option<f64>,
+    /// Share of that limit: least time against least time, median against median, processor time against processor time.
+    share: Option<[f64; 3]>,
+}
+
+impl Row {
+    fn ms(&self) -> [f64; 3] {
+        [self.least_ms, self.median_ms, self.processor_ms]
+    }
 }
 
 /// The section.
@@ -79,90 +109,100 @@ fn lit(exec: &mut dyn Executor, sizes: &Sizes, bounces: u32) -> Result<SrpRuntim
     Ok(runtime)
 }
 
+/// Something that is timed.
+type Work<'a> = Box<dyn FnMut(&mut CpuExecutor) -> Result<()> + 'a>;
+
 /// All stages at the paper's size, in turns with the limits.
 fn paper_size(bench: &mut Bench) -> Result<Value> {
     let exec = &mut bench.cpu;
     let mark = exec.mark();
     let runtime = lit(exec, &SPONZA, 1)?;
     let unblocked = Unblocked::new(exec, &SPONZA)?;
-    let mut product = Product::new(PRODUCT_SIDE, PRODUCT_SIDE, PRODUCT_SIDE);
     let coefs = (SPONZA.order + 1).pow(2) as usize;
+    let mut product = Product::new(PRODUCT_SIDE, PRODUCT_SIDE, PRODUCT_SIDE);
     let mut same_shape = Product::new(coefs, SPONZA.rays as usize, 3 * SPONZA.probes as usize);
     let block = vec![1u32; READ_BYTES / 4];
-    let (mut whole, mut passes, mut atlas) = (Times::default(), vec![Times::default(); PASSES.len()], Times::default());
-    let (mut gathers, mut projections) = (Times::default(), Times::default());
-    let (mut products, mut shaped, mut reads, mut plain) =
-        (Times::default(), Times::default(), Times::default(), Times::default());
-    for turn in 0..=REPEATS {
-        products.add(|| product.run())?;
-        shaped.add(|| same_shape.run())?;
-        reads.add(|| read(&block))?;
-        let start = Instant::now();
-        for ((_, pass), times) in PASSES.iter().zip(&mut passes) {
-            times.add(|| Ok(pass(&runtime, exec)?))?;
-        }
-        atlas.add(|| runtime.atlas(exec).map(|_| ()).map_err(Into::into))?;
-        whole.0.push(start.elapsed().as_secs_f64());
-        gathers.add(|| Ok(runtime.gather_alone(exec)?))?;
-        projections.add(|| Ok(runtime.project_alone(exec)?))?;
-        plain.add(|| unblocked.run(exec))?;
-        if turn == 0 {
-            // The first turn warms up.
-            let all = [&mut products, &mut shaped, &mut reads, &mut atlas, &mut whole, &mut plain, &mut gathers];
-            all.into_iter().chain(&mut passes).chain([&mut projections]).for_each(|times| times.0.clear());
-        }
-    }
+    let (projection_bytes, reconstruction_bytes) = runtime.matrix_bytes(exec);
+    // Operations or bytes beside each piece of work, and its limit.
     let operations = 2.0 * coefs as f64 * f64::from(SPONZA.rays) * 3.0 * f64::from(SPONZA.probes);
     let product_operations = 2.0 * (PRODUCT_SIDE as f64).powi(3);
-    let of_product = |times: &Times| {
-        let share = |ms: f64, limit: f64| operations / ms / (product_operations / limit);
-        (share(times.least_ms(), products.least_ms()), share(times.median_ms(), products.median_ms()))
-    };
-    let of_reading = |times: &Times, bytes: f64| {
-        let share = |ms: f64, limit: f64| bytes / ms / (READ_BYTES as f64 / limit);
-        (share(times.least_ms(), reads.least_ms()), share(times.median_ms(), reads.median_ms()))
-    };
-    let bytes = runtime.matrix_bytes(exec);
-    let mut rows = Vec::new();
-    for ((name, _), times) in PASSES.iter().zip(&passes) {
-        let (limit, share) = match *name {
-            "cluster projection" => ("reading", Some(of_reading(times, bytes.0 as f64))),
-            "reconstruction" => ("reading", Some(of_reading(times, bytes.1 as f64))),
-            _ => ("", None),
+    let runtime = &runtime;
+    let mut works: Vec<(&'static str, &'static str, f64, Work<'_>)> = vec![
+        ("limit: product", "product", product_operations, Box::new(|_| product.run())),
+        ("limit: reading", "reading", READ_BYTES as f64, Box::new(|_| read(&block))),
+    ];
+    for (name, pass) in PASSES {
+        let (limit, size) = match name {
+            "cluster projection" => ("reading", projection_bytes as f64),
+            "reconstruction" => ("reading", reconstruction_bytes as f64),
+            _ => ("", 0.0),
         };
-        rows.push(row(name, times, limit, share));
+        works.push((name, limit, size, Box::new(move |exec| Ok(pass(runtime, exec)?))));
     }
-    rows.push(row("lightmap with dilation", &atlas, "", None));
-    rows.push(row("whole update", &whole, "", None));
-    rows.push(row("(gathering alone)", &gathers, "", None));
-    rows.push(row("(projection alone)", &projections, "product", Some(of_product(&projections))));
-    rows.push(row("(sh_project, same product)", &plain, "product", Some(of_product(&plain))));
-    rows.push(row("(gemm crate, same product)", &shaped, "product", Some(of_product(&shaped))));
-    let layout = json!(SPONZA_TEXT);
-    println!("\nSparse radiance probes, {SPONZA_TEXT}");
-    println!("{:<28} {:>10} {:>10}   share of limit (least, median)", "stage", "least ms", "median ms");
-    for r in &rows {
-        let share = match (r.share_least, r.share_median) {
-            (Some(a), Some(b)) => format!("{:.0} %, {:.0} % of {}", 100.0 * a, 100.0 * b, r.limit),
-            _ => String::new(),
-        };
-        println!("{:<28} {:>10.2} {:>10.2}   {share}", r.stage, r.least_ms, r.median_ms);
+    let whole = move |exec: &mut CpuExecutor| PASSES.iter().try_for_each(|(_, pass)| Ok(pass(runtime, exec)?));
+    works.push(("whole update", "", 0.0, Box::new(whole)));
+    works.push(("- gathering alone", "", 0.0, Box::new(|exec| Ok(runtime.gather_alone(exec)?))));
+    works.push(("- projection alone", "product", operations, Box::new(|exec| Ok(runtime.project_alone(exec)?))));
+    works.push(("sh_project, same product", "product", operations, Box::new(|exec| unblocked.run(exec))));
+    works.push(("gemm crate, same product", "product", operations, Box::new(|_| same_shape.run())));
+    works.push(("lightmap with dilation", "", 0.0, Box::new(|exec| runtime.atlas(exec).map(|_| ()).map_err(Into::into))));
+
+    let mut times = vec![Times::default(); works.len()];
+    for turn in 0..=REPEATS {
+        for ((_, _, _, work), times) in works.iter_mut().zip(&mut times) {
+            times.add(|| work(exec))?;
+            if turn == 0 {
+                // The first turn warms up.
+                times.0.clear();
+            }
+        }
     }
-    let gflops = product_operations / products.least_ms() * 1e-6;
-    let gbytes = READ_BYTES as f64 / reads.least_ms() * 1e-6;
-    println!(
-        "limits: product {gflops:.0} GFLOP/s ({:.0} median), reading {gbytes:.1} GB/s ({:.1} median)",
-        product_operations / products.median_ms() * 1e-6,
-        READ_BYTES as f64 / reads.median_ms() * 1e-6
-    );
-    println!(
-        "budget {BUDGET_MS:.1} ms: {} by the least, {} by the median; the paper's GPU {:.2} ms",
-        verdict(whole.least_ms()),
-        verdict(whole.median_ms()),
-        PAPER_MS.iter().sum::<f64>()
-    );
+    let mut rows: Vec<Row> = Vec::new();
+    let mut rates: Vec<(&'static str, [f64; 3])> = Vec::new();
+    for ((stage, limit, size, work), times) in works.iter_mut().zip(&times) {
+        let processor_ms = processor_ms(|| work(exec))?;
+        let mut row =
+            Row { stage, least_ms: times.least_ms(), median_ms: times.median_ms(), processor_ms, limit, share: None };
+        let rate = row.ms().map(|ms| *size / ms);
+        if stage.starts_with("limit") {
+            rates.push((limit, rate));
+        } else if let Some((_, of)) = rates.iter().find(|(name, _)| name == limit) {
+            row.share = Some(std::array::from_fn(|k| rate[k] / of[k]));
+        }
+        rows.push(row);
+    }
+    drop(works);
+    print_update(&rows, &rates);
     exec.free_since(mark);
-    Ok(json!({ "sizes": layout, "rows": rows, "product_flops_per_s": gflops * 1e9, "read_bytes_per_s": gbytes * 1e9 }))
+    let per_s = |limit: &str| rates.iter().find(|(name, _)| *name == limit).map(|(_, rate)| rate.map(|r| r * 1e3));
+    Ok(json!({
+        "sizes": SPONZA_TEXT,
+        "rows": rows,
+        "product_flops_per_s": per_s("product"),
+        "read_bytes_per_s": per_s("reading"),
+    }))
+}
+
+fn print_update(rows: &[Row], rates: &[(&str, [f64; 3])]) {
+    println!("\nSparse radiance probes, {SPONZA_TEXT}");
+    println!("{:<26} {:>9} {:>9} {:>12}   share of limit", "stage", "least ms", "median", "processor ms");
+    for r in rows {
+        let share = r.share.map_or_else(String::new, |[a, b, c]| {
+            format!("{:.0} %, {:.0} %, {:.0} % of {}", 100.0 * a, 100.0 * b, 100.0 * c, r.limit)
+        });
+        println!("{:<26} {:>9.2} {:>9.2} {:>12.2}   {share}", r.stage, r.least_ms, r.median_ms, r.processor_ms);
+    }
+    for (limit, [a, b, c]) in rates {
+        println!("{limit}: {:.1}, {:.1}, {:.1} G/s", a * 1e-6, b * 1e-6, c * 1e-6);
+    }
+    if let Some(whole) = rows.iter().find(|r| r.stage == "whole update") {
+        let [least, median, processor] = whole.ms().map(verdict);
+        println!(
+            "budget {BUDGET_MS:.1} ms: {least} by the least, {median} by the median, {processor} by processor time; the \
+             paper's GPU takes {:.2} ms",
+            PAPER_MS.iter().sum::<f64>()
+        );
+    }
 }
 
 const SPONZA_TEXT: &str = "150 probes × 64 coefficients × 8000 rays, 935 clusters of 24.4 ranks and 20.2 probes, 246,325 \
@@ -170,17 +210,6 @@ const SPONZA_TEXT: &str = "150 probes × 64 coefficients × 8000 rays, 935 clust
 
 fn verdict(ms: f64) -> &'static str {
     if ms <= BUDGET_MS { "within" } else { "beyond" }
-}
-
-fn row(stage: &str, times: &Times, limit: &'static str, share: Option<(f64, f64)>) -> Row {
-    Row {
-        stage: stage.into(),
-        least_ms: times.least_ms(),
-        median_ms: times.median_ms(),
-        limit,
-        share_least: share.map(|s| s.0),
-        share_median: share.map(|s| s.1),
-    }
 }
 
 /// Reads every word once, on all threads.

@@ -353,6 +353,35 @@ impl SrpRuntime {
         Ok(count)
     }
 
+    /// Bounces until one changes no receiver's irradiance by more than `change` of the mean, at most `most`. Gives the
+    /// number made; light counts as settled then. Reads irradiance back after every bounce: for changes of light, not for
+    /// every frame.
+    ///
+    /// # Errors
+    /// The executor's.
+    pub fn settle(
+        &mut self,
+        exec: &mut dyn Executor,
+        most: u32,
+        change: f32,
+        clock: &mut StageClock,
+    ) -> Result<u32, MethodError> {
+        let mut before: Vec<f32> = exec.read_slice(self.irradiance)?;
+        for bounce in 1..=most {
+            self.bounce(exec, clock)?;
+            let now: Vec<f32> = exec.read_slice(self.irradiance)?;
+            let moved = now.iter().zip(&before).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            let mean = now.iter().map(|x| f64::from(x.abs())).sum::<f64>() / (3 * self.slot_of_receiver.len()).max(1) as f64;
+            before = now;
+            if f64::from(moved) <= f64::from(change) * mean {
+                self.pending = 0;
+                return Ok(bounce);
+            }
+        }
+        self.pending = 0;
+        Ok(most)
+    }
+
     /// One bounce: all passes once, each a stage.
     pub(super) fn bounce(&mut self, exec: &mut dyn Executor, clock: &mut StageClock) -> Result<(), MethodError> {
         for (name, pass) in PASSES {
@@ -453,6 +482,15 @@ impl SrpRuntime {
             uniform: exec.upload_one("srp point parameters", &params)?,
             blends: exec.upload_slice("srp points", &blends)?,
         })
+    }
+
+    /// Other blends for as many points.
+    ///
+    /// # Errors
+    /// The executor's; [`ExecError::Buffer`] for more points than there were.
+    pub fn set_points(&self, exec: &mut dyn Executor, points: &Points, blends: &[Blend]) -> Result<(), ExecError> {
+        let blends: Vec<_> = blends.iter().map(|b| super::packed::blend_of(b, &self.slot_of_receiver)).collect();
+        exec.write(points.blends, bytemuck::cast_slice(&blends))
     }
 
     /// Irradiance (W/m²) at points, `Vec4` each.
