@@ -371,7 +371,8 @@ impl SrpRuntime {
             self.bounce(exec, clock)?;
             let now: Vec<f32> = exec.read_slice(self.irradiance)?;
             let moved = now.iter().zip(&before).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-            let mean = now.iter().map(|x| f64::from(x.abs())).sum::<f64>() / (3 * self.slot_of_receiver.len()).max(1) as f64;
+            let mean =
+                now.iter().map(|x| f64::from(x.abs())).sum::<f64>() / (3 * self.slot_of_receiver.len()).max(1) as f64;
             before = now;
             if f64::from(moved) <= f64::from(change) * mean {
                 self.pending = 0;
