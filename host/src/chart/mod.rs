@@ -132,6 +132,13 @@ pub struct Row {
     pub earlier_run: bool,
 }
 
+impl SceneChart {
+    /// Name for people: a file without its folder.
+    pub fn short_name(&self) -> &str {
+        std::path::Path::new(&self.scene).file_name().and_then(|n| n.to_str()).unwrap_or(&self.scene)
+    }
+}
+
 impl Row {
     /// Method and rung.
     pub fn title(&self) -> String {

@@ -26,7 +26,7 @@ const SCRIPT: &str = include_str!("page.js");
 /// The whole page.
 pub fn page(report: &ChartReport, charted: &[Charted]) -> Result<String, Error> {
     let mut html = String::new();
-    let scenes: Vec<&str> = report.scenes.iter().map(|s| s.scene.as_str()).collect();
+    let scenes: Vec<&str> = report.scenes.iter().map(SceneChart::short_name).collect();
     let _ = write!(
         html,
         "<header>\n<p class=\"eyebrow\">Speed against accuracy</p>\n<h1>Which lighting method is good enough here, and what \
@@ -71,7 +71,7 @@ fn first_advice(report: &ChartReport) -> String {
             });
             return format!(
                 "On {}, {} comes closest: block NRMSE {} in {} per frame with moving lights{pt}.",
-                scene.scene,
+                scene.short_name(),
                 row.title(),
                 number(error),
                 milliseconds(ms)
@@ -87,7 +87,7 @@ fn candidates(scene: &SceneChart) -> impl Iterator<Item = (&Row, f64, f64)> {
 }
 
 fn section(html: &mut String, s: usize, scene: &SceneChart, made: &Charted) -> Result<(), Error> {
-    let name = escape(&scene.scene);
+    let name = escape(scene.short_name());
     let _ = write!(
         html,
         "<section aria-labelledby=\"scene-{s}\">\n<h2 id=\"scene-{s}\" class=\"scene\">{name}</h2>\n\
@@ -351,6 +351,7 @@ fn explanations(html: &mut String) {
         (
             "Plain path tracing",
             "What the truth's own path tracer takes for the same error: its error falls with the square root of the time. \
+             Building its tree is not counted. \
              A method above and right of that line is not worth having on this machine. Its time grows with the number of \
              pixels, while methods that keep light in grids or probes pay for those whatever the size of the picture.",
         ),

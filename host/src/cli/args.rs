@@ -218,7 +218,7 @@ pub struct FitArgs {
     /// Methods, separated by commas, or `all` (which leaves the controls out).
     #[arg(long, default_value = "all")]
     pub methods: String,
-    /// Judge the search instead: on every scene its choices for three errors beside an exhaustive sweep; with `--ms`, of
+    /// Judge the search instead: on every scene its choices for errors of 0.05 to 0.5 beside an exhaustive sweep; with `--ms`, of
     /// frames that are no longer.
     #[arg(long, conflicts_with_all = ["error", "memory", "still"])]
     pub evaluate: bool,

@@ -129,17 +129,8 @@ fn evaluate(
         print_json(&verdict);
         return Ok(());
     }
-    for c in &verdict.cases {
-        println!(
-            "{:<14} error <= {:.3}: {:<60} {:.3} {:<6} cost x {:.2}  time x {:.3}",
-            c.scene,
-            c.target,
-            c.choice,
-            c.error,
-            if c.within { "within" } else { "OVER" },
-            c.cost_ratio,
-            c.fit_s / c.sweep_s
-        );
+    for case in &verdict.cases {
+        println!("{case}");
     }
     println!(
         "{} cases: {:.0} % within the limit (90 % wanted), {:.0} % at no more than 1.3 times the best cost, {:.0} % in no more \

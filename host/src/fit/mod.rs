@@ -15,7 +15,7 @@ mod evidence;
 mod sweep;
 
 pub use evidence::{Candidate, Evidence};
-pub use sweep::{Case, Open, Verdict, evaluate_scene};
+pub use sweep::{Case, LEAST_WITHIN, MOST_COST, MOST_TIME, Open, Verdict, evaluate_scene};
 
 use crate::error::Error;
 use crate::methods::{MethodRow, Settings};

@@ -21,8 +21,8 @@ pub const MOST_TIME: f64 = 0.2;
 /// Least share of choices that keep the limit.
 pub const LEAST_WITHIN: f64 = 0.9;
 
-/// Targets, as parts of the sweep's settings that are better.
-const QUANTILES: [f64; 3] = [0.1, 0.4, 0.75];
+/// Errors that the search is asked for, where the sweep reaches them.
+const TARGETS: [f64; 6] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.5];
 
 /// One target on one scene.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -33,14 +33,16 @@ pub struct Case {
     pub target: f64,
     /// Method and settings of the choice, changed ones only.
     pub choice: String,
-    /// The choice's error against the whole picture's truth.
-    pub error: f64,
+    /// The choice's error against the whole picture's truth; absent where the search found nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
     /// Whether it keeps the limit.
     pub within: bool,
     /// The sweep's best for this target.
     pub best: String,
     /// Cost of the choice over that of the best, both timed in turn.
-    pub cost_ratio: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cost_ratio: Option<f64>,
     /// Seconds of the search.
     pub fit_s: f64,
     /// Seconds of the sweep, truth included.
@@ -49,6 +51,26 @@ pub struct Case {
     pub fit_trials: usize,
     /// Sets of settings that the sweep ran.
     pub sweep_trials: usize,
+}
+
+impl std::fmt::Display for Case {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let number = |v: Option<f64>| v.map_or_else(|| "-".into(), |v| format!("{v:.3}"));
+        write!(
+            f,
+            "{} error <= {:.2}: {} with {} {}, cost x {} of {}, time x {:.3} ({:.1} s, {} trials)",
+            self.scene,
+            self.target,
+            self.choice,
+            number(self.error),
+            if self.within { "within" } else { "OVER" },
+            number(self.cost_ratio),
+            self.best,
+            self.fit_s / self.sweep_s.max(1e-9),
+            self.fit_s,
+            self.fit_trials
+        )
+    }
 }
 
 /// All cases together.
@@ -72,7 +94,7 @@ impl Verdict {
         let share =
             |f: &dyn Fn(&Case) -> bool| cases.iter().filter(|c| f(c)).count() as f64 / cases.len().max(1) as f64;
         let within = share(&|c| c.within);
-        let cheap = share(&|c| c.cost_ratio <= MOST_COST);
+        let cheap = share(&|c| c.cost_ratio.is_some_and(|r| r <= MOST_COST));
         let quick = share(&|c| c.fit_s <= MOST_TIME * c.sweep_s);
         let passed = !cases.is_empty() && [within, cheap, quick].iter().all(|s| *s >= LEAST_WITHIN);
         Self { within, cheap, quick, passed, cases }
@@ -90,7 +112,7 @@ struct Swept {
     cost: f64,
 }
 
-/// Sweeps a scene, and searches it once for each of three targets.
+/// Sweeps a scene, and searches it once for each target that the sweep reaches.
 ///
 /// # Errors
 /// What loading and path tracing say.
@@ -112,24 +134,11 @@ pub fn evaluate_scene(
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
     news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
-    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).collect();
-    errors.sort_by(f64::total_cmp);
     let mut cases = Vec::new();
-    for quantile in QUANTILES {
-        let Some(&at) = errors.get((quantile * errors.len() as f64) as usize) else { break };
-        let target = 1.02 * at;
+    for target in TARGETS.into_iter().filter(|t| swept.iter().any(|s| s.error <= *t)) {
         let goal = Goal { error: Some(target), ms: limit_ms, ..Goal::default() };
         let case = one(spec, size, goal, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
-        news(&format!(
-            "  error {target:.3}: {} with {:.3} ({}), cost x {:.2} of {}, {:.1} s for {} trials",
-            case.choice,
-            case.error,
-            if case.within { "within" } else { "OVER" },
-            case.cost_ratio,
-            case.best,
-            case.fit_s,
-            case.fit_trials
-        ));
+        news(&format!("  {case}"));
         cases.push(case);
     }
     Ok(cases)
@@ -206,10 +215,10 @@ fn one(
         scene: spec.scene.clone(),
         target,
         choice: "nothing".into(),
-        error: f64::MAX,
+        error: None,
         within: false,
         best: best.map_or_else(|| "nothing".into(), |b| name(b.row, &b.settings)),
-        cost_ratio: f64::MAX,
+        cost_ratio: None,
         fit_s,
         sweep_s,
         fit_trials: report.trials,
@@ -223,12 +232,12 @@ fn one(
     for _ in 0..3 {
         let candidate = evidence.execute(row, &choice.settings)?;
         costs.push(candidate.dynamic_ms);
-        case.error = full_error(evidence, judge, &candidate)?.unwrap_or(f64::MAX);
+        case.error = full_error(evidence, judge, &candidate)?;
         bests.push(evidence.execute(best.row, &best.settings)?.dynamic_ms);
     }
     case.choice = name(row, &choice.settings);
-    case.within = case.error <= target;
-    case.cost_ratio = crate::evaluate::median(costs) / crate::evaluate::median(bests).max(1e-9);
+    case.within = case.error.is_some_and(|e| e <= target);
+    case.cost_ratio = Some(crate::evaluate::median(costs) / crate::evaluate::median(bests).max(1e-9));
     Ok(case)
 }
 
@@ -250,10 +259,10 @@ mod tests {
             scene: "s".into(),
             target: 0.2,
             choice: "a".into(),
-            error: 0.19,
+            error: Some(0.19),
             within: true,
             best: "b".into(),
-            cost_ratio: 1.2,
+            cost_ratio: Some(1.2),
             fit_s: 1.0,
             sweep_s: 10.0,
             fit_trials: 5,
@@ -262,7 +271,8 @@ mod tests {
         assert!(Verdict::of(vec![good.clone(); 10]).passed);
         for bad in [
             Case { within: false, ..good.clone() },
-            Case { cost_ratio: 1.4, ..good.clone() },
+            Case { cost_ratio: Some(1.4), ..good.clone() },
+            Case { cost_ratio: None, error: None, ..good.clone() },
             Case { fit_s: 3.0, ..good.clone() },
         ] {
             let one_in_ten = |n: usize| [vec![bad.clone(); n], vec![good.clone(); 10 - n]].concat();

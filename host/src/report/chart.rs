@@ -300,7 +300,7 @@ impl Chart {
         let _ = writeln!(svg, "<path class=\"axis\" d=\"M{left} {top}V{bottom}H{right}\"/>");
         text(svg, "name", left - 44.0, 20.0, "error (block NRMSE)");
         text(svg, "name end", right, c.height - 14.0, self.cost.axis(c.width < 600.0));
-        text(svg, "hint", left - 44.0, c.height - 14.0, "↙ better");
+        text(svg, "hint", left - 44.0, c.height - 14.0, "lower left is better");
     }
 
     fn draw_lines(&self, svg: &mut String, c: &Canvas) {
@@ -415,7 +415,13 @@ fn draw_path_tracing(svg: &mut String, c: &Canvas, at_one_ms: f64) {
             svg,
             "<path class=\"paths\" d=\"M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}\"><title>plain path tracing: error for a time</title></path>"
         );
-        text(svg, "hint end", x0.max(190.0), (y0 - 6.0).max(44.0), "plain path tracing");
+        // Below the names of the frame budgets, left of the line.
+        const DOWN_PX: f64 = 34.0;
+        let down = DOWN_PX.min((y1 - y0).abs());
+        let along = if (y1 - y0).abs() > 1.0 { down / (y1 - y0).abs() } else { 0.0 };
+        let x = x0 + along * (x1 - x0) - 8.0;
+        let (class, x) = if x > 180.0 { ("hint end", x) } else { ("hint", x + 20.0) };
+        text(svg, class, x, y0 + down, "plain path tracing");
     }
 }
 
