@@ -14,6 +14,7 @@ pub mod kernel;
 #[cfg(not(target_arch = "spirv"))]
 pub mod compiled;
 pub mod cone;
+pub mod lpv;
 pub mod math;
 pub mod sh;
 pub mod smoke;
@@ -24,7 +25,7 @@ pub mod voxel;
 /// Every kernel: the table that executors, tests, benchmarks and the manifest run over.
 #[cfg(not(target_arch = "spirv"))]
 pub const ALL: &[&[&kernel::Kernel]] =
-    &[smoke::KERNELS, trace::KERNELS, sh::KERNELS, voxel::KERNELS, cone::KERNELS, srp::KERNELS];
+    &[smoke::KERNELS, trace::KERNELS, sh::KERNELS, voxel::KERNELS, cone::KERNELS, srp::KERNELS, lpv::KERNELS];
 
 /// Every kernel, flattened in table order.
 #[cfg(not(target_arch = "spirv"))]

@@ -8,6 +8,7 @@
 extern crate self as interreflect_shared;
 
 pub mod cone;
+pub mod lpv;
 pub mod record;
 pub mod scene;
 pub mod sh;

@@ -2,6 +2,7 @@
 
 pub mod ambient;
 pub mod direct;
+pub mod lpv;
 pub mod reference;
 pub mod settings;
 pub mod srp;
@@ -252,7 +253,7 @@ pub struct MethodRow {
 }
 
 /// Every method.
-pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW, vct::ROW];
+pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW, vct::ROW, lpv::ROW];
 
 /// The method of a name.
 ///

@@ -1,0 +1,115 @@
+//! Injection: lit texels become light in the cells in front of them.
+//!
+//! `lpv_inject`: one invocation adds one texel's reflected flux, albedo × flux, to the cell half a cell above it along its normal, as a
+//! clamped-cosine lobe: flux Φ and first moment ⅔Φn (the spherical-harmonics coefficients of order 1, which are these two
+//! times constants). The papers add lobes times an ad-hoc texel weight, grid size over map size (1/16 of 32 and 512 there), which depends on both
+//! resolutions and on nothing that light does; with flux per texel the sum over a cell is the power that its surfaces
+//! reflect, whatever the map's resolution. `lpv_resolve`: one invocation turns one word into watts.
+//!
+//! Fixed point through integer atomics: the same bits in any order. Flux is a sum of positive numbers, so that the word after the last
+//! tells for certain whether a cell reached [`FLUX_LIMIT`]: then the host injects again on a coarser scale. Moments are at most as large.
+//!
+//! Pass before: `rsm.rs`, or `bounce.rs`. Pass after: `propagate.rs`.
+
+use super::grid::{cell_of, cells_from_world, element, inside};
+use crate::kernel::AtomicWords;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::math::float::{floor, max, min};
+use glam::Vec3;
+use interreflect_shared::lpv::{FLUX_LIMIT, FLUX_VALUES, LpvLayout, LpvParams, RsmTexel};
+
+/// First moment per flux of a clamped-cosine lobe: ∫ cos²θ / ∫ cos θ.
+pub const LOBE_MOMENT: f32 = 2.0 / 3.0;
+/// Start of light above the surface that reflects it, in cells (Kaplanyan & Dachsbacher 2010, §4.2).
+pub const DISPLACEMENT: f32 = 0.5;
+
+/// Texels of the pass.
+pub fn items(p: &LpvParams) -> u32 {
+    p.count
+}
+
+/// Adds a lobe of `flux` (W) around `normal`, from a surface at `position`.
+#[inline(always)]
+pub fn add_lobe(p: &LpvParams, position: Vec3, normal: Vec3, flux: Vec3, words: &mut impl AtomicWords) {
+    let cell = cell_of(p.first_cell, cells_from_world(p.anchor_size, position) + normal * DISPLACEMENT);
+    if inside(p.dims, cell) {
+        let layout = LpvLayout::new(p.dims);
+        let i = element(&layout, cell);
+        add_channel(p, &layout, i, 0, flux.x, normal, words);
+        add_channel(p, &layout, i, 1, flux.y, normal, words);
+        add_channel(p, &layout, i, 2, flux.z, normal, words);
+    }
+}
+
+#[inline(always)]
+fn add_channel(
+    p: &LpvParams,
+    layout: &LpvLayout,
+    i: u32,
+    channel: u32,
+    flux: f32,
+    normal: Vec3,
+    words: &mut impl AtomicWords,
+) {
+    let units = min(max(flux * p.flux_scale, 0.0), FLUX_LIMIT as f32);
+    let (first, value) = (channel * layout.plane + i, layout.value());
+    let word = floor(units + 0.5) as u32;
+    if word == 0 {
+        return;
+    }
+    if words.add(first, word) >= FLUX_LIMIT - word.min(FLUX_LIMIT) {
+        words.or(FLUX_VALUES * value, 1);
+    }
+    let moment = normal * (units * LOBE_MOMENT);
+    words.add(first + value, floor(moment.x + 0.5) as i32 as u32);
+    words.add(first + 2 * value, floor(moment.y + 0.5) as i32 as u32);
+    words.add(first + 3 * value, floor(moment.z + 0.5) as i32 as u32);
+}
+
+/// Injects texel `i`.
+pub fn inject(i: u32, p: &LpvParams, texels: &[RsmTexel], words: &mut impl AtomicWords) {
+    let t = &texels[i as usize];
+    if t.hit == 1 {
+        let flux = Vec3::from_array(t.flux) * Vec3::from_array(t.albedo);
+        add_lobe(p, Vec3::from_array(t.position), Vec3::from_array(t.normal), flux, words);
+    }
+}
+
+/// Flux or moment (W) of word `i`.
+pub fn resolve(i: u32, p: &LpvParams, words: &[u32]) -> f32 {
+    words[i as usize] as i32 as f32 / p.flux_scale
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn inject_case(input: &mut CaseInput) -> Case {
+    let p = super::case::params(input, 8);
+    let texels = super::case::texels(input, &p);
+    let words = FLUX_VALUES * LpvLayout::new(p.dims).value() + 1;
+    Case::default().uniform(&LpvParams { count: texels.len() as u32, ..p }).read(&texels).zeroed::<u32>(words as usize)
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn resolve_case(input: &mut CaseInput) -> Case {
+    let p = super::case::params(input, 4);
+    let words: alloc::vec::Vec<u32> = (0..input.count + 1).map(|_| input.bits()).collect();
+    Case::default().uniform(&p).read(&words).zeroed::<f32>(input.count)
+}
+
+scatter! {
+    /// Lit texels to light in cells.
+    mod lpv_inject = super::inject; entry "lpv_inject" threads(64);
+    uniform 0 params: LpvParams; items super::items;
+    read 1 texels: RsmTexel;
+    atomic 2 words;
+    case super::inject_case; tolerance Tolerance::FixedPoint(4096), "a product of three factors, of up to 2^24 units, may differ in its last place; sums of dozens of them";
+}
+
+kernel! {
+    /// Fixed point to watts.
+    mod lpv_resolve = super::resolve; entry "lpv_resolve" threads(64);
+    uniform 0 params: LpvParams;
+    read 1 words: u32;
+    write 2 out: f32;
+    case super::resolve_case; tolerance Tolerance::RelAbs(1e-6, 1e-30), "a division may be off by two units in the last place on a device";
+}

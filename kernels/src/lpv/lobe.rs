@@ -1,0 +1,228 @@
+//! Intensities of order 1: the flux that they send through the faces of the neighbouring cells.
+//!
+//! A cell's light is a constant `a` and a vector `b`: the intensity in direction ω is `max(0, a + b·ω)` (W/sr). Around a
+//! cell lie six neighbours, each with one face opposite (facing) and four sides: 30 faces, whose solid angles seen from
+//! the cell's centre add up to the whole sphere (Kaplanyan & Dachsbacher 2010, §4.3, figure 4).
+
+use crate::real::Real;
+
+/// Solid angle (sr) of the facing face of a neighbour: `4·atan(¼ / (3/2·√11/2))`.
+pub const FACING_SR: f32 = 0.400_669_68;
+/// Solid angle (sr) of a side face of a neighbour: `2·(atan(3/√11) − atan(1/√3))`.
+pub const SIDE_SR: f32 = 0.423_441_35;
+/// Component of the direction to a side face along the way to the neighbour: 2/√5.
+pub const ALONG: f32 = 0.894_427_2;
+/// Component of the direction to a side face across that way: 1/√5.
+pub const ACROSS: f32 = 0.447_213_6;
+
+/// What an intensity sends to one neighbour.
+#[derive(Clone, Copy)]
+pub struct Sent<R> {
+    /// Flux (W) through the facing face.
+    pub facing: R,
+    /// Flux through all four sides.
+    pub sides: R,
+    /// Flux through the side in the positive direction of the next axis in cyclic order, less that through the opposite one.
+    pub next: R,
+    /// The same for the axis after that.
+    pub last: R,
+}
+
+impl<R: Real> Sent<R> {
+    /// From the constant, and the vector's components along the way to the neighbour and across it.
+    #[inline(always)]
+    pub fn new(a: R, along: R, next: R, last: R) -> Self {
+        let side = a + along * R::splat(ALONG);
+        let (next, last) = (next * R::splat(ACROSS), last * R::splat(ACROSS));
+        let (n0, n1) = ((side + next).positive(), (side - next).positive());
+        let (l0, l1) = ((side + last).positive(), (side - last).positive());
+        let sr = R::splat(SIDE_SR);
+        Self {
+            facing: (a + along).positive() * R::splat(FACING_SR),
+            sides: ((n0 + n1) + (l0 + l1)) * sr,
+            next: (n0 - n1) * sr,
+            last: (l0 - l1) * sr,
+        }
+    }
+    /// Flux through all five faces.
+    #[inline(always)]
+    pub fn flux(&self) -> R {
+        self.facing + self.sides
+    }
+}
+
+/// What an intensity sends to all neighbours.
+#[derive(Clone, Copy)]
+pub struct Outflow<R> {
+    /// Flux (W) to the neighbours +x, −x, +y, −y, +z, −z.
+    pub to: [R; 6],
+    /// All of it.
+    pub flux: R,
+    /// Its first moment: Σ flux · direction to the face.
+    pub moment: [R; 3],
+}
+
+/// Sends an intensity through all 30 faces.
+#[inline(always)]
+pub fn outflow<R: Real>(a: R, b: [R; 3]) -> Outflow<R> {
+    let mut to = [R::splat(0.0); 6];
+    let mut moment = [R::splat(0.0); 3];
+    unroll!(AXIS in 0, 1, 2 => {
+        const NEXT: usize = (AXIS + 1) % 3;
+        const LAST: usize = (AXIS + 2) % 3;
+        let up = Sent::new(a, b[AXIS], b[NEXT], b[LAST]);
+        let down = Sent::new(a, -b[AXIS], b[NEXT], b[LAST]);
+        to[2 * AXIS] = up.flux();
+        to[2 * AXIS + 1] = down.flux();
+        moment[AXIS] = moment[AXIS] + (up.facing - down.facing) + (up.sides - down.sides) * R::splat(ALONG);
+        moment[NEXT] = moment[NEXT] + (up.next + down.next) * R::splat(ACROSS);
+        moment[LAST] = moment[LAST] + (up.last + down.last) * R::splat(ACROSS);
+    });
+    let flux = ((to[0] + to[1]) + (to[2] + to[3])) + (to[4] + to[5]);
+    Outflow { to, flux, moment }
+}
+
+/// One colour channel of a cell: what travels on, and what it adds to the light that has passed.
+#[derive(Clone, Copy)]
+pub struct Travelling<R> {
+    /// Constant of the intensity (W/sr).
+    pub a: R,
+    /// Vector of the intensity.
+    pub b: [R; 3],
+    /// Factor of the moment of whatever arrives from here.
+    pub moment_factor: R,
+    /// Spherical-harmonics coefficients (order y, z, x after the constant) of the intensity whose clamped cosine gives
+    /// the flux through the cell's faces.
+    pub passed: [R; 4],
+}
+
+/// Square of the moment per flux below which its factor is not told from 1.
+const SMALL_MOMENT: f32 = 1e-4;
+/// Least flux that is kept: its square is a normal number.
+const LEAST_FLUX: f32 = 1e-18;
+const INV_4_PI: f32 = 0.25 * core::f32::consts::FRAC_1_PI;
+/// `Y₀₀`.
+const Y0: f32 = 0.282_094_8;
+/// `√(4π/3)·9/(8π)`: from net flux through opposite faces to a coefficient of band 1. A clamped cosine over the radiance
+/// `I / (3/2 s²)` then gives half the net flux per face; the constant gives a sixth of the flux.
+const BAND1_PER_NET: f32 = 0.732_903_8;
+
+/// Makes flux and first moment (`[Φ, Mx, My, Mz]`) travel.
+///
+/// `gain` 1: the intensity is scaled so that the 30 faces receive exactly Φ. The clamp alone would make more of it: a
+/// clamped-cosine lobe along an axis, kept to order 1, sends 1.1382 times its flux. `restore` 1: moments of what arrives
+/// are scaled so that the first moment is kept as well, as in free flight; the clamp would turn light away from its
+/// direction at every step.
+#[inline(always)]
+pub fn travel<R: Real>(flux: [R; 4], gain: f32, restore: f32) -> Travelling<R> {
+    let zero = R::splat(0.0);
+    let lit = R::splat(LEAST_FLUX).lt(flux[0]);
+    let phi = R::select(lit, flux[0], zero);
+    let safe = R::select(lit, phi, R::splat(1.0));
+    // Mean direction; no light is more than fully directed.
+    let inverse = R::splat(1.0) / safe;
+    let mut f = [flux[1] * inverse, flux[2] * inverse, flux[3] * inverse];
+    let square = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+    let limit = R::splat(1.0) / square.max(R::splat(1.0)).sqrt();
+    unroll!(K in 0, 1, 2 => { f[K] = f[K] * limit; });
+    let square = square * limit * limit;
+    let three = R::splat(3.0 * INV_4_PI);
+    let sent = outflow(R::splat(INV_4_PI), [f[0] * three, f[1] * three, f[2] * three]);
+    let exact = R::splat(1.0) / sent.flux;
+    let g = exact * R::splat(gain) + R::splat(1.0 - gain);
+    let m = sent.moment;
+    let kept = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * g * g;
+    let small = R::splat(SMALL_MOMENT);
+    let factor = ((square + small) / (kept + small)).sqrt();
+    let a = phi * g * R::splat(INV_4_PI);
+    let b = phi * g * three;
+    let net = phi * exact * R::splat(BAND1_PER_NET);
+    let t = sent.to;
+    Travelling {
+        a,
+        b: [f[0] * b, f[1] * b, f[2] * b],
+        moment_factor: R::select(lit, factor * R::splat(restore) + R::splat(1.0 - restore), R::splat(1.0)),
+        passed: [phi * R::splat(Y0), (t[2] - t[3]) * net, (t[4] - t[5]) * net, (t[0] - t[1]) * net],
+    }
+}
+
+/// Largest band-1 coefficient per constant coefficient at which no face of the cell receives a negative flux.
+pub const NO_BACK_FLUX: f32 = BAND1_PER_NET / (3.0 * Y0);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::sampling::spherical_fibonacci;
+    use core::f64::consts::PI;
+
+    /// Solid angle of a rectangle from (0, 0) to (x, y) in a plane at height h.
+    fn corner(x: f64, y: f64, h: f64) -> f64 {
+        (x * y / (h * (x * x + y * y + h * h).sqrt())).atan()
+    }
+
+    #[test]
+    fn solid_angles_are_those_of_the_faces() {
+        // Facing: a unit square at distance 3/2. Side: from 1/2 to 3/2 away in the plane at distance 1/2.
+        let facing = 4.0 * corner(0.5, 0.5, 1.5);
+        let side = 2.0 * (corner(1.5, 0.5, 0.5) - corner(0.5, 0.5, 0.5));
+        assert!((facing - 0.400_669_684_6).abs() < 1e-9 && (f64::from(FACING_SR) - facing).abs() < 3e-8, "{facing}");
+        assert!((side - 0.423_441_354_4).abs() < 1e-9 && (f64::from(SIDE_SR) - side).abs() < 3e-8, "{side}");
+        // Thirty faces and nothing else cover the sphere.
+        assert!((6.0 * (facing + 4.0 * side) - 4.0 * PI).abs() < 1e-12);
+        // By counting directions: the share of the sphere that leaves through the side of the neighbour at +x.
+        let n = 400_000;
+        let hits = (0..n).map(|i| spherical_fibonacci(i, n)).filter(|d| {
+            d.x > 0.0 && {
+                let at = d.y.abs().max(d.z.abs()) / d.x;
+                at < 1.0 && d.y > d.z.abs() && d.y / d.x * 1.5 > 0.5
+            }
+        });
+        let counted = hits.count() as f64 * 4.0 * PI / f64::from(n);
+        assert!((counted - side).abs() < 1e-3, "{counted} {side}");
+    }
+
+    fn cosine_lobe(d: [f32; 3]) -> [f32; 4] {
+        [1.0, d[0] * 2.0 / 3.0, d[1] * 2.0 / 3.0, d[2] * 2.0 / 3.0]
+    }
+
+    #[test]
+    fn the_clamp_gains_what_the_negative_lobe_would_take() {
+        let lobe = travel::<f32>(cosine_lobe([0.0, 1.0, 0.0]), 0.0, 0.0);
+        let sent = outflow(lobe.a, lobe.b).flux;
+        // Negative towards the neighbour behind: facing −1/4, sides 1/4 − 1/√5, per π and unit flux.
+        let behind = 0.25 * 0.400_669_684_6 + 4.0 * 0.423_441_354_4 * (0.447_213_595_5 - 0.25);
+        let expected = 1.0 + behind / PI;
+        assert!((f64::from(sent) - expected).abs() < 1e-6 && (expected - 1.1382).abs() < 1e-4, "{sent} {expected}");
+        // In any direction, and at any strength, between 1 and the bound of a fully directed lobe.
+        for i in 0..2000 {
+            let d = spherical_fibonacci(i, 2000).to_array();
+            for f in [0.0, 0.2, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0] {
+                let t = travel::<f32>([1.0, d[0] * f, d[1] * f, d[2] * f], 0.0, 0.0);
+                let gain = outflow(t.a, t.b).flux;
+                assert!(gain > 1.0 - 1e-6 && gain < 1.4, "{d:?} {f}: {gain}");
+                assert!(f > 0.33 || (gain - 1.0).abs() < 1e-6, "nothing is clamped at {f}: {gain}");
+            }
+        }
+    }
+
+    #[test]
+    fn corrected_lobes_send_their_flux_and_moment() {
+        for i in 0..2000 {
+            let d = spherical_fibonacci(i, 2000).to_array();
+            for f in [0.0, 0.2, 0.5, 2.0 / 3.0, 1.0] {
+                let t = travel::<f32>([3.0, 3.0 * d[0] * f, 3.0 * d[1] * f, 3.0 * d[2] * f], 1.0, 1.0);
+                let sent = outflow(t.a, t.b);
+                assert!((sent.flux - 3.0).abs() < 3e-6, "{d:?} {f}: {}", sent.flux);
+                let m = sent.moment.map(|m| m * t.moment_factor / 3.0);
+                let length = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]).sqrt();
+                assert!((length - f).abs() < 2e-3, "{d:?} {f}: {length}");
+                // Net fluxes come back from the coefficients through a clamped cosine over the cell's cross-section.
+                let net = sent.to[0] - sent.to[1];
+                let e = |x: f32| crate::math::sh::irradiance(&t.passed, [x, 0.0, 0.0]) / 1.5;
+                assert!((e(1.0) - e(-1.0) - net).abs() < 1e-5 && (e(1.0) + e(-1.0) - 1.0).abs() < 1e-5, "{d:?} {f}");
+            }
+        }
+        let dark = travel::<f32>([0.0; 4], 1.0, 1.0);
+        assert_eq!((dark.a, dark.b, dark.passed, dark.moment_factor), (0.0, [0.0; 3], [0.0; 4], 1.0));
+    }
+}

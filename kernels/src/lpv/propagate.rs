@@ -1,0 +1,150 @@
+//! Propagation: one step of light from every cell to its six neighbours.
+//!
+//! `lpv_propagate`: one invocation gathers what the six neighbours of one cell send through its faces, one facing and
+//! four sides each (Kaplanyan & Dachsbacher 2010, §4.3), makes the flux through each face a lobe again, and adds what now travels
+//! to what has passed. `lpv_begin`: one invocation makes injected flux travel. Grid: cells of each colour channel, lanes along x;
+//! values in planes with a halo of zeros.
+//!
+//! **State.** What travels (constant and vector of the intensity, factor of the moment: [`super::lobe`]), then the order-1
+//! spherical harmonics of all that has passed.
+//!
+//! **Energy.** Solid angles of the 30 faces add up to 4π exactly, so an intensity that is nowhere negative sends exactly its flux. An order-1 lobe that is
+//! narrower is clamped at zero and sends more: up to 1.1382 times for a clamped cosine along an axis. With `gain` = 1 each
+//! cell is scaled to send what it holds: stored + left + absorbed = injected.
+//!
+//! **Direction.** In the paper the flux through a face becomes a clamped-cosine lobe around the face's axis (`lobe` = ⅔, 0, ⅔): half of
+//! the light that a wall reflects is turned around within a few cells and falls back on it, more so the finer the grid. By default the lobe stands
+//! around the direction of travel and keeps the first moment (`lobe` = 1, 2/√5, 1/√5 and a factor against the clamp): free flight changes neither
+//! flux nor moment. Both are one kernel.
+//!
+//! **Occlusion.** Light from cell to cell is multiplied with 1 − the opacity between their centres ([`super::block`]); none in the first step, so
+//! that a surface does not block the light that was injected in front of it.
+//!
+//! Good when light is smooth; fails when walls are thinner than a cell, and far from small sources: order 1 merges crossing beams. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
+
+use super::grid::{cell_row, rows};
+use super::lobe::{NO_BACK_FLUX, Sent, travel};
+use crate::kernel::At;
+#[cfg(not(target_arch = "spirv"))]
+use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::real::Real;
+#[cfg(not(target_arch = "spirv"))]
+use interreflect_shared::lpv::{FLUX_VALUES, STATE_VALUES};
+use interreflect_shared::lpv::{LpvLayout, LpvParams};
+
+/// Flux and moment that arrive at the cell at `i`.
+#[inline(always)]
+fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open: &[R; 6]) -> [R; 4] {
+    let value = l.value() as usize;
+    let (facing, along, across) = (R::splat(p.lobe.x), R::splat(p.lobe.y), R::splat(p.lobe.z));
+    let mut flux = R::splat(0.0);
+    let mut moment = [R::splat(0.0); 3];
+    unroll!(K in 0, 1, 2, 3, 4, 5 => {
+        const AXIS: usize = K / 2;
+        const NEXT: usize = (AXIS + 1) % 3;
+        const LAST: usize = (AXIS + 2) % 3;
+        let step = if AXIS == 0 { 1 } else if AXIS == 1 { l.pitch as usize } else { l.layer as usize };
+        // From the neighbour above light comes down the axis.
+        let j = if K % 2 == 0 { i + step } else { i - step };
+        let b = [R::load(state, j + value), R::load(state, j + 2 * value), R::load(state, j + 3 * value)];
+        let forward = if K % 2 == 0 { -b[AXIS] } else { b[AXIS] };
+        let sent = Sent::new(R::load(state, j), forward, b[NEXT], b[LAST]);
+        let kept = open[K] * R::load(state, j + 4 * value);
+        flux = flux + sent.flux() * open[K];
+        let m = (sent.facing * facing + sent.sides * along) * kept;
+        moment[AXIS] = if K % 2 == 0 { moment[AXIS] - m } else { moment[AXIS] + m };
+        moment[NEXT] = moment[NEXT] + sent.next * across * kept;
+        moment[LAST] = moment[LAST] + sent.last * across * kept;
+    });
+    [flux, moment[0], moment[1], moment[2]]
+}
+
+/// Share of light that passes from each neighbour (+x, −x, +y, …) of the cell at `i` of a plane of opacity.
+#[inline(always)]
+pub fn open_ways<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, opacity: &[f32]) -> [R; 6] {
+    let (plane, one, strength) = (l.plane as usize, R::splat(1.0), R::splat(p.occlusion));
+    let (pitch, layer) = (l.pitch as usize, l.layer as usize);
+    let way = |j: usize| one - R::load(opacity, j) * strength;
+    [way(i), way(i - 1), way(plane + i), way(plane + i - pitch), way(2 * plane + i), way(2 * plane + i - layer)]
+}
+
+/// The state of one channel of one cell after a step.
+#[inline(always)]
+pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) -> [R; 9] {
+    let l = LpvLayout::new(p.dims);
+    let value = l.value() as usize;
+    let row = cell_row(at, p.dims, &l);
+    let mut out = [R::splat(0.0); 9];
+    if row.real {
+        let open = open_ways::<R>(at.i - (row.channel * l.plane) as usize, &l, p, opacity);
+        let t = travel(arriving(at.i, &l, p, state, &open), p.gain, p.lobe.w);
+        out = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.passed[0], t.passed[1], t.passed[2], t.passed[3]];
+        unroll!(J in 5, 6, 7, 8 => { out[J] = out[J] + R::load(state, J * value + at.i); });
+    }
+    out
+}
+
+/// The state of one channel of one cell that holds injected flux and moment (`source`: four values).
+#[inline(always)]
+pub fn begin<R: Real>(at: At, p: &LpvParams, source: &[f32]) -> [R; 9] {
+    let l = LpvLayout::new(p.dims);
+    let (i, value) = (at.i, l.value() as usize);
+    let mut out = [R::splat(0.0); 9];
+    if cell_row(at, p.dims, &l).real {
+        let moment = [R::load(source, i + value), R::load(source, i + 2 * value), R::load(source, i + 3 * value)];
+        let t = travel([R::load(source, i), moment[0], moment[1], moment[2]], p.gain, p.lobe.w);
+        // Light that leaves a surface lights what stands beside it, and takes nothing from the surface itself.
+        let weight = R::splat(p.weight);
+        let most = t.passed[0] * R::splat(NO_BACK_FLUX);
+        let kept = |c: R| c.min(most).max(-most) * weight;
+        out = [
+            t.a,
+            t.b[0],
+            t.b[1],
+            t.b[2],
+            t.moment_factor,
+            t.passed[0] * weight,
+            kept(t.passed[1]),
+            kept(t.passed[2]),
+            kept(t.passed[3]),
+        ];
+    }
+    out
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn propagate_case(input: &mut CaseInput) -> Case {
+    let p = super::case::params(input, super::case::side(input));
+    let state = super::case::state(input, &p);
+    let opacity = super::case::opacity(input, &p);
+    Case::default().uniform(&p).read(&state).read(&opacity).zeroed::<f32>(state.len())
+}
+
+#[cfg(not(target_arch = "spirv"))]
+fn begin_case(input: &mut CaseInput) -> Case {
+    let p = super::case::params(input, super::case::side(input));
+    let source = super::case::source(input, &p);
+    let len = source.len() / FLUX_VALUES as usize * STATE_VALUES as usize;
+    Case::default().uniform(&p).read(&source).zeroed::<f32>(len)
+}
+
+kernel! {
+    /// One step of light, with occlusion.
+    lanes mod lpv_propagate = super::propagate; entry "lpv_propagate" threads(64);
+    uniform 0 params: LpvParams;
+    read 1 state: f32;
+    read 2 opacity: f32;
+    write 3 out: f32 x 9;
+    over super::rows;
+    case super::propagate_case; tolerance Tolerance::RelAbs(1e-4, 2e-5), "moments and net fluxes are sums of some hundred terms up to 3 of both signs; roots and divisions of devices";
+}
+
+kernel! {
+    /// Injected flux to light that travels.
+    lanes mod lpv_begin = super::begin; entry "lpv_begin" threads(64);
+    uniform 0 params: LpvParams;
+    read 1 source: f32;
+    write 2 out: f32 x 9;
+    over super::rows;
+    case super::begin_case; tolerance Tolerance::RelAbs(1e-4, 1e-5), "net fluxes are differences of sums of 60 terms; roots and divisions of devices";
+}
