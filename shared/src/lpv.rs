@@ -37,8 +37,8 @@ crate::record! {
         pub lobe: Vec4,
         /// Texels, facet sides or elements.
         pub count: u32,
-        /// Zero.
-        pub _pad1: u32,
+        /// Slope of lobes over that of order-1 spherical harmonics.
+        pub sharpness: f32,
         /// Fixed-point units per watt.
         pub flux_scale: f32,
         /// Strength of occlusion: 0 none, 1 full.

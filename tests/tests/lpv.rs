@@ -117,8 +117,27 @@ fn experiment() {
             all.extend(&changes);
             let result = run(&scene, &receivers, &all);
             let (block, bias) = judge(&result.irradiance, &one);
-            println!("{set} {resolution}: nrmse {:.3} nrmse_block {block:.3}, bias {bias:.3} {}", error(&result.irradiance, &one).0, result.needs["steps_per_level"]);
-            if resolution == "32" { println!("{:?}", result.stages); }
+            println!(
+                "{set} {resolution}: nrmse {:.3} nrmse_block {block:.3}, bias {bias:.3} {}",
+                error(&result.irradiance, &one).0,
+                result.needs["steps_per_level"]
+            );
+            if resolution == "32" {
+                println!("{:?}", result.stages);
+                for (axis, n) in [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y, Vec3::Z].iter().enumerate() {
+                    let picked: Vec<usize> =
+                        (0..receivers.len()).filter(|&k| Vec3::from(receivers[k].normal).dot(*n) > 0.9).collect();
+                    let sum = |v: &[Vec3]| {
+                        picked.iter().map(|&k| v[k].element_sum()).sum::<f32>() / picked.len().max(1) as f32 / 3.0
+                    };
+                    println!(
+                        "  normal {axis} {n}: {} pixels, got {:.3} truth {:.3}",
+                        picked.len(),
+                        sum(&result.irradiance),
+                        sum(&one)
+                    );
+                }
+            }
         }
     }
 }

@@ -19,7 +19,9 @@ use crate::kernel::AtomicWords;
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, min};
 use glam::Vec3;
-use interreflect_shared::lpv::{AREA_MOST, AREA_UNITS, LpvLayout, LpvParams, OPACITY_PLANES, RsmTexel};
+#[cfg(not(target_arch = "spirv"))]
+use interreflect_shared::lpv::OPACITY_PLANES;
+use interreflect_shared::lpv::{AREA_MOST, AREA_UNITS, LpvLayout, LpvParams, RsmTexel};
 use interreflect_shared::voxel::VoxelFacet;
 
 /// Adds a surface element: `area` is its normal times its area, in cell faces.

@@ -1,7 +1,7 @@
 //! Grids, texels and states for the kernels' test cases.
 
 use super::inject::LOBE_MOMENT;
-use super::lobe::travel;
+use super::lobe::{Lobes, travel};
 use crate::kernel::{CaseInput, Flavour};
 use alloc::vec::Vec;
 use glam::{IVec4, UVec4, Vec3, Vec4};
@@ -31,7 +31,7 @@ pub fn params(input: &mut CaseInput, side: u32) -> LpvParams {
             Vec4::new(LOBE_MOMENT, 0.0, LOBE_MOMENT, 0.0)
         },
         count: input.count as u32,
-        _pad1: 0,
+        sharpness: if moments { 2.0 } else { 1.0 },
         flux_scale: 1e4,
         occlusion: 0.75,
         gain: (input.bits() & 1) as f32,
@@ -103,7 +103,7 @@ pub fn state(input: &mut CaseInput, p: &LpvParams) -> Vec<f32> {
     let mut state = alloc::vec![0.0; STATE_VALUES as usize * value];
     for i in (0..value).filter(|&i| source[i] > 0.0) {
         let flux = [source[i], source[i + value], source[i + 2 * value], source[i + 3 * value]];
-        let t = travel::<f32>(flux, p.gain, p.lobe.w);
+        let t = travel::<f32>(flux, &Lobes::of(p));
         let values = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.passed[0], t.passed[1], t.passed[2], t.passed[3]];
         values.iter().enumerate().for_each(|(k, v)| state[k * value + i] = *v);
     }

@@ -39,7 +39,12 @@ pub fn column<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) ->
         let j = (channel * l.plane) as usize + i;
         let low_z = R::splat(if z == 0 { 1.0 } else { 0.0 });
         let high_z = R::splat(if z + 1 == p.dims.z { 1.0 } else { 0.0 });
-        let outside = [high_x, low_x, high_y, low_y, high_z, low_z];
+        let mut outside = [high_x; 6];
+        outside[1] = low_x;
+        outside[2] = high_y;
+        outside[3] = low_y;
+        outside[4] = high_z;
+        outside[5] = low_z;
         let open = open_ways::<R>(i, &l, p, opacity);
         let b = [R::load(state, j + value), R::load(state, j + 2 * value), R::load(state, j + 3 * value)];
         let sent = outflow(R::load(state, j), b);

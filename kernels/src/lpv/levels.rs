@@ -16,7 +16,7 @@ use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
-use glam::UVec4;
+use glam::{UVec3, UVec4};
 #[cfg(not(target_arch = "spirv"))]
 use interreflect_shared::lpv::{FLUX_VALUES, STATE_VALUES};
 use interreflect_shared::lpv::{FRONT_VALUES, LpvLayout, LpvParams};
@@ -39,9 +39,10 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
                 R::load_strided(state, 3 * value + i, 2),
             ];
             let lit = R::splat(0.0).lt(a);
-            // The faces receive the cell's flux; vector over constant is three times the mean direction.
+            // The faces receive the cell's flux; vector over constant is three times the mean direction,
+            // times the sharpness.
             let flux = R::select(lit, outflow(a, b).flux, R::splat(0.0));
-            let per_constant = flux / (R::select(lit, a, R::splat(1.0)) * R::splat(3.0));
+            let per_constant = flux / (R::select(lit, a, R::splat(1.0)) * R::splat(3.0 * p.sharpness));
             out[0] = out[0] + flux;
             out[1] = out[1] + b[0] * per_constant;
             out[2] = out[2] + b[1] * per_constant;
@@ -51,62 +52,57 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
     out
 }
 
-/// Place of element `i` of a plane: cell, or the halo where `x` is the number of cells or more.
+/// Cell at element `i` of a plane; its `x` is the number of cells in the halo.
 #[inline(always)]
-fn cell_at(l: &LpvLayout, dims: UVec4, i: u32) -> [u32; 3] {
-    let outside = [dims.x, dims.y, dims.z];
-    if i < l.first {
-        outside
-    } else {
-        let n = i - l.first;
-        let z = n / l.layer;
-        let rest = n - z * l.layer;
-        let y = rest / l.pitch;
-        let x = rest - y * l.pitch;
-        if x < dims.x && y < dims.y && z < dims.z { [x, y, z] } else { outside }
-    }
+fn cell_at(l: &LpvLayout, dims: UVec4, i: u32) -> UVec3 {
+    let n = if i < l.first { 0 } else { i - l.first };
+    let z = n / l.layer;
+    let rest = n - z * l.layer;
+    let y = rest / l.pitch;
+    let x = rest - y * l.pitch;
+    let real = i >= l.first && x < dims.x && y < dims.y && z < dims.z;
+    UVec3::new(if real { x } else { dims.x }, y, z)
 }
 
 /// Number `i` of the finer grid's passed light: `keep` times an earlier total, its own, and the coarser grid's.
 pub fn prolong(i: u32, p: &LpvParams, before: &[f32], state: &[f32], coarse: &[f32]) -> f32 {
     let l = LpvLayout::new(p.dims);
     let plane = i / l.plane;
-    let [x, y, z] = cell_at(&l, p.dims, i - plane * l.plane);
+    let cell = cell_at(&l, p.dims, i - plane * l.plane);
     let mut sum = 0.0;
-    if x < p.dims.x {
+    if cell.x < p.dims.x {
         sum = before[i as usize] * p.keep + state[(FRONT_VALUES * l.value() + i) as usize];
         if p.coarse_weight > 0.0 {
-            sum += interpolated(p, coarse, plane, [x, y, z]) * p.coarse_weight;
+            let c = LpvLayout::new(p.coarse_dims);
+            sum += interpolated(&c, coarse, plane * c.plane, cell, p.coarse_dims) * p.coarse_weight;
         }
     }
     sum
 }
 
-/// Trilinear: ¾ of the cell around and ¼ of its neighbour on the nearer side, along each axis. `plane`: value and channel.
+/// Trilinear: ¾ of the coarse cell around and ¼ of its neighbour on the nearer side, along each axis.
 #[inline(always)]
-fn interpolated(p: &LpvParams, coarse: &[f32], plane: u32, cell: [u32; 3]) -> f32 {
-    let l = LpvLayout::new(p.coarse_dims);
-    let x = taps(cell[0], p.coarse_dims.x);
-    let y = taps(cell[1], p.coarse_dims.y);
-    let z = taps(cell[2], p.coarse_dims.z);
-    let value = |x: u32, y: u32, z: u32| coarse[(plane * l.plane + l.at(x, y, z)) as usize];
-    let row = |y: u32, z: u32| value(x[0], y, z) * 0.75 + value(x[1], y, z) * 0.25;
-    let layer = |z: u32| row(y[0], z) * 0.75 + row(y[1], z) * 0.25;
-    layer(z[0]) * 0.75 + layer(z[1]) * 0.25
+fn interpolated(l: &LpvLayout, coarse: &[f32], base: u32, cell: UVec3, dims: UVec4) -> f32 {
+    let (x, y, z) = (cell.x / 2, cell.y / 2, cell.z / 2);
+    let (u, v, w) = (nearer(cell.x, dims.x), nearer(cell.y, dims.y), nearer(cell.z, dims.z));
+    let near = row(l, coarse, base, x, u, y, z) * 0.75 + row(l, coarse, base, x, u, v, z) * 0.25;
+    let far = row(l, coarse, base, x, u, y, w) * 0.75 + row(l, coarse, base, x, u, v, w) * 0.25;
+    near * 0.75 + far * 0.25
 }
 
-/// Coarse cell around a fine one and its nearer neighbour; at the border itself.
 #[inline(always)]
-fn taps(fine: u32, count: u32) -> [u32; 2] {
+fn row(l: &LpvLayout, coarse: &[f32], base: u32, x: u32, u: u32, y: u32, z: u32) -> f32 {
+    coarse[(base + l.at(x, y, z)) as usize] * 0.75 + coarse[(base + l.at(u, y, z)) as usize] * 0.25
+}
+
+/// Coarse neighbour on the side of a fine cell; at the border the coarse cell itself.
+#[inline(always)]
+fn nearer(fine: u32, count: u32) -> u32 {
     let here = fine / 2;
-    let other = if fine & 1 == 1 {
-        (here + 1).min(count - 1)
-    } else if here > 0 {
-        here - 1
-    } else {
-        0
-    };
-    [here, other]
+    let up = fine & 1;
+    let other = here + up;
+    let below = if here > 0 { here - 1 } else { 0 };
+    if up == 0 { below } else { other.min(count - 1) }
 }
 
 #[cfg(not(target_arch = "spirv"))]

@@ -5,6 +5,7 @@
 //! the cell's centre add up to the whole sphere (Kaplanyan & Dachsbacher 2010, §4.3, figure 4).
 
 use crate::real::Real;
+use interreflect_shared::lpv::LpvParams;
 
 /// Solid angle (sr) of the facing face of a neighbour: `4·atan(¼ / (3/2·√11/2))`.
 pub const FACING_SR: f32 = 0.400_669_68;
@@ -107,14 +108,35 @@ const Y0: f32 = 0.282_094_8;
 /// `I / (3/2 s²)` then gives half the net flux per face; the constant gives a sixth of the flux.
 const BAND1_PER_NET: f32 = 0.732_903_8;
 
+/// How lobes are made of flux and moment.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Lobes {
+    /// 1: a cell sends exactly its flux; 0: what the clamp makes of it.
+    pub gain: f32,
+    /// 1: the first moment is kept; 0: what the clamp leaves of it.
+    pub restore: f32,
+    /// Slope of a lobe over that of order-1 spherical harmonics.
+    pub sharpness: f32,
+}
+
+impl Lobes {
+    /// Those of a pass.
+    #[inline(always)]
+    pub fn of(p: &LpvParams) -> Self {
+        Self { gain: p.gain, restore: p.lobe.w, sharpness: p.sharpness }
+    }
+}
+
 /// Makes flux and first moment (`[Φ, Mx, My, Mz]`) travel.
 ///
 /// `gain` 1: the intensity is scaled so that the 30 faces receive exactly Φ. The clamp alone would make more of it: a
 /// clamped-cosine lobe along an axis, kept to order 1, sends 1.1382 times its flux. `restore` 1: moments of what arrives
 /// are scaled so that the first moment is kept as well, as in free flight; the clamp would turn light away from its
-/// direction at every step.
+/// direction at every step. `sharpness` 1: the slope of order 1, `(1 + 3f cos θ)/4π` for a mean cosine f; more: narrower: order 1 rounds lobes off,
+/// and the sum of many keeps light that no surface sent that way.
 #[inline(always)]
-pub fn travel<R: Real>(flux: [R; 4], gain: f32, restore: f32) -> Travelling<R> {
+pub fn travel<R: Real>(flux: [R; 4], lobes: &Lobes) -> Travelling<R> {
+    let (gain, restore) = (lobes.gain, lobes.restore);
     let zero = R::splat(0.0);
     let lit = R::splat(LEAST_FLUX).lt(flux[0]);
     let phi = R::select(lit, flux[0], zero);
@@ -126,8 +148,8 @@ pub fn travel<R: Real>(flux: [R; 4], gain: f32, restore: f32) -> Travelling<R> {
     let limit = R::splat(1.0) / square.max(R::splat(1.0)).sqrt();
     unroll!(K in 0, 1, 2 => { f[K] = f[K] * limit; });
     let square = square * limit * limit;
-    let three = R::splat(3.0 * INV_4_PI);
-    let sent = outflow(R::splat(INV_4_PI), [f[0] * three, f[1] * three, f[2] * three]);
+    let slope = R::splat(3.0 * INV_4_PI * lobes.sharpness);
+    let sent = outflow(R::splat(INV_4_PI), [f[0] * slope, f[1] * slope, f[2] * slope]);
     let exact = R::splat(1.0) / sent.flux;
     let g = exact * R::splat(gain) + R::splat(1.0 - gain);
     let m = sent.moment;
@@ -135,7 +157,7 @@ pub fn travel<R: Real>(flux: [R; 4], gain: f32, restore: f32) -> Travelling<R> {
     let small = R::splat(SMALL_MOMENT);
     let factor = ((square + small) / (kept + small)).sqrt();
     let a = phi * g * R::splat(INV_4_PI);
-    let b = phi * g * three;
+    let b = phi * g * slope;
     let net = phi * exact * R::splat(BAND1_PER_NET);
     let t = sent.to;
     Travelling {
@@ -154,6 +176,9 @@ mod tests {
     use super::*;
     use crate::math::sampling::spherical_fibonacci;
     use core::f64::consts::PI;
+
+    const PAPER: Lobes = Lobes { gain: 0.0, restore: 0.0, sharpness: 1.0 };
+    const KEPT: Lobes = Lobes { gain: 1.0, restore: 1.0, sharpness: 2.0 };
 
     /// Solid angle of a rectangle from (0, 0) to (x, y) in a plane at height h.
     fn corner(x: f64, y: f64, h: f64) -> f64 {
@@ -187,7 +212,7 @@ mod tests {
 
     #[test]
     fn the_clamp_gains_what_the_negative_lobe_would_take() {
-        let lobe = travel::<f32>(cosine_lobe([0.0, 1.0, 0.0]), 0.0, 0.0);
+        let lobe = travel::<f32>(cosine_lobe([0.0, 1.0, 0.0]), &PAPER);
         let sent = outflow(lobe.a, lobe.b).flux;
         // Negative towards the neighbour behind: facing −1/4, sides 1/4 − 1/√5, per π and unit flux.
         let behind = 0.25 * 0.400_669_684_6 + 4.0 * 0.423_441_354_4 * (0.447_213_595_5 - 0.25);
@@ -197,7 +222,7 @@ mod tests {
         for i in 0..2000 {
             let d = spherical_fibonacci(i, 2000).to_array();
             for f in [0.0, 0.2, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0] {
-                let t = travel::<f32>([1.0, d[0] * f, d[1] * f, d[2] * f], 0.0, 0.0);
+                let t = travel::<f32>([1.0, d[0] * f, d[1] * f, d[2] * f], &PAPER);
                 let gain = outflow(t.a, t.b).flux;
                 assert!(gain > 1.0 - 1e-6 && gain < 1.4, "{d:?} {f}: {gain}");
                 assert!(f > 0.33 || (gain - 1.0).abs() < 1e-6, "nothing is clamped at {f}: {gain}");
@@ -210,7 +235,7 @@ mod tests {
         for i in 0..2000 {
             let d = spherical_fibonacci(i, 2000).to_array();
             for f in [0.0, 0.2, 0.5, 2.0 / 3.0, 1.0] {
-                let t = travel::<f32>([3.0, 3.0 * d[0] * f, 3.0 * d[1] * f, 3.0 * d[2] * f], 1.0, 1.0);
+                let t = travel::<f32>([3.0, 3.0 * d[0] * f, 3.0 * d[1] * f, 3.0 * d[2] * f], &KEPT);
                 let sent = outflow(t.a, t.b);
                 assert!((sent.flux - 3.0).abs() < 3e-6, "{d:?} {f}: {}", sent.flux);
                 let m = sent.moment.map(|m| m * t.moment_factor / 3.0);
@@ -222,7 +247,7 @@ mod tests {
                 assert!((e(1.0) - e(-1.0) - net).abs() < 1e-5 && (e(1.0) + e(-1.0) - 1.0).abs() < 1e-5, "{d:?} {f}");
             }
         }
-        let dark = travel::<f32>([0.0; 4], 1.0, 1.0);
+        let dark = travel::<f32>([0.0; 4], &KEPT);
         assert_eq!((dark.a, dark.b, dark.passed, dark.moment_factor), (0.0, [0.0; 3], [0.0; 4], 1.0));
     }
 }

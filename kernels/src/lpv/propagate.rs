@@ -23,7 +23,7 @@
 //! Good when light is smooth; fails when walls are thinner than a cell, and far from small sources: order 1 merges crossing beams. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
 
 use super::grid::{cell_row, rows};
-use super::lobe::{NO_BACK_FLUX, Sent, travel};
+use super::lobe::{Lobes, NO_BACK_FLUX, Sent, travel};
 use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -59,13 +59,24 @@ fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open
     [flux, moment[0], moment[1], moment[2]]
 }
 
+/// Share of light that passes a face.
+#[inline(always)]
+fn open_way<R: Real>(j: usize, p: &LpvParams, opacity: &[f32]) -> R {
+    R::splat(1.0) - R::load(opacity, j) * R::splat(p.occlusion)
+}
+
 /// Share of light that passes from each neighbour (+x, −x, +y, …) of the cell at `i` of a plane of opacity.
 #[inline(always)]
 pub fn open_ways<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, opacity: &[f32]) -> [R; 6] {
-    let (plane, one, strength) = (l.plane as usize, R::splat(1.0), R::splat(p.occlusion));
-    let (pitch, layer) = (l.pitch as usize, l.layer as usize);
-    let way = |j: usize| one - R::load(opacity, j) * strength;
-    [way(i), way(i - 1), way(plane + i), way(plane + i - pitch), way(2 * plane + i), way(2 * plane + i - layer)]
+    let (plane, pitch, layer) = (l.plane as usize, l.pitch as usize, l.layer as usize);
+    let mut open = [R::splat(1.0); 6];
+    open[0] = open_way(i, p, opacity);
+    open[1] = open_way(i - 1, p, opacity);
+    open[2] = open_way(plane + i, p, opacity);
+    open[3] = open_way(plane + i - pitch, p, opacity);
+    open[4] = open_way(2 * plane + i, p, opacity);
+    open[5] = open_way(2 * plane + i - layer, p, opacity);
+    open
 }
 
 /// The state of one channel of one cell after a step.
@@ -77,7 +88,7 @@ pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32])
     let mut out = [R::splat(0.0); 9];
     if row.real {
         let open = open_ways::<R>(at.i - (row.channel * l.plane) as usize, &l, p, opacity);
-        let t = travel(arriving(at.i, &l, p, state, &open), p.gain, p.lobe.w);
+        let t = travel(arriving(at.i, &l, p, state, &open), &Lobes::of(p));
         out = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.passed[0], t.passed[1], t.passed[2], t.passed[3]];
         unroll!(J in 5, 6, 7, 8 => { out[J] = out[J] + R::load(state, J * value + at.i); });
     }
@@ -92,7 +103,7 @@ pub fn begin<R: Real>(at: At, p: &LpvParams, source: &[f32]) -> [R; 9] {
     let mut out = [R::splat(0.0); 9];
     if cell_row(at, p.dims, &l).real {
         let moment = [R::load(source, i + value), R::load(source, i + 2 * value), R::load(source, i + 3 * value)];
-        let t = travel([R::load(source, i), moment[0], moment[1], moment[2]], p.gain, p.lobe.w);
+        let t = travel([R::load(source, i), moment[0], moment[1], moment[2]], &Lobes::of(p));
         // Light that leaves a surface lights what stands beside it, and takes nothing from the surface itself.
         let weight = R::splat(p.weight);
         let most = t.passed[0] * R::splat(NO_BACK_FLUX);

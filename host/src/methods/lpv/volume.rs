@@ -13,12 +13,16 @@ use interreflect_shared::lpv::{
 /// Cells' sides below and above the scene along the longest side: walls then lie between the centres of two cells, in
 /// the middle of a voxel of half the side, and one cell lies behind them.
 const PADDING: f32 = 0.75;
-/// A cell may take this part of all light before the fixed-point scale is made coarser: the rest is precision.
+/// One cell may take one part in so many of all light before the fixed-point scale is made coarser.
 const HEADROOM: f32 = 64.0;
 /// Factor between two tries of the scale.
 const SCALE_STEP: f32 = 1.0 / 16.0;
 /// Tries: 2¹⁶ times the default.
 const SCALE_TRIES: u32 = 5;
+/// Slope of lobes over that of order 1: measured, see `tests/lpv.rs`.
+const SHARPNESS: f32 = 2.0;
+/// Light that comes from a finer level is somewhere in its coarser cell, and has half of it to pass.
+const HALF_WAY: f32 = 0.5;
 /// Steps between two looks at what still travels.
 const STEPS_BETWEEN_CHECKS: u32 = 4;
 
@@ -387,8 +391,7 @@ impl Volume {
             let (fine, coarse) = self.levels.split_at_mut(k + 1);
             let (fine, coarse) = (&fine[k], &mut coarse[0]);
             exec.run(&levels::lpv_restrict::KERNEL, &[fine.later, fine.state(), coarse.source])?;
-            // Where it is now it was counted on the finer level.
-            coarse.begin(exec, 0.0)?;
+            coarse.begin(exec, HALF_WAY)?;
         }
         let level = &mut self.levels[last];
         let longest = level.params.dims.max_element();
@@ -458,7 +461,7 @@ fn params(options: &Options, at: &Placement, k: u32, has_coarser: bool) -> LpvPa
             Vec4::new(1.0, ALONG, ACROSS, 1.0)
         },
         count: 0,
-        _pad1: 0,
+        sharpness: if options.paper_scheme { 1.0 } else { SHARPNESS },
         flux_scale: 1.0,
         occlusion: if options.occludes() { 1.0 } else { 0.0 },
         gain: if options.gain_correction { 1.0 } else { 0.0 },
