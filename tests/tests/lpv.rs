@@ -103,6 +103,340 @@ fn judge(got: &[Vec3], truth: &[Vec3]) -> (f32, f32) {
     (error(&block_means(got), &block_means(truth)).0, error(got, truth).1)
 }
 
+/// Flux (W per channel) that the maps of a scene carry, and the texels.
+fn mapped_flux(scene: &Scene, resolution: u32) -> DVec3 {
+    let mut exec = CpuExecutor::new();
+    let buffers = SceneBuffers::upload(&mut exec, scene).unwrap();
+    let input = Input { scene, buffers: &buffers, seed: 1, true_mean: None };
+    let mut maps = Maps::new(&mut exec, &input, resolution).unwrap();
+    let mut sum = DVec3::ZERO;
+    for batch in 0..maps.batches() {
+        let count = maps.trace(&mut exec, &input, batch).unwrap() as usize;
+        let texels = exec.read_slice::<RsmTexel>(maps.texels).unwrap();
+        sum += texels[..count].iter().map(|t| Vec3::from(t.flux).as_dvec3()).sum::<DVec3>();
+    }
+    sum
+}
+
+/// A closed cube of side 2 around the origin that reflects half, with one light.
+fn room(light: Option<Light>) -> Scene {
+    let mut b = SceneBuilder::new("room");
+    let wall = b.diffuse("wall", [0.5; 3]);
+    b.room([-1.0; 3], [1.0; 3], [wall; 6]);
+    light.into_iter().for_each(|l| b.light(l));
+    b.camera("inside", [0.0, 0.0, 0.9], [0.0, 0.0, 0.0], 70.0);
+    b.finish()
+}
+
+#[test]
+fn maps_carry_the_flux_that_hits_the_scene() {
+    let colour = Vec3::new(3.0, 2.0, 1.0);
+    let at = Vec3::new(0.3, -0.2, 0.1);
+    let check = |name: &str, got: DVec3, expected: f64| {
+        let ratio = got / (colour.as_dvec3() * expected);
+        println!("{name}: {ratio} of the flux");
+        assert!((ratio - 1.0).abs().max_element() < 0.01, "{name}: {ratio}");
+    };
+    let pi = std::f64::consts::PI;
+    // Every direction meets a wall.
+    check("point", mapped_flux(&room(Some(Light::Point { position: at, intensity: colour })), 64), 4.0 * pi);
+    let (inner, outer) = (0.9, 0.6);
+    let spot = Light::Spot {
+        position: at,
+        direction: Vec3::new(0.6, 0.0, 0.8),
+        intensity: colour,
+        cos_inner: inner,
+        cos_outer: outer,
+    };
+    // 2π times ∫ of the squared ramp of the cosine: a third of the ring, all of the inner cone.
+    let cone = 2.0 * pi * f64::from(1.0 - inner + (inner - outer) / 3.0);
+    check("spot", mapped_flux(&room(Some(spot)), 64), cone);
+    // A square of side 2 at 60° to the light: half its area.
+    let mut b = SceneBuilder::new("square");
+    let wall = b.diffuse("wall", [0.5; 3]);
+    b.quad([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]], wall);
+    b.light(Light::Directional { direction: Vec3::new(0.0, 0.75f32.sqrt(), -0.5), irradiance: colour });
+    check("directional", mapped_flux(&b.finish(), 512), 4.0 * 0.5);
+    // A cube that emits on the inside: all of π L A meets the other walls.
+    let mut lamp = furnace(0.5, 1.0);
+    lamp.materials[0].emission = colour;
+    check("emitters", mapped_flux(&lamp, 64), pi * 6.0);
+    // A sphere in the middle of a sky: its cross-section from everywhere.
+    let mut sky = sphere_furnace(4, 0.5, 0.0);
+    sky.environment = colour;
+    check("environment", mapped_flux(&sky, 256), 4.0 * pi * pi);
+}
+
+/// A volume of one level with a scene's light in it, one step not yet made.
+fn lit_volume(exec: &mut CpuExecutor, scene: &Scene, changes: &[(&str, &str)]) -> Volume {
+    let buffers = SceneBuffers::upload(exec, scene).unwrap();
+    let input = Input { scene, buffers: &buffers, seed: 1, true_mean: None };
+    let options = Options::parse(&settings(changes)).unwrap();
+    let at = Placement::around(scene.bounds(), 20, 1);
+    let mut maps = Maps::new(exec, &input, 64).unwrap();
+    let mut volume = Volume::new(exec, &options, &at, 1).unwrap();
+    let count = maps.trace(exec, &input, 0).unwrap();
+    volume.begin_injection(exec, lpv::maps::flux_bound(scene)).unwrap();
+    volume.inject(exec, maps.texels, count).unwrap();
+    assert!(volume.injection_fits(exec).unwrap());
+    volume.block_texels(exec, maps.texels, count).unwrap();
+    volume.make_opacity(exec).unwrap();
+    volume.start(exec, 1.0).unwrap();
+    volume
+}
+
+fn lamp_in_room() -> Scene {
+    room(Some(Light::Point { position: Vec3::new(0.2, 0.1, -0.3), intensity: Vec3::new(3.0, 2.0, 1.0) }))
+}
+
+/// Ledger before each step.
+fn ledgers(scene: &Scene, changes: &[(&str, &str)], steps: u32) -> Vec<Ledger> {
+    let mut exec = CpuExecutor::new();
+    let mut volume = lit_volume(&mut exec, scene, changes);
+    (0..steps)
+        .map(|step| {
+            let now = volume.finest().ledger(&mut exec).unwrap();
+            volume.levels[0].step(&mut exec, step == 0).unwrap();
+            now
+        })
+        .collect()
+}
+
+#[test]
+fn stored_and_left_flux_is_what_was_injected() {
+    let scene = lamp_in_room();
+    let injected = 4.0 * std::f64::consts::PI * DVec3::new(3.0, 2.0, 1.0) * 0.5;
+    for scheme in ["moment", "paper"] {
+        let steps = ledgers(&scene, &[("scheme", scheme), ("geometry", "none")], 48);
+        let mut left = DVec3::ZERO;
+        for (k, now) in steps.iter().enumerate() {
+            let ratio = (now.stored + left) / injected;
+            assert!((ratio - 1.0).abs().max_element() < 2e-3, "{scheme}, step {k}: {ratio}");
+            assert!(k == 0 || now.stored.cmple(steps[k - 1].stored * (1.0 + 1e-6)).all(), "{scheme}, step {k}: growth");
+            left += now.leaving;
+        }
+        let without = ledgers(&scene, &[("scheme", scheme), ("geometry", "none"), ("gain_correction", "0")], 48);
+        let made: DVec3 = without.iter().map(|l| l.leaving).sum::<DVec3>() + without[47].stored;
+        println!("{scheme}: without the correction {:.4} of the flux leaves or stays", made.x / injected.x);
+        assert!(made.x / injected.x > 1.05, "the clamp must show: {}", made.x / injected.x);
+    }
+}
+
+#[test]
+fn what_is_absorbed_is_missing_and_nothing_else() {
+    let scene = lamp_in_room();
+    let steps = ledgers(&scene, &[("geometry", "texels")], 64);
+    let injected = steps[0].stored;
+    let (mut left, mut absorbed) = (DVec3::ZERO, DVec3::ZERO);
+    for (k, now) in steps.iter().enumerate() {
+        let ratio = (now.stored + left + absorbed) / injected;
+        assert!((ratio - 1.0).abs().max_element() < 1e-3, "step {k}: {ratio}");
+        left += now.leaving;
+        // The first step passes everything.
+        absorbed += if k == 0 { DVec3::ZERO } else { now.absorbed };
+    }
+    println!("absorbed {:.3}, left {:.3} of the flux", absorbed.x / injected.x, left.x / injected.x);
+    assert!(absorbed.x > 0.5 * injected.x, "walls absorb most of it");
+}
+
+#[test]
+fn cornell_box_one_bounce() {
+    let scene = cornell_box();
+    let receivers = picture_surfels(&scene, &scene.cameras[0]);
+    // One reflection of light, and the receiver's own.
+    let one = truth(&scene, &receivers, 128, Some(2));
+    let mut errors = Vec::new();
+    for resolution in ["16", "32", "64"] {
+        let result = run(&scene, &receivers, &[("resolution", resolution), ("bounces", "1")]);
+        let (block, bias) = judge(&result.irradiance, &one);
+        println!("{resolution}: nrmse_block {block:.3}, bias {bias:.3}, {:?}\n    {}", result.stages, result.needs);
+        errors.push((block, bias));
+    }
+    let paper = run(&scene, &receivers, &[("scheme", "paper"), ("levels", "1"), ("bounces", "1")]);
+    println!(
+        "paper's scheme on one grid of 32: nrmse_block {:.3}, bias {:.3}",
+        judge(&paper.irradiance, &one).0,
+        judge(&paper.irradiance, &one).1
+    );
+    let [(e16, _), (e32, bias), (e64, _)] = errors[..] else { unreachable!() };
+    assert!(e32 <= 0.45 && (0.7..=1.3).contains(&bias), "nrmse_block {e32}, bias {bias}");
+    assert!(e64 < e32 && e32 < e16, "{e16} {e32} {e64}");
+}
+
+#[test]
+fn a_furnace_keeps_its_energy() {
+    let scene = furnace(0.5, 1.0);
+    let receivers = picture_surfels(&scene, &scene.cameras[0]);
+    let result = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "6")]);
+    let expected = vec![Vec3::splat(PI); receivers.len()];
+    let (nrmse, ratio) = error(&result.irradiance, &expected);
+    println!("furnace: {ratio:.4} of the closed form, nrmse {nrmse:.4}, {}", result.needs["bounce_ratio"]);
+    assert!((ratio - 1.0).abs() < 0.2, "{ratio}");
+}
+
+/// Mean irradiance in the dark room over that in the lit one, for a wall of so many cells.
+fn leak(wall_cells: f32, geometry: &str) -> f32 {
+    let resolution = 32.0;
+    let cell = 6.0 / (resolution - 1.5 - wall_cells);
+    let scene = two_rooms(wall_cells * cell, 0.0);
+    let mean = |camera: &Camera| {
+        let receivers = picture_surfels(&scene, camera);
+        let result = run(&scene, &receivers, &[("geometry", geometry), ("bounces", "2")]);
+        result.irradiance.iter().map(|v| v.element_sum()).sum::<f32>() / (3 * result.irradiance.len()) as f32
+    };
+    mean(&scene.cameras[0]) / mean(&scene.cameras[1])
+}
+
+#[test]
+fn walls_leak_by_their_thickness() {
+    let mut last = (0.0, 0.0);
+    for wall in [0.25, 0.5, 1.0, 2.0, 4.0] {
+        last = (leak(wall, "both"), leak(wall, "none"));
+        println!(
+            "wall of {wall} cells: {:.2} % leaks, {:.2} % without the geometry volume",
+            100.0 * last.0,
+            100.0 * last.1
+        );
+        assert!(last.0 < last.1, "the geometry volume must save some");
+    }
+    assert!(last.0 < 0.05, "{}", last.0);
+}
+
+#[test]
+fn light_moved_by_a_tenth_of_a_cell_hardly_flickers() {
+    let mut exec = CpuExecutor::new();
+    let cell = 2.0 / 14.5;
+    let frames: Vec<f32> = (0..12).map(|k| k as f32 * 0.1 * cell).collect();
+    let scene_at = |x: f32| room(Some(Light::Point { position: Vec3::new(x, 0.1, -0.3), intensity: Vec3::ONE }));
+    let first = scene_at(0.0);
+    let receivers = picture_surfels(&first, &first.cameras[0]);
+    let pictures: Vec<Vec<Vec3>> = frames
+        .iter()
+        .map(|&x| run(&scene_at(x), &receivers, &[("resolution", "16"), ("bounces", "1"), ("rsm", "256")]).irradiance)
+        .collect();
+    exec.begin();
+    // Second differences: what is not a smooth change of the truth's.
+    let (mut square, mut sum, mut n) = (0.0f64, 0.0f64, 0.0f64);
+    for k in 1..pictures.len() - 1 {
+        for p in 0..receivers.len() {
+            let jerk = pictures[k + 1][p].x - 2.0 * pictures[k][p].x + pictures[k - 1][p].x;
+            square += f64::from(jerk).powi(2);
+            sum += f64::from(pictures[k][p].x);
+            n += 1.0;
+        }
+    }
+    let flicker = (square / n).sqrt() / (sum / n);
+    println!("flicker per tenth of a cell: {:.3} % of the mean irradiance", 100.0 * flicker);
+    assert!(flicker < 0.05, "{flicker}");
+}
+
+#[test]
+fn cascades_move_by_whole_cells() {
+    // A small lit object in the middle, whose light does not reach a border in three steps.
+    let mut b = SceneBuilder::new("island");
+    let wall = b.diffuse("wall", [0.8, 0.5, 0.3]);
+    b.block([-0.31, -0.27, -0.33], [0.29, 0.34, 0.28], wall);
+    b.quad([[-4.0, -4.0, -4.0], [4.0, -4.0, -4.0], [4.0, -4.0, -3.9], [-4.0, -4.0, -3.9]], wall);
+    b.light(Light::Point { position: Vec3::new(1.1, 1.3, 1.2), intensity: Vec3::ONE });
+    b.camera("far", [0.0, 0.0, 3.0], [0.0; 3], 60.0);
+    let scene = b.finish();
+    let mut exec = CpuExecutor::new();
+    let buffers = SceneBuffers::upload(&mut exec, &scene).unwrap();
+    let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
+    let mut light = |x: f32| {
+        let centre = format!("{x}:0.01:0.02");
+        let changes = [
+            ("cascades", "2"),
+            ("resolution", "24"),
+            ("iterations", "3"),
+            ("bounces", "1"),
+            ("centre", centre.as_str()),
+        ];
+        let mut method = Lpv::new(&settings(&changes)).unwrap();
+        method.precompute(&mut exec, &input, &mut StageClock::default()).unwrap();
+        method.light_change(&mut exec, &input, &mut StageClock::default()).unwrap();
+        let grids = method.light();
+        grids.into_iter().map(|(buffer, p)| (exec.read_slice::<f32>(buffer).unwrap(), p)).collect::<Vec<_>>()
+    };
+    let here = light(0.02);
+    let cell = here[0].1.anchor_size.w;
+    let a_little = light(0.02 + 0.5 * cell);
+    assert!(here.iter().zip(&a_little).all(|(a, b)| a.0 == b.0 && a.1 == b.1), "a fraction of a cell changes nothing");
+    let one = light(0.02 + cell);
+    assert_eq!(one[0].1.first_cell.x, here[0].1.first_cell.x + 1);
+    let layout = LpvLayout::new(here[0].1.dims);
+    let n = here[0].1.dims.x;
+    let mut lit = 0;
+    for value in 0..4 * 3 {
+        for (z, y, x) in (0..n).flat_map(|z| (0..n).flat_map(move |y| (1..n).map(move |x| (z, y, x)))) {
+            let at = |x: u32| (value * layout.plane + layout.at(x, y, z)) as usize;
+            let (a, b) = (here[0].0[at(x)], one[0].0[at(x - 1)]);
+            assert_eq!(a.to_bits(), b.to_bits(), "value {value} of cell {x} {y} {z}");
+            lit += u32::from(a != 0.0);
+        }
+    }
+    assert!(lit > 1000, "{lit}");
+}
+
+#[test]
+fn half_floats_cost_what_is_reported() {
+    let scene = cornell_box();
+    let receivers = picture_surfels(&scene, &scene.cameras[0]);
+    let full = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "2")]);
+    let half = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "2"), ("storage", "f16")]);
+    let (nrmse, _) = error(&half.irradiance, &full.irradiance);
+    let reported = half.needs["half_float_error"].as_f64().unwrap();
+    println!("half floats: {reported:.2e} of the coefficients, {nrmse:.2e} of the irradiance");
+    assert!(reported > 1e-6 && reported < 1e-3 && nrmse > 1e-7 && nrmse < 1e-2);
+    assert!(full.needs["half_float_error"].is_null());
+}
+
+#[test]
+fn strange_scenes_give_finite_light() {
+    let beam = |position: Vec3| Light::Spot {
+        position,
+        direction: -Vec3::Y,
+        intensity: Vec3::splat(1e6),
+        cos_inner: 0.99995,
+        cos_outer: 0.9999,
+    };
+    let mut scenes = vec![
+        ("a light outside the grid", room(Some(Light::Point { position: Vec3::splat(50.0), intensity: Vec3::ONE }))),
+        ("a light in a wall", room(Some(Light::Point { position: Vec3::new(1.0, 0.0, 0.0), intensity: Vec3::ONE }))),
+        ("a narrow beam", room(Some(beam(Vec3::ZERO)))),
+        ("no light", room(None)),
+    ];
+    for (name, scale) in [("a scene of 1e-3 m", 5e-4), ("a scene of 1e5 m", 5e4)] {
+        let mut scene = lamp_in_room();
+        scene.positions.iter_mut().for_each(|p| *p *= scale);
+        scene.cameras[0].position *= scale;
+        if let Light::Point { position, intensity } = &mut scene.lights[0] {
+            *position *= scale;
+            *intensity *= scale * scale;
+        }
+        scenes.push((name, scene));
+    }
+    let usual = lamp_in_room();
+    let expected =
+        run(&usual, &picture_surfels(&usual, &usual.cameras[0]), &[("resolution", "12"), ("iterations", "400")])
+            .irradiance;
+    for (name, scene) in scenes {
+        let receivers = picture_surfels(&scene, &scene.cameras[0]);
+        let result = run(&scene, &receivers, &[("resolution", "12"), ("iterations", "400")]);
+        assert!(result.irradiance.iter().all(|e| e.is_finite() && e.min_element() >= 0.0), "{name}");
+        println!("{name}: {}", result.needs["fixed_point_tries"]);
+        match name {
+            "a narrow beam" => assert_eq!(result.needs["fixed_point_rescaled"], true, "all light in one cell"),
+            "no light" => assert!(result.irradiance.iter().all(|e| *e == Vec3::ZERO)),
+            _ if name.contains("scene of") => {
+                let (nrmse, ratio) = error(&result.irradiance, &expected);
+                assert!(nrmse < 0.02 && (ratio - 1.0).abs() < 0.01, "{name}: {nrmse} {ratio}");
+            }
+            _ => {}
+        }
+    }
+}
+
 #[test]
 fn experiment() {
     let scene = cornell_box();

@@ -285,6 +285,13 @@ pub struct RenderArgs {
     /// The truth's `irradiance.exr` (from `reference` with the same scene, camera and size): the report then has errors.
     #[arg(long, value_name = "FILE.exr")]
     pub truth: Option<PathBuf>,
+    /// Frames of an animation: writes frame-0000.png … and frames.json with each frame's times.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000), conflicts_with = "truth")]
+    pub frames: u32,
+    /// What moves from the first frame to the last, on a straight line (m): `light:INDEX:DX,DY,DZ` (a directional light's
+    /// direction changes by the offset) or `object:MATERIAL:DX,DY,DZ`.
+    #[arg(long, value_name = "WHAT:DX,DY,DZ", allow_hyphen_values = true)]
+    pub animate: Vec<super::animate::Motion>,
 }
 
 /// Arguments of `reference`.

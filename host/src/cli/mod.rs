@@ -1,5 +1,6 @@
 //! The program: verbs, progress, exit codes. Everything it does is in the library; this only asks and prints.
 
+mod animate;
 mod args;
 mod chart;
 mod compare;

@@ -15,6 +15,9 @@ use crate::scene::device::SceneBuffers;
 /// Lights the scene and writes `direct.exr`, `indirect.exr`, `full.exr`, `irradiance.exr`, `full.png`, `report.json`.
 pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
     let (row, settings) = chosen(args)?;
+    if args.frames > 1 || !args.animate.is_empty() {
+        return super::animate::run(args, row, &settings, as_json);
+    }
     let out = &args.scene.out;
     setup::output_folder(out)?;
     let (scene, camera) = setup::load(&args.scene)?;

@@ -81,6 +81,11 @@ impl PackedScene {
         }
     }
 
+    /// Packs the lights again: what moved is nothing but lights without a surface, as many as before.
+    pub fn relight(&mut self, scene: &Scene) {
+        self.lights = pack_lights(scene, &self.triangles);
+    }
+
     /// Uploads every buffer.
     ///
     /// # Errors

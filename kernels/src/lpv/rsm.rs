@@ -41,6 +41,9 @@ struct LightRay {
 /// Cosine at which a surface counts as lit at a grazing angle: bounds the area of a texel.
 const GRAZING: f32 = 0.05;
 
+/// Flux (W) of a ray below which it counts as none: devices flush denormals.
+const LEAST_FLUX: f32 = 1e-30;
+
 /// Texels of the pass.
 pub fn texels(p: &RsmParams) -> Rows {
     Rows::range(p.first, p.count)
@@ -65,7 +68,7 @@ pub fn texel(
     let hit = closest_hit(&scene, &from.ray);
     let surfel = if hit.is_some() { surface(&scene, &from.ray, &hit) } else { no_surface() };
     let normal = Vec3::from_array(surfel.geometric_normal);
-    let lit = hit.is_some() && max(from.flux.x, max(from.flux.y, from.flux.z)) > 0.0;
+    let lit = hit.is_some() && max(from.flux.x, max(from.flux.y, from.flux.z)) > LEAST_FLUX;
     let cosine = max(-normal.dot(from.ray.direction), GRAZING);
     RsmTexel {
         position: surfel.position,

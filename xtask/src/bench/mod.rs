@@ -41,8 +41,13 @@ impl Bench {
 /// One part of the report: prints its table and gives the same as JSON.
 type Section = fn(&mut Bench) -> Result<Value>;
 
-const SECTIONS: &[(&str, Section)] =
-    &[("kernels", kernels::run), ("twins", twins::run), ("loading", loading::run), ("srp", srp::run), ("lpv", lpv::run)];
+const SECTIONS: &[(&str, Section)] = &[
+    ("kernels", kernels::run),
+    ("twins", twins::run),
+    ("loading", loading::run),
+    ("srp", srp::run),
+    ("lpv", lpv::run),
+];
 
 /// Runs the sections: those that the filter names, or all (with kernels that the filter names).
 pub fn run(filter: Option<String>) -> Result<()> {

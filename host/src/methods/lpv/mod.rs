@@ -53,6 +53,13 @@ pub const ROW: MethodRow = MethodRow {
                    around the face's axis, which throws most light back within a few cells.",
         },
         Setting {
+            key: "sharpness",
+            default: "2",
+            allowed: "a number from 1 to 4",
+            help: "Slope of lobes over that of order 1 (scheme moment). Higher: less light falls back on the surface that it \
+                   comes from, and beams stay too narrow.",
+        },
+        Setting {
             key: "gain_correction",
             default: "1",
             allowed: "0 or 1",
@@ -153,6 +160,7 @@ pub struct Options {
     resolution: u32,
     rsm: u32,
     paper_scheme: bool,
+    sharpness: f32,
     gain_correction: bool,
     levels: u32,
     steps: u32,
@@ -196,6 +204,7 @@ impl Options {
             resolution,
             rsm: parse(&ROW, settings, "rsm", |n| *n <= 1024 && n % 2 == 0)?,
             paper_scheme: word("scheme", &["moment", "paper"])? == 1,
+            sharpness: parse(&ROW, settings, "sharpness", |x| (1.0..=4.0).contains(x))?,
             gain_correction: flag("gain_correction")?,
             levels: parse(&ROW, settings, "levels", |n| *n <= 5)?,
             steps: parse(&ROW, settings, "steps", |n| (1..=64).contains(n))?,

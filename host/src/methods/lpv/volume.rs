@@ -19,8 +19,6 @@ const HEADROOM: f32 = 64.0;
 const SCALE_STEP: f32 = 1.0 / 16.0;
 /// Tries: 2¹⁶ times the default.
 const SCALE_TRIES: u32 = 5;
-/// Slope of lobes over that of order 1: measured, see `tests/lpv.rs`.
-const SHARPNESS: f32 = 2.0;
 /// Light that comes from a finer level is somewhere in its coarser cell, and has half of it to pass.
 const HALF_WAY: f32 = 0.5;
 /// Steps between two looks at what still travels.
@@ -391,7 +389,7 @@ impl Volume {
             let (fine, coarse) = self.levels.split_at_mut(k + 1);
             let (fine, coarse) = (&fine[k], &mut coarse[0]);
             exec.run(&levels::lpv_restrict::KERNEL, &[fine.later, fine.state(), coarse.source])?;
-            coarse.begin(exec, HALF_WAY)?;
+            coarse.begin(exec, std::env::var("LPV_HALF").ok().and_then(|v| v.parse().ok()).unwrap_or(HALF_WAY))?;
         }
         let level = &mut self.levels[last];
         let longest = level.params.dims.max_element();
@@ -461,7 +459,7 @@ fn params(options: &Options, at: &Placement, k: u32, has_coarser: bool) -> LpvPa
             Vec4::new(1.0, ALONG, ACROSS, 1.0)
         },
         count: 0,
-        sharpness: if options.paper_scheme { 1.0 } else { SHARPNESS },
+        sharpness: if options.paper_scheme { 1.0 } else { options.sharpness },
         flux_scale: 1.0,
         occlusion: if options.occludes() { 1.0 } else { 0.0 },
         gain: if options.gain_correction { 1.0 } else { 0.0 },
