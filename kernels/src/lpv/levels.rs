@@ -6,7 +6,7 @@
 //! distance from the source.)
 //!
 //! `lpv_restrict`: one invocation adds up what travels in the eight cells below one coarse cell: flux and first moment, kept exactly. `lpv_prolong`: one
-//! invocation adds one number of what has passed on the coarser grid, trilinear and per area of a cell's face, to what has passed on the finer one.
+//! invocation adds one number of what has passed on the coarser grid, trilinear (without cells behind walls) and per area of a cell's face, to what has passed on the finer one.
 //!
 //! Pass before: `propagate.rs` on the finer (`lpv_restrict`) or coarser (`lpv_prolong`) grid. Pass after: `propagate.rs` on the coarser grid; `gather.rs`.
 
@@ -16,7 +16,7 @@ use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
-use glam::{UVec3, UVec4};
+use glam::{UVec3, UVec4, Vec3};
 #[cfg(not(target_arch = "spirv"))]
 use interreflect_shared::lpv::{FLUX_VALUES, STATE_VALUES};
 use interreflect_shared::lpv::{FRONT_VALUES, LpvLayout, LpvParams};
@@ -65,44 +65,87 @@ fn cell_at(l: &LpvLayout, dims: UVec4, i: u32) -> UVec3 {
 }
 
 /// Number `i` of the finer grid's passed light: `keep` times an earlier total, its own, and the coarser grid's.
-pub fn prolong(i: u32, p: &LpvParams, before: &[f32], state: &[f32], coarse: &[f32]) -> f32 {
+pub fn prolong(
+    i: u32,
+    p: &LpvParams,
+    before: &[f32],
+    state: &[f32],
+    coarse: &[f32],
+    opacity: &[f32],
+    coarse_opacity: &[f32],
+) -> f32 {
     let l = LpvLayout::new(p.dims);
     let plane = i / l.plane;
-    let cell = cell_at(&l, p.dims, i - plane * l.plane);
+    let element = i - plane * l.plane;
+    let cell = cell_at(&l, p.dims, element);
     let mut sum = 0.0;
     if cell.x < p.dims.x {
         sum = before[i as usize] * p.keep + state[(FRONT_VALUES * l.value() + i) as usize];
         if p.coarse_weight > 0.0 {
             let c = LpvLayout::new(p.coarse_dims);
-            sum += interpolated(&c, coarse, plane * c.plane, cell, p.coarse_dims) * p.coarse_weight;
+            let (d, here) = (p.coarse_dims, cell / 2);
+            let other = UVec3::new(nearer(cell.x, d.x), nearer(cell.y, d.y), nearer(cell.z, d.z));
+            let at = c.at(here.x, here.y, here.z);
+            let weight = Vec3::new(
+                other_weight(cell.x, element, 1, at, 1, opacity, coarse_opacity),
+                other_weight(cell.y, l.plane + element, l.pitch, c.plane + at, c.pitch, opacity, coarse_opacity),
+                other_weight(
+                    cell.z,
+                    2 * l.plane + element,
+                    l.layer,
+                    2 * c.plane + at,
+                    c.layer,
+                    opacity,
+                    coarse_opacity,
+                ),
+            );
+            sum += interpolated(&c, coarse, plane * c.plane, here, other, weight) * p.coarse_weight;
         }
     }
     sum
 }
 
-/// Trilinear: ¾ of the coarse cell around and ¼ of its neighbour on the nearer side, along each axis.
+/// Weight of the coarse neighbour along one axis: ¼ in the open. Where a wall stands between the two coarse centres only
+/// one of them is on the cell's side: the neighbour if the wall is between the cell and its sibling, at whose common face the coarse cell's own
+/// centre lies. `fine`, `coarse`: elements of the axis' opacities; they hold the face above.
 #[inline(always)]
-fn interpolated(l: &LpvLayout, coarse: &[f32], base: u32, cell: UVec3, dims: UVec4) -> f32 {
-    let (x, y, z) = (cell.x / 2, cell.y / 2, cell.z / 2);
-    let (u, v, w) = (nearer(cell.x, dims.x), nearer(cell.y, dims.y), nearer(cell.z, dims.z));
-    let near = row(l, coarse, base, x, u, y, z) * 0.75 + row(l, coarse, base, x, u, v, z) * 0.25;
-    let far = row(l, coarse, base, x, u, y, w) * 0.75 + row(l, coarse, base, x, u, v, w) * 0.25;
-    near * 0.75 + far * 0.25
+fn other_weight(
+    cell: u32,
+    fine: u32,
+    step: u32,
+    coarse: u32,
+    coarse_step: u32,
+    opacity: &[f32],
+    coarse_opacity: &[f32],
+) -> f32 {
+    let upper = cell & 1 == 1;
+    let wall = coarse_opacity[(if upper { coarse } else { coarse - coarse_step }) as usize];
+    let between = opacity[(if upper { fine - step } else { fine }) as usize];
+    0.25 * (1.0 - wall) + wall * between
+}
+
+/// Linear along each axis between a coarse cell and its neighbour.
+#[inline(always)]
+fn interpolated(l: &LpvLayout, coarse: &[f32], base: u32, here: UVec3, other: UVec3, w: Vec3) -> f32 {
+    let near = row(l, coarse, base, here.x, other.x, w.x, here.y, here.z) * (1.0 - w.y)
+        + row(l, coarse, base, here.x, other.x, w.x, other.y, here.z) * w.y;
+    let far = row(l, coarse, base, here.x, other.x, w.x, here.y, other.z) * (1.0 - w.y)
+        + row(l, coarse, base, here.x, other.x, w.x, other.y, other.z) * w.y;
+    near * (1.0 - w.z) + far * w.z
 }
 
 #[inline(always)]
-fn row(l: &LpvLayout, coarse: &[f32], base: u32, x: u32, u: u32, y: u32, z: u32) -> f32 {
-    coarse[(base + l.at(x, y, z)) as usize] * 0.75 + coarse[(base + l.at(u, y, z)) as usize] * 0.25
+fn row(l: &LpvLayout, coarse: &[f32], base: u32, x: u32, other: u32, weight: f32, y: u32, z: u32) -> f32 {
+    coarse[(base + l.at(x, y, z)) as usize] * (1.0 - weight) + coarse[(base + l.at(other, y, z)) as usize] * weight
 }
 
 /// Coarse neighbour on the side of a fine cell; at the border the coarse cell itself.
 #[inline(always)]
 fn nearer(fine: u32, count: u32) -> u32 {
     let here = fine / 2;
-    let up = fine & 1;
-    let other = here + up;
+    let above = (here + 1).min(count - 1);
     let below = if here > 0 { here - 1 } else { 0 };
-    if up == 0 { below } else { other.min(count - 1) }
+    if fine & 1 == 1 { above } else { below }
 }
 
 #[cfg(not(target_arch = "spirv"))]
@@ -120,8 +163,17 @@ fn prolong_case(input: &mut CaseInput) -> Case {
     let mut numbers = |n: u32| -> alloc::vec::Vec<f32> { (0..n).map(|_| input.float().abs()).collect() };
     let before = numbers(fine * FLUX_VALUES);
     let state = numbers(fine * STATE_VALUES);
-    let coarse = numbers(coarse * FLUX_VALUES);
-    Case::default().uniform(&p).read(&before).read(&state).read(&coarse).zeroed::<f32>(before.len())
+    let passed = numbers(coarse * FLUX_VALUES);
+    let opacity = super::case::opacity(input, &p);
+    let coarse_opacity = super::case::opacity(input, &LpvParams { dims: p.coarse_dims, ..p });
+    Case::default()
+        .uniform(&p)
+        .read(&before)
+        .read(&state)
+        .read(&passed)
+        .read(&opacity)
+        .read(&coarse_opacity)
+        .zeroed::<f32>(before.len())
 }
 
 kernel! {
@@ -141,6 +193,8 @@ kernel! {
     read 1 before: f32;
     read 2 state: f32;
     read 3 coarse: f32;
-    write 4 out: f32;
-    case super::prolong_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "ten products of positive numbers, which a device may fuse";
+    read 4 opacity: f32;
+    read 5 coarse_opacity: f32;
+    write 6 out: f32;
+    case super::prolong_case; tolerance Tolerance::RelAbs(2e-5, 1e-35), "products of positive numbers with weights that are differences from 1, which a device may fuse";
 }

@@ -389,7 +389,7 @@ impl Volume {
             let (fine, coarse) = self.levels.split_at_mut(k + 1);
             let (fine, coarse) = (&fine[k], &mut coarse[0]);
             exec.run(&levels::lpv_restrict::KERNEL, &[fine.later, fine.state(), coarse.source])?;
-            coarse.begin(exec, std::env::var("LPV_HALF").ok().and_then(|v| v.parse().ok()).unwrap_or(HALF_WAY))?;
+            coarse.begin(exec, HALF_WAY)?;
         }
         let level = &mut self.levels[last];
         let longest = level.params.dims.max_element();
@@ -434,8 +434,9 @@ impl Volume {
         let coarse_weight = if coarse.is_some() { 0.25 } else { 0.0 };
         let params = LpvParams { keep, coarse_weight, ..level.params };
         // Where there is no coarser level any buffer does: its weight is zero.
-        let coarse = coarse.map_or(level.source, Level::total);
-        level.run_with(exec, &levels::lpv_prolong::KERNEL, &params, &[level.total(), level.state(), coarse, target])
+        let (total, opacity) = coarse.map_or((level.source, level.facet_area), |c| (c.total(), c.opacity));
+        let bound = [level.total(), level.state(), total, level.opacity, opacity, target];
+        level.run_with(exec, &levels::lpv_prolong::KERNEL, &params, &bound)
     }
 
     /// Light of the last propagation alone, if it was asked for.
