@@ -74,7 +74,7 @@ pub fn cell_row(at: At, dims: UVec4, l: &LpvLayout) -> CellRow {
     let per_layer = dims.y + 1;
     // One halo layer and one row before the first cell.
     let before = per_layer + 1;
-    let cells = if row >= before { row - before } else { 0 };
+    let cells = row.max(before) - before;
     let z = cells / per_layer;
     let y = cells - z * per_layer;
     CellRow { real: row >= before && y < dims.y && z < dims.z, channel, y, z }

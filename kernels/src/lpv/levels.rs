@@ -55,7 +55,7 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
 /// Cell at element `i` of a plane; its `x` is the number of cells in the halo.
 #[inline(always)]
 fn cell_at(l: &LpvLayout, dims: UVec4, i: u32) -> UVec3 {
-    let n = if i < l.first { 0 } else { i - l.first };
+    let n = i.max(l.first) - l.first;
     let z = n / l.layer;
     let rest = n - z * l.layer;
     let y = rest / l.pitch;
@@ -144,7 +144,7 @@ fn row(l: &LpvLayout, coarse: &[f32], base: u32, x: u32, other: u32, weight: f32
 fn nearer(fine: u32, count: u32) -> u32 {
     let here = fine / 2;
     let above = (here + 1).min(count - 1);
-    let below = if here > 0 { here - 1 } else { 0 };
+    let below = here.max(1) - 1;
     if fine & 1 == 1 { above } else { below }
 }
 

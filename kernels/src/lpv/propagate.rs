@@ -45,14 +45,14 @@ fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open
         const LAST: usize = (AXIS + 2) % 3;
         let step = if AXIS == 0 { 1 } else if AXIS == 1 { l.pitch as usize } else { l.layer as usize };
         // From the neighbour above light comes down the axis.
-        let j = if K % 2 == 0 { i + step } else { i - step };
+        let j = if K & 1 == 0 { i + step } else { i - step };
         let b = [R::load(state, j + value), R::load(state, j + 2 * value), R::load(state, j + 3 * value)];
-        let forward = if K % 2 == 0 { -b[AXIS] } else { b[AXIS] };
+        let forward = if K & 1 == 0 { -b[AXIS] } else { b[AXIS] };
         let sent = Sent::new(R::load(state, j), forward, b[NEXT], b[LAST]);
         let kept = open[K] * R::load(state, j + 4 * value);
         flux = flux + sent.flux() * open[K];
         let m = (sent.facing * facing + sent.sides * along) * kept;
-        moment[AXIS] = if K % 2 == 0 { moment[AXIS] - m } else { moment[AXIS] + m };
+        moment[AXIS] = if K & 1 == 0 { moment[AXIS] - m } else { moment[AXIS] + m };
         moment[NEXT] = moment[NEXT] + sent.next * across * kept;
         moment[LAST] = moment[LAST] + sent.last * across * kept;
     });

@@ -9,7 +9,9 @@ mod kernels;
 mod limits;
 mod loading;
 mod lpv;
-mod srp;
+mod memory;
+mod rays;
+mod scene;
 mod twins;
 mod voxels;
 
@@ -45,7 +47,9 @@ const SECTIONS: &[(&str, Section)] = &[
     ("kernels", kernels::run),
     ("twins", twins::run),
     ("loading", loading::run),
-    ("srp", srp::run),
+    ("rays", rays::run),
+    ("voxels", voxels::run),
+    ("memory", memory::run),
     ("lpv", lpv::run),
 ];
 
