@@ -258,15 +258,17 @@ fn cornell_box_one_bounce() {
         judge(&paper.irradiance, &one).1
     );
     let [(e16, _), (e32, bias), (e64, _)] = errors[..] else { unreachable!() };
-    assert!(e32 <= 0.6 && (0.7..=1.3).contains(&bias), "nrmse_block {e32}, bias {bias}");
-    assert!(e32 < e16 && e64 < judge(&paper.irradiance, &one).0, "{e16} {e32} {e64}");
+    assert!(e32 <= 0.45 && (0.7..=1.3).contains(&bias), "nrmse_block {e32}, bias {bias}");
+    // The paper's scheme gets worse with every cell that light crosses; ours must stay at its own error.
+    let papers = judge(&paper.irradiance, &one).0;
+    assert!(e16 < 0.5 * papers && e64 < 0.5 * papers, "{e16} {e32} {e64}, paper's {papers}");
 }
 
 #[test]
 fn a_furnace_keeps_its_energy() {
     let scene = furnace(0.5, 1.0);
     let receivers = picture_surfels(&scene, &scene.cameras[0]);
-    let result = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "6")]);
+    let result = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "6"), ("steps", "4"), ("sharpness", "2")]);
     let expected = vec![Vec3::splat(PI); receivers.len()];
     let (nrmse, ratio) = error(&result.irradiance, &expected);
     println!("furnace: {ratio:.4} of the closed form, nrmse {nrmse:.4}, {}", result.needs["bounce_ratio"]);

@@ -54,7 +54,7 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "sharpness",
-            default: "2",
+            default: "4",
             allowed: "a number from 1 to 4",
             help: "Slope of lobes over that of order 1 (scheme moment). Higher: less light falls back on the surface that it \
                    comes from, and beams stay too narrow.",
@@ -76,7 +76,7 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "steps",
-            default: "4",
+            default: "2",
             allowed: "a whole number from 1 to 64",
             help: "Steps on each grid but the coarsest before light moves to the next.",
         },
@@ -522,7 +522,7 @@ impl Method for Lpv {
             SearchAxis { key: "resolution", values: &["8", "12", "16", "24", "32", "48", "64", "96"] },
             SearchAxis { key: "bounces", values: &["1", "2", "3", "4", "6"] },
             SearchAxis { key: "rsm", values: &["32", "64", "128", "256", "512"] },
-            SearchAxis { key: "steps", values: &["2", "4", "8"] },
+            SearchAxis { key: "steps", values: &["1", "2", "4"] },
             SearchAxis { key: "storage", values: &["f16", "f32"] },
         ];
         AXES
