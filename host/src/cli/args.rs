@@ -30,6 +30,8 @@ pub enum Verb {
     Render(RenderArgs),
     /// Path-trace a scene: the truth.
     Reference(ReferenceArgs),
+    /// Precompute a method's data for a scene into a file; goes on where it was interrupted.
+    Bake(BakeArgs),
     /// Speed against accuracy: every method's ladder of settings on several scenes, charts, tables, a page.
     Chart(ChartArgs),
     /// Where methods fail: leaks, flicker, energy, feedback, ringing, thin geometry, scale, lights; safe ranges.
@@ -292,6 +294,22 @@ pub struct RenderArgs {
     /// direction changes by the offset) or `object:MATERIAL:DX,DY,DZ`.
     #[arg(long, value_name = "WHAT:DX,DY,DZ", allow_hyphen_values = true)]
     pub animate: Vec<super::animate::Motion>,
+}
+
+/// Arguments of `bake`.
+#[derive(Args, Debug)]
+pub struct BakeArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Method whose data is baked.
+    #[arg(long, default_value = "srp")]
+    pub method: String,
+    /// A setting of the method: `key=value`.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// File to write (safetensors); `--set file=FILE` uses it. While it is made, finished parts are kept in `FILE.part`.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 /// Arguments of `reference`.

@@ -2,6 +2,7 @@
 
 mod animate;
 mod args;
+mod bake;
 mod chart;
 mod compare;
 mod fit;
@@ -29,6 +30,7 @@ pub fn run(cli: Cli) -> Result<(), Error> {
         Verb::Compare(args) => compare::run(&args, cli.json),
         Verb::Render(args) => render::run(&args, cli.json),
         Verb::Reference(args) => reference::run(&args, cli.json),
+        Verb::Bake(args) => bake::run(&args, cli.json),
         Verb::Chart(args) => chart::run(&args, cli.threads, cli.json),
         Verb::Stress(args) => stress::run(&args, cli.json),
         Verb::Fit(args) => fit::run(&args, cli.json),

@@ -37,6 +37,33 @@ impl TruthBar {
     }
 }
 
+/// A bar on standard error while clusters are baked.
+pub struct BakeBar(ProgressBar);
+
+impl BakeBar {
+    /// Shows itself where standard error is a terminal.
+    pub fn new(clusters: usize) -> Self {
+        let bar = ProgressBar::new(clusters as u64);
+        if !std::io::stderr().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        }
+        let style = ProgressStyle::with_template("        bake {bar:30} {pos}/{len} clusters, {eta} left");
+        bar.set_style(style.expect("a fixed template"));
+        Self(bar)
+    }
+
+    /// Shows how many are done.
+    pub fn update(&self, done: usize) {
+        self.0.set_position(done as u64);
+    }
+}
+
+impl Drop for BakeBar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
 impl Drop for TruthBar {
     fn drop(&mut self) {
         self.0.finish_and_clear();

@@ -60,6 +60,9 @@ pub enum MethodError {
         /// What is allowed.
         expected: String,
     },
+    /// A bake file cannot be used.
+    #[error(transparent)]
+    BakeFile(#[from] srp::file::BakeFileError),
     /// The method's buffers would not fit.
     #[error("method `{method}` needs {needed_bytes} bytes with these settings, more than {limit_bytes}: {hint}")]
     TooLarge {
@@ -253,7 +256,7 @@ pub struct MethodRow {
 }
 
 /// Every method.
-pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW, vct::ROW, lpv::ROW];
+pub const METHODS: &[MethodRow] = &[reference::ROW, direct::ROW, ambient::ROW, vct::ROW, lpv::ROW, srp::ROW];
 
 /// The method of a name.
 ///

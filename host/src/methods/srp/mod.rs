@@ -3,13 +3,40 @@
 //! Reconstruction from Sparse Radiance Probes" (below: SL17); the thesis on its implementation from phones to
 //! desktops in the engine LlamaEngine, below: LE.
 //!
-//! [`model`] is what precomputation hands to run time.
+//! Precomputation, in order: [`charts`] and [`reach`] (the second UV set, and which sides of it light can reach), [`atlas`]
+//! (lightmap texels as receivers), [`probes`], [`transport`], [`compress`]; [`plan`] runs them, [`file`] keeps the result.
+//! [`model`] is what it hands to run time. [`error_map`] shows where probes do not suffice, [`dictionary`] is another
+//! way to compress.
+//!
+//! Deviations from SL17 and LE, with reasons in the modules: surfaces reflect on both sides, so that backs that can be
+//! reached are receivers too; probes are thinned out of all open space by default, not only of what lies beside surfaces;
+//! the environment and emitters are direct light and never pass through the probes; receivers are points, not texel areas.
 
+pub mod atlas;
+pub mod charts;
+pub mod compress;
+pub mod dictionary;
+pub mod error_map;
 pub mod feedback;
+pub mod file;
 pub mod model;
 pub mod occluders;
 pub mod packed;
+pub mod plan;
+pub mod probes;
+pub mod reach;
 pub mod runtime;
 pub mod synthetic;
+pub mod transport;
+pub mod world;
 
+mod method;
+
+pub use compress::Compression;
+pub use method::{ROW, bake_options};
 pub use model::{Cluster, SrpBake};
+pub use plan::{BakeOptions, Plan};
+pub use probes::Placement;
+
+/// Name of the method.
+pub const NAME: &str = "srp";

@@ -222,6 +222,26 @@ impl SrpBake {
     }
 }
 
+impl SrpBake {
+    /// Part of its light that a further bounce keeps: the largest eigenvalue of relight, projection and reconstruction, of
+    /// the colour channel that keeps most, by power iteration. At 1 or more, bounces grow without bound.
+    pub fn feedback_gain(&self, iterations: u32) -> f64 {
+        let none = vec![Vec3::ZERO; self.receivers.len()];
+        let norm = |e: &[Vec3]| e.iter().fold(glam::DVec3::ZERO, |s, e| s + e.as_dvec3() * e.as_dvec3()).map(f64::sqrt);
+        let mut light = vec![Vec3::ONE; self.receivers.len()];
+        let mut gain = glam::DVec3::ZERO;
+        for _ in 0..iterations {
+            let next = self.irradiance(&self.reconstruct(&self.project(&self.relight(&none, &light, &[]), Vec3::ZERO)));
+            let (before, after) = (norm(&light), norm(&next));
+            gain = after / before.max(glam::DVec3::splat(f64::MIN_POSITIVE));
+            // To norm 1 in every channel that has light.
+            let scale = after.map(|n| if n > 0.0 { 1.0 / n } else { 0.0 }).as_vec3();
+            light = next.into_iter().map(|e| e * scale).collect();
+        }
+        gain.max_element()
+    }
+}
+
 /// A row-major matrix of `rows` rows times three columns.
 fn multiply(matrix: &[f32], columns: &[[f64; 3]], rows: usize) -> Vec<[f64; 3]> {
     let row = |r: usize| {

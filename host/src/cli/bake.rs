@@ -1,0 +1,53 @@
+//! `bake`: precomputes a method's data for a scene into a file.
+
+use super::args::BakeArgs;
+use super::progress::BakeBar;
+use super::render::key_value;
+use super::{print_json, setup};
+use crate::error::Error;
+use crate::methods::{MethodError, method, srp};
+
+/// Bakes, or goes on with a bake that was interrupted.
+pub fn run(args: &BakeArgs, as_json: bool) -> Result<(), Error> {
+    let row = method(&args.method)?;
+    let changes = args.set.iter().map(|text| key_value(text)).collect::<Result<Vec<_>, _>>()?;
+    let settings = row.with(changes)?;
+    (row.new)(&settings)?;
+    if row.name != srp::NAME {
+        return Err(Error::Usage(format!("method `{}` has nothing to bake; `{}` has", row.name, srp::NAME)));
+    }
+    let (scene, _) = setup::load(&args.scene)?;
+    let options = srp::BakeOptions { seed: args.scene.seed, ..srp::bake_options(&settings)? };
+    let (journal, found) = srp::file::Journal::open(&args.output, &scene, &options).map_err(MethodError::from)?;
+    if !found.is_empty() && !as_json {
+        println!("going on: {} clusters are done", found.len());
+    }
+    let started = std::time::Instant::now();
+    let plan = srp::Plan::new(&scene, &options)?;
+    let plan_s = started.elapsed().as_secs_f64();
+    let bar = BakeBar::new(plan.clusters.len());
+    let keep = |index, output: &_| journal.add(index, output);
+    let (bake, lookup) = plan.resume(found, &keep, &|done| bar.update(done)).map_err(MethodError::from)?;
+    drop(bar);
+    srp::file::save(&args.output, &bake, lookup.atlas(), &scene).map_err(MethodError::from)?;
+    journal.remove().map_err(MethodError::from)?;
+    let mut report = plan.report(&bake);
+    report["plan_s"] = plan_s.into();
+    report["seconds"] = started.elapsed().as_secs_f64().into();
+    report["peak_memory_bytes"] = crate::evaluate::peak_memory_bytes().into();
+    report["file_bytes"] = std::fs::metadata(&args.output).map_or(0, |m| m.len()).into();
+    if as_json {
+        print_json(&report);
+        return Ok(());
+    }
+    println!("{}: {} by {}", args.output.display(), scene.name, row.name);
+    for (key, value) in report
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter(|(_, v)| !v.is_array() || v.as_array().is_some_and(|a| a.len() < 5))
+    {
+        println!("  {key}: {value}");
+    }
+    Ok(())
+}

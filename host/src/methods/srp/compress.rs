@@ -1,0 +1,270 @@
+//! Clustered principal component analysis (Sloan, Hall, Hart & Snyder 2003; SL17 eq. 11): a cluster's transport matrix as
+//! `U (Σ Vᵀ)` of few components.
+//!
+//! The truncated singular value decomposition is the randomized one of Halko, Martinsson & Tropp 2011 (algorithms 4.4 and
+//! 5.1): a random range finder with power iterations, then a small exact decomposition; `exact` checks it in tests. The
+//! rank is the smallest that keeps the relative error `‖T − U Σ Vᵀ‖ / ‖T‖` (Frobenius) under the threshold; where the
+//! largest rank does not, the cluster is halved like the first clusters were (adaptive refinement), while that can
+//! save memory at all.
+
+use super::model::Cluster;
+use super::plan::halve;
+use faer::{Mat, MatRef};
+use glam::Vec3;
+use interreflect_kernels::math::rng::rand;
+
+/// Columns of the random range beyond the rank.
+const OVERSAMPLING: usize = 10;
+/// Power iterations: each multiplies the separation of singular values.
+const POWER_ITERATIONS: usize = 2;
+/// Clusters of fewer receivers are not halved: a component of the projection is then shared by too few.
+const SMALLEST_CLUSTER: usize = 128;
+
+/// How transport is compressed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Compression {
+    /// Not at all.
+    None,
+    /// Principal components per cluster.
+    Cpca {
+        /// Relative error at which to stop (SL17: 0.005).
+        error: f32,
+        /// Most components (SL17: 32).
+        max_rank: u32,
+    },
+}
+
+impl Default for Compression {
+    fn default() -> Self {
+        Self::Cpca { error: 0.005, max_rank: 32 }
+    }
+}
+
+/// A truncated decomposition.
+#[derive(Clone, Debug)]
+pub struct Factors {
+    /// Orthonormal columns.
+    pub u: Mat<f32>,
+    /// Σ Vᵀ.
+    pub sv: Mat<f32>,
+    /// Singular values, descending.
+    pub singular: Vec<f32>,
+    /// `‖T − U Σ Vᵀ‖ / ‖T‖`, 0 for a zero matrix.
+    pub error: f64,
+}
+
+/// Compresses the transport of one cluster: `matrix` has `points.len() · rows` rows of `probes.len() · k` coefficients. Gives
+/// the parts that it was halved into, each with its points and its relative error. `receivers` of the clusters are left empty.
+pub fn compress(
+    matrix: Vec<f32>,
+    points: &[Vec3],
+    rows: usize,
+    probes: &[u32],
+    k: usize,
+    compression: &Compression,
+) -> Vec<(Vec<u32>, Cluster, f32)> {
+    let whole = Block { matrix: &matrix, points, rows, probes, k };
+    whole.compress((0..points.len() as u32).collect(), compression)
+}
+
+struct Block<'a> {
+    matrix: &'a [f32],
+    points: &'a [Vec3],
+    rows: usize,
+    probes: &'a [u32],
+    k: usize,
+}
+
+impl Block<'_> {
+    fn compress(&self, members: Vec<u32>, compression: &Compression) -> Vec<(Vec<u32>, Cluster, f32)> {
+        let columns = self.columns(&members);
+        let dense = self.dense(&members, &columns);
+        let &Compression::Cpca { error, max_rank } = compression else {
+            let (probes, columns) = self.name(&columns);
+            let rank = columns.len() as u32;
+            let cluster =
+                Cluster { receivers: 0..0, probes, columns, rank, projection: Vec::new(), reconstruction: dense };
+            return vec![(members, cluster, 0.0)];
+        };
+        let height = members.len() * self.rows;
+        let view = MatRef::from_row_major_slice(&dense, height, columns.len());
+        let factors = truncated(view, max_rank as usize, f64::from(error));
+        if factors.error > f64::from(error) && members.len() >= 2 * SMALLEST_CLUSTER {
+            let (near, far) = halve(members, |i| self.points[i as usize]);
+            let mut parts = self.compress(near, compression);
+            parts.extend(self.compress(far, compression));
+            return parts;
+        }
+        let (probes, columns) = self.name(&columns);
+        let cluster = Cluster {
+            receivers: 0..0,
+            probes,
+            columns,
+            rank: factors.u.ncols() as u32,
+            projection: row_major(factors.sv.as_ref()),
+            reconstruction: row_major(factors.u.as_ref()),
+        };
+        vec![(members, cluster, factors.error as f32)]
+    }
+
+    /// Columns that are not zero for all members.
+    fn columns(&self, members: &[u32]) -> Vec<usize> {
+        let width = self.probes.len() * self.k;
+        let mut used = vec![false; width];
+        for i in members {
+            let block = &self.matrix[*i as usize * self.rows * width..][..self.rows * width];
+            block.iter().enumerate().filter(|(_, x)| **x != 0.0).for_each(|(c, _)| used[c % width] = true);
+        }
+        (0..width).filter(|c| used[*c]).collect()
+    }
+
+    fn dense(&self, members: &[u32], columns: &[usize]) -> Vec<f32> {
+        let width = self.probes.len() * self.k;
+        let rows = members.iter().flat_map(|i| (0..self.rows).map(move |r| *i as usize * self.rows + r));
+        rows.flat_map(|row| columns.iter().map(move |c| self.matrix[row * width + c])).collect()
+    }
+
+    /// Probes that are left, and the columns in terms of them.
+    fn name(&self, columns: &[usize]) -> (Vec<u32>, Vec<(u32, u32)>) {
+        let mut slots: Vec<usize> = columns.iter().map(|c| c / self.k).collect();
+        slots.dedup();
+        let place = |c: &usize| (slots.partition_point(|s| *s < c / self.k) as u32, (c % self.k) as u32);
+        (slots.iter().map(|s| self.probes[*s]).collect(), columns.iter().map(place).collect())
+    }
+}
+
+fn row_major(m: MatRef<'_, f32>) -> Vec<f32> {
+    (0..m.nrows()).flat_map(|i| (0..m.ncols()).map(move |j| m[(i, j)])).collect()
+}
+
+/// Decomposition of the smallest rank, at most `max_rank`, whose relative error is at most `error`. In double precision:
+/// the error is what differs between two nearly equal sums of squares.
+pub fn truncated(a: MatRef<'_, f32>, max_rank: usize, error: f64) -> Factors {
+    let (m, n) = (a.nrows(), a.ncols());
+    let full = m.min(n);
+    let width = (max_rank + OVERSAMPLING).min(full);
+    if full == 0 {
+        return Factors { u: Mat::zeros(m, 0), sv: Mat::zeros(0, n), singular: Vec::new(), error: 0.0 };
+    }
+    let a = Mat::from_fn(m, n, |i, j| f64::from(a[(i, j)]));
+    // A range that holds the first singular vectors, kept orthonormal between iterations.
+    let random = Mat::from_fn(n, width, |i, j| f64::from(2.0 * rand(1, i as u32, j as u32) - 1.0));
+    let mut range = orthonormal(&a * &random);
+    for _ in 0..POWER_ITERATIONS {
+        let back = orthonormal(a.transpose() * &range);
+        range = orthonormal(&a * &back);
+    }
+    let small = range.transpose() * &a;
+    decompose(small.as_ref(), Some(&range), a.squared_norm_l2(), max_rank, error)
+}
+
+/// The same from the full decomposition.
+pub fn exact(a: MatRef<'_, f32>, max_rank: usize, error: f64) -> Factors {
+    let a = Mat::from_fn(a.nrows(), a.ncols(), |i, j| f64::from(a[(i, j)]));
+    decompose(a.as_ref(), None, a.squared_norm_l2(), max_rank, error)
+}
+
+/// Full decomposition of `a`, cut off; its rows are coordinates in `range` where that is given. `total`: squared norm of the
+/// matrix that `a` came from.
+fn decompose(a: MatRef<'_, f64>, range: Option<&Mat<f64>>, total: f64, max_rank: usize, error: f64) -> Factors {
+    // Of the taller shape, which the decomposition prefers.
+    let wide = a.ncols() > a.nrows();
+    let svd = if wide { a.transpose().thin_svd() } else { a.thin_svd() };
+    let height = range.map_or(a.nrows(), Mat::nrows);
+    let Ok(svd) = svd else {
+        return Factors { u: Mat::zeros(height, 0), sv: Mat::zeros(0, a.ncols()), singular: Vec::new(), error: 1.0 };
+    };
+    let (left, right) = if wide { (svd.V(), svd.U()) } else { (svd.U(), svd.V()) };
+    let s = svd.S().column_vector();
+    let relative = |kept: f64| if total > 0.0 { ((total - kept) / total).max(0.0).sqrt() } else { 0.0 };
+    let (mut kept, mut rank) = (0.0, 0);
+    while rank < max_rank.min(s.nrows()) && relative(kept) > error {
+        kept += s[rank] * s[rank];
+        rank += 1;
+    }
+    let left = left.subcols(0, rank);
+    let u = range.map_or_else(|| left.to_owned(), |range| range * left);
+    Factors {
+        u: Mat::from_fn(height, rank, |i, j| u[(i, j)] as f32),
+        sv: Mat::from_fn(rank, a.ncols(), |i, j| (s[i] * right[(j, i)]) as f32),
+        singular: (0..s.nrows()).map(|i| s[i] as f32).collect(),
+        error: relative(kept),
+    }
+}
+
+fn orthonormal(m: Mat<f64>) -> Mat<f64> {
+    m.qr().compute_thin_Q()
+}
+
+/// Sum of squares.
+pub fn squared_norm(a: MatRef<'_, f32>) -> f64 {
+    (0..a.ncols()).map(|j| (0..a.nrows()).map(|i| f64::from(a[(i, j)]).powi(2)).sum::<f64>()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A matrix of known singular values `0.6^k`, as smooth transport has them.
+    fn smooth(m: usize, n: usize) -> Mat<f32> {
+        let random = |seed, i, j| f64::from(rand(seed, i as u32, j as u32)) - 0.5;
+        let q = |rows, seed| orthonormal(Mat::from_fn(rows, 60, |i, j| random(seed, i, j)));
+        let (u, v) = (q(m, 2), q(n, 3));
+        let scaled = Mat::from_fn(m, 60, |i, j| u[(i, j)] * 0.6f64.powi(j as i32));
+        let product = scaled * v.transpose();
+        Mat::from_fn(m, n, |i, j| product[(i, j)] as f32)
+    }
+
+    #[test]
+    fn randomized_agrees_with_exact() {
+        let a = smooth(300, 500);
+        let total = squared_norm(a.as_ref());
+        for (max_rank, error) in [(32, 0.0048), (8, 0.0), (60, 1e-3)] {
+            let (fast, slow) = (truncated(a.as_ref(), max_rank, error), exact(a.as_ref(), max_rank, error));
+            assert_eq!(fast.u.ncols(), slow.u.ncols());
+            assert!((fast.error - slow.error).abs() < 2e-4, "{} {}", fast.error, slow.error);
+            for k in 0..fast.u.ncols() {
+                let relative = (fast.singular[k] / slow.singular[k] - 1.0).abs();
+                assert!(relative < 1e-3, "singular value {k}: {relative}");
+            }
+            let rest = &a - &fast.u * &fast.sv;
+            let left = (squared_norm(rest.as_ref()) / total).sqrt();
+            assert!((left - fast.error).abs() < 2e-4, "residual {left}, said {}", fast.error);
+        }
+    }
+
+    #[test]
+    fn ranks_suffice_and_clusters_that_need_more_are_halved() {
+        // Two halves of the points that see two different probes, each of 20 directions.
+        let (count, k) = (600usize, 36usize);
+        let points: Vec<Vec3> = (0..count).map(|i| Vec3::new(i as f32, 0.0, 0.0)).collect();
+        let mut matrix = vec![0.0; count * 2 * k];
+        for i in 0..count {
+            let probe = usize::from(i >= count / 2);
+            for c in 0..20 {
+                matrix[(i * 2 + probe) * k + c] = rand(7, i as u32, c as u32) - 0.5;
+            }
+        }
+        let parts = compress(matrix.clone(), &points, 1, &[4, 9], k, &Compression::Cpca { error: 1e-3, max_rank: 32 });
+        assert_eq!(parts.len(), 2);
+        let mut seen = vec![false; count];
+        for (members, cluster, error) in &parts {
+            assert!(*error <= 1e-3);
+            assert_eq!((cluster.rank, cluster.columns.len(), cluster.probes.len()), (20, 20, 1));
+            for (row, i) in members.iter().enumerate() {
+                seen[*i as usize] = true;
+                for (c, (slot, coefficient)) in cluster.columns.iter().enumerate() {
+                    let u = &cluster.reconstruction[row * 20..][..20];
+                    let value: f32 = (0..20).map(|r| u[r] * cluster.projection[r * 20 + c]).sum();
+                    let probe = if cluster.probes[*slot as usize] == 4 { 0 } else { 1 };
+                    let wanted = matrix[(*i as usize * 2 + probe) * k + *coefficient as usize];
+                    assert!((value - wanted).abs() < 1e-3, "{value} {wanted}");
+                }
+            }
+        }
+        assert!(seen.iter().all(|s| *s));
+        // Uncompressed: the same matrix again, without its zero columns.
+        let plain = compress(matrix, &points, 1, &[4, 9], k, &Compression::None);
+        assert_eq!((plain.len(), plain[0].1.rank, plain[0].1.projection.len()), (1, 40, 0));
+    }
+}

@@ -1,0 +1,379 @@
+//! SRP as a method: settings, precomputation, light change, pixels.
+
+use super::atlas::Lookup;
+use super::feedback::Feedback;
+use super::model::{Blend, SrpBake};
+use super::runtime::{Points, RuntimeOptions, SrpRuntime};
+use super::{BakeOptions, Compression, NAME, Placement, Plan, file};
+use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
+use crate::methods::settings::parse;
+use crate::methods::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock, Unit};
+use glam::Vec3;
+use interreflect_shared::scene::{NO_SURFACE, SceneTriangle, Surfel};
+use interreflect_shared::trace::DirectParams;
+use rayon::prelude::*;
+use serde_json::json;
+use std::path::Path;
+
+/// Row of the methods table.
+pub const ROW: MethodRow = MethodRow {
+    name: NAME,
+    control: false,
+    summary: "Sparse radiance probes: few probes gather light, precomputed local transport that knows what each of them \
+              sees brings it to every lightmap texel.",
+    good_when: "Static rooms with moving lights: soft indirect light and shadows near the truth at a small cost per frame.",
+    fails_when: "Geometry moves; a small bright patch lies closer to its receivers than to a probe; there is no time to bake.",
+    settings: &[
+        Setting {
+            key: "file",
+            default: "",
+            allowed: "a file that `bake` made, or nothing",
+            help: "Baked transport to use; what follows up to `rows` is then the file's. Nothing: bake now.",
+        },
+        Setting {
+            key: "receivers",
+            default: "8192",
+            allowed: "from 64 to 16777216",
+            help: "Lightmap texels, about. More: finer indirect shadows; baking, memory and each update in proportion.",
+        },
+        Setting {
+            key: "probes",
+            default: "27",
+            allowed: "from 1 to 65536",
+            help: "Probes. More: less blur where light changes over short distances; projection in proportion.",
+        },
+        Setting {
+            key: "order",
+            default: "7",
+            allowed: "from 0 to 9",
+            help: "Order of the probes' spherical harmonics, (order + 1)² coefficients. Higher: sharper light from far probes.",
+        },
+        Setting {
+            key: "rays",
+            default: "512",
+            allowed: "from 16 to 65536",
+            help: "Baking rays per receiver. More: less error of the transport; baking in proportion.",
+        },
+        Setting {
+            key: "relight_rays",
+            default: "2048",
+            allowed: "from 16 to 65536",
+            help: "Rays per probe that look up light at run time. More: small sources are not missed; projection in proportion.",
+        },
+        Setting {
+            key: "overlap",
+            default: "10",
+            allowed: "from 1 to 64",
+            help: "Probes in whose support a receiver lies on average. More: smoother, more of the surroundings seen; memory.",
+        },
+        Setting {
+            key: "placement",
+            default: "volume",
+            allowed: "`volume` or `surface`",
+            help: "Where probes may stand: anywhere open, or beside surfaces alone.",
+        },
+        Setting {
+            key: "compression",
+            default: "cpca",
+            allowed: "`cpca` or `none`",
+            help: "Clustered principal components, or the transport as it is.",
+        },
+        Setting {
+            key: "error",
+            default: "0.005",
+            allowed: "from 0 to 1",
+            help: "Relative error of a cluster's transport at which components end. Lower: more of them.",
+        },
+        Setting {
+            key: "max_rank",
+            default: "32",
+            allowed: "from 1 to 256",
+            help: "Components per cluster at most; clusters that need more are halved.",
+        },
+        Setting {
+            key: "rows",
+            default: "1",
+            allowed: "1 or 4",
+            help: "1: irradiance. 4: order 1 of incident radiance, for normal maps, at four times the memory.",
+        },
+        Setting {
+            key: "bounces",
+            default: "32",
+            allowed: "from 1 to 256",
+            help: "Indirect bounces at most; it ends earlier when they change nothing.",
+        },
+        Setting {
+            key: "light_samples",
+            default: "16",
+            allowed: "from 1 to 1024",
+            help: "Shadow rays to each emissive triangle at each receiver.",
+        },
+        Setting {
+            key: "environment_samples",
+            default: "64",
+            allowed: "from 0 to 4096",
+            help: "Rays to the environment at each receiver. More: less noise where it is partly hidden.",
+        },
+    ],
+    ladder: &[
+        ("4k texels, 8 probes, order 3", &[("receivers", "4096"), ("probes", "8"), ("order", "3"), ("rays", "256")]),
+        ("8k texels, 27 probes, order 4", &[("order", "4"), ("rays", "256")]),
+        ("8k texels, 27 probes, order 7", &[]),
+        ("16k texels, 64 probes, order 7", &[("receivers", "16384"), ("probes", "64")]),
+        (
+            "40k texels, 64 probes, order 7",
+            &[("receivers", "40960"), ("probes", "64"), ("rays", "1024"), ("relight_rays", "4096")],
+        ),
+        (
+            "40k texels, 125 probes, order 9",
+            &[("receivers", "40960"), ("probes", "125"), ("order", "9"), ("rays", "1024"), ("relight_rays", "8192")],
+        ),
+    ],
+    new: |settings| Ok(Box::new(Srp { options: Options::parse(settings)?, state: None })),
+};
+
+/// Bounces end when the slowest mode of the loop has fallen to this share.
+const CONVERGED: f64 = 1e-4;
+/// Iterations by which the gain of the loop is measured.
+const GAIN_ITERATIONS: u32 = 24;
+
+/// What settings of the method mean for a bake.
+///
+/// # Errors
+/// [`MethodError::BadValue`].
+pub fn bake_options(settings: &Settings) -> Result<BakeOptions, MethodError> {
+    Ok(Options::parse(settings)?.bake)
+}
+
+/// Checked settings.
+struct Options {
+    /// A baked file instead of baking.
+    file: String,
+    bake: BakeOptions,
+    bounces: u32,
+    light_samples: u32,
+    environment_samples: u32,
+}
+
+impl Options {
+    fn parse(settings: &Settings) -> Result<Self, MethodError> {
+        let placement: String = parse(&ROW, settings, "placement", |p: &String| p == "volume" || p == "surface")?;
+        let error = parse(&ROW, settings, "error", |x| (0.0..=1.0).contains(x))?;
+        let max_rank = parse(&ROW, settings, "max_rank", |n| (1..=256).contains(n))?;
+        let compression: String = parse(&ROW, settings, "compression", |c: &String| c == "cpca" || c == "none")?;
+        Ok(Self {
+            file: parse(&ROW, settings, "file", |_: &String| true)?,
+            bake: BakeOptions {
+                receivers: parse(&ROW, settings, "receivers", |n| (64..=1 << 24).contains(n))?,
+                probes: parse(&ROW, settings, "probes", |n| (1..=1 << 16).contains(n))?,
+                order: parse(&ROW, settings, "order", |n| *n <= 9)?,
+                rays: parse(&ROW, settings, "rays", |n| (16..=1 << 16).contains(n))?,
+                relight_rays: parse(&ROW, settings, "relight_rays", |n| (16..=1 << 16).contains(n))?,
+                overlap: parse(&ROW, settings, "overlap", |x| (1.0..=64.0).contains(x))?,
+                placement: if placement == "volume" { Placement::Volume } else { Placement::Surface },
+                compression: match compression.as_str() {
+                    "none" => Compression::None,
+                    _ => Compression::Cpca { error, max_rank },
+                },
+                rows: parse(&ROW, settings, "rows", |n| *n == 1 || *n == 4)?,
+                ..BakeOptions::default()
+            },
+            bounces: parse(&ROW, settings, "bounces", |n| (1..=256).contains(n))?,
+            light_samples: parse(&ROW, settings, "light_samples", |n| (1..=1024).contains(n))?,
+            environment_samples: parse(&ROW, settings, "environment_samples", |n| *n <= 4096)?,
+        })
+    }
+}
+
+struct Srp {
+    options: Options,
+    state: Option<State>,
+}
+
+/// What [`Method::precompute`] makes.
+struct State {
+    lookup: Lookup,
+    runtime: SrpRuntime,
+    /// The scene's triangle of each device triangle, and its corners.
+    triangles: Vec<(u32, [Vec3; 3])>,
+    /// Pixels of the last frame.
+    points: Option<(usize, Points)>,
+    feedback: Feedback,
+    texel_m: f32,
+    report: serde_json::Value,
+}
+
+impl Method for Srp {
+    fn precompute(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let (bake, lookup, report) = self.baked(exec, input, clock)?;
+        let triangle = |t: &SceneTriangle| (t.source, input.scene.corners(&input.scene.triangles[t.source as usize]));
+        let triangles = exec.read_slice::<SceneTriangle>(input.buffers.triangles)?.iter().map(triangle).collect();
+        let mut runtime = SrpRuntime::new(exec, &bake, &RuntimeOptions::default())?;
+        let feedback = runtime.keep_below_one(exec, GAIN_ITERATIONS)?;
+        if feedback.alarm {
+            let gain = feedback.spectral_radius;
+            eprintln!("warning: srp: bounces would gain light ({gain:.3} per bounce); the loop is damped");
+        }
+        let texel_m = lookup.atlas().texel_size;
+        self.state = Some(State { lookup, runtime, triangles, points: None, feedback, texel_m, report });
+        Ok(())
+    }
+
+    fn light_change(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let (most, params) = (self.options.bounces, self.direct_params(input));
+        let state = self.state()?;
+        // As many bounces as the slowest mode needs to fall below what is seen.
+        let gain = state.feedback.spectral_radius.clamp(1e-3, 0.999);
+        let bounces = (CONVERGED.ln() / gain.ln()).ceil().max(1.0) as u32;
+        state.runtime.set_bounces(bounces.min(most));
+        state.runtime.restart(exec)?;
+        clock.stage(exec, "direct", |exec| state.runtime.light(exec, input.buffers, &params))?;
+        state.runtime.update(exec, most, clock)?;
+        state.report["bounces"] = json!(bounces.min(most));
+        Ok(())
+    }
+
+    fn frame(
+        &mut self,
+        exec: &mut dyn Executor,
+        _: &Input<'_>,
+        gbuffer: BufferId,
+        irradiance: BufferId,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let state = self.state()?;
+        clock.stage(exec, "texels of pixels", |exec| {
+            let surfels = exec.read_slice::<Surfel>(gbuffer)?;
+            let blends: Vec<Blend> = surfels.par_iter().map(|s| state.blend(s)).collect();
+            match &state.points {
+                Some((count, points)) if *count == blends.len() => state.runtime.set_points(exec, points, &blends),
+                _ => {
+                    state.points = Some((blends.len(), state.runtime.points(exec, &blends)?));
+                    Ok(())
+                }
+            }
+        })?;
+        clock.stage(exec, "resolve", |exec| match &state.points {
+            Some((_, points)) => state.runtime.resolve(exec, points, irradiance),
+            None => Ok(()),
+        })?;
+        Ok(())
+    }
+
+    fn unit(&self) -> Option<Unit> {
+        Some(Unit { name: "texels", metres: self.state.as_ref()?.texel_m })
+    }
+
+    fn feedback_gain(&self) -> Option<f64> {
+        Some(self.state.as_ref()?.feedback.spectral_radius)
+    }
+
+    fn needs(&self) -> serde_json::Value {
+        let Some(state) = &self.state else { return serde_json::Value::Null };
+        let mut needs = state.report.clone();
+        needs["run_time"] = state.runtime.needs();
+        needs
+    }
+}
+
+impl Srp {
+    fn state(&mut self) -> Result<&mut State, MethodError> {
+        self.state.as_mut().ok_or_else(|| {
+            MethodError::Exec(ExecError::Binding {
+                kernel: "trace_direct",
+                binding: "surfels",
+                expected: "baked receivers: call precompute first".into(),
+                got: "none".into(),
+            })
+        })
+    }
+
+    /// The bake of the scene, from its file or made now, and what is said of it.
+    fn baked(
+        &self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<(SrpBake, Lookup, serde_json::Value), MethodError> {
+        let (mut plan, mut baked) = (None, None);
+        if !self.options.file.is_empty() {
+            clock.stage(exec, "file", |_| {
+                let (bake, lookup) = file::load(Path::new(&self.options.file), input.scene)?;
+                let about = json!({ "file": self.options.file, "receivers": bake.receivers.len(), "probes": bake.probes.len() });
+                baked = Some((bake, lookup, about));
+                Ok::<(), MethodError>(())
+            })?;
+        } else {
+            let options = BakeOptions { seed: input.seed, ..self.options.bake.clone() };
+            clock.stage(exec, "plan", |_| {
+                plan = Some(Plan::new(input.scene, &options)?);
+                Ok::<(), MethodError>(())
+            })?;
+            clock.stage(exec, "transport", |_| {
+                baked = plan.as_ref().map(|plan| {
+                    let (bake, lookup) = plan.bake();
+                    let report = plan.report(&bake);
+                    (bake, lookup, report)
+                });
+                Ok::<(), MethodError>(())
+            })?;
+        }
+        Ok(baked.expect("one of the two stages ran"))
+    }
+
+    fn direct_params(&self, input: &Input<'_>) -> DirectParams {
+        let lit = input.scene.environment.max_element() > 0.0;
+        DirectParams {
+            environment: input.scene.environment.extend(0.0),
+            count: 0,
+            light_count: input.buffers.light_count,
+            light_samples: self.options.light_samples,
+            environment_samples: if lit { self.options.environment_samples } else { 0 },
+            pick_above: 64,
+            seed: input.seed,
+            _pad0: 0,
+            _pad1: 0,
+        }
+    }
+}
+
+impl State {
+    /// The receivers around a pixel's surface point.
+    fn blend(&self, s: &Surfel) -> Blend {
+        if s.triangle == NO_SURFACE {
+            return Blend::NONE;
+        }
+        let (source, [a, b, c]) = self.triangles[s.triangle as usize];
+        let position = Vec3::from(s.position);
+        let (e1, e2, p) = (b - a, c - a, position - a);
+        let n = e1.cross(e2);
+        let scale = 1.0 / n.length_squared().max(f32::MIN_POSITIVE);
+        let (v, w) = (p.cross(e2).dot(n) * scale, e1.cross(p).dot(n) * scale);
+        self.lookup.blend(source, [1.0 - v - w, v, w], s.front == 1, position, s.geometric_normal.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_checked() {
+        assert!(Options::parse(&Settings::new()).is_ok());
+        for (key, value) in [("order", "10"), ("probes", "0"), ("rows", "2"), ("placement", "grid"), ("error", "NaN")] {
+            let settings = Settings::from([(key.to_string(), value.to_string())]);
+            let error = Options::parse(&settings).err().map(|e| e.to_string()).unwrap_or_default();
+            assert!(error.contains(key) && error.contains(value), "{error}");
+        }
+    }
+}

@@ -1,0 +1,388 @@
+//! Precomputation from beginning to end. [`Plan`] is all that is quick: receivers, probes, clusters. Each cluster's transport
+//! then depends on the plan alone, so that clusters can be computed in any order, on any number of threads and in several
+//! runs with the same bits; [`Plan::finish`] puts them together.
+
+use super::atlas::{Atlas, Lookup, free_receiver};
+use super::charts::Patches;
+use super::compress::{self, Compression};
+use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
+use super::probes::{self, Coverage, Placement};
+use super::reach::Reach;
+use super::transport::{self, Rays, Scratch, Transport};
+use super::world::World;
+use crate::methods::MethodError;
+use glam::Vec3;
+use interreflect_kernels::math::frame::Frame;
+use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spherical_fibonacci};
+use interreflect_kernels::math::sh;
+use interreflect_kernels::trace::leave_surface;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+/// Rays by which receivers inside solids are found.
+const VALIDITY_RAYS: u32 = 64;
+/// Receivers of which more than this share of rays meets the inside of solids are dropped.
+const INSIDE_ALLOWED: f32 = 0.5;
+/// Surfaces nearer than this many texels count as the inside of solids there.
+const GAP: f32 = 0.2;
+/// Chart overlaps are found at texels this much larger than the scene's area over the receivers allows for.
+const PATCH_TEXEL: f32 = 1.0;
+
+/// What is baked.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BakeOptions {
+    /// Lightmap texels with a receiver, about. More: finer shadows; precomputation and memory in proportion.
+    pub receivers: u32,
+    /// Receivers in free space beside them: position and unit normal.
+    pub free: Vec<(Vec3, Vec3)>,
+    /// Probes to place. More: less blur near small sources; the cost of projection in proportion.
+    pub probes: u32,
+    /// Probes at given places instead.
+    pub probe_positions: Option<Vec<Vec3>>,
+    /// Candidates of placement.
+    pub placement: Placement,
+    /// Order of the probes' spherical harmonics, 0 to 9.
+    pub order: u32,
+    /// Rays per receiver.
+    pub rays: u32,
+    /// Rays per probe at run time.
+    pub relight_rays: u32,
+    /// Probes in whose support a receiver lies, on average (SL17: 10).
+    pub overlap: f32,
+    /// Exponent of the solid angle per area at which a probe sees what a ray met, as a factor of its weight. 0: SL17's
+    /// weights. Higher: probes that resolve the surface better count for more.
+    pub sharpness: f32,
+    /// Largest share of receivers that may see no probe in support before probes are added.
+    pub unseen_bound: f32,
+    /// Probes that may be added for that.
+    pub added_probes: u32,
+    /// 1: irradiance; 4: order 1 of radiance.
+    pub rows: u32,
+    /// Most receivers of a cluster (SL17: 1024).
+    pub cluster_size: u32,
+    /// Compression of transport.
+    pub compression: Compression,
+    /// Seed of the walks.
+    pub seed: u32,
+}
+
+impl Default for BakeOptions {
+    fn default() -> Self {
+        Self {
+            receivers: 8192,
+            free: Vec::new(),
+            probes: 27,
+            probe_positions: None,
+            placement: Placement::default(),
+            order: 7,
+            rays: 512,
+            relight_rays: 2048,
+            overlap: 10.0,
+            sharpness: 1.0,
+            unseen_bound: 0.005,
+            added_probes: 16,
+            rows: 1,
+            cluster_size: 1024,
+            compression: Compression::default(),
+            seed: 1,
+        }
+    }
+}
+
+/// Everything but transport.
+pub struct Plan<'a> {
+    /// What is baked.
+    pub options: BakeOptions,
+    /// The scene.
+    pub world: World<'a>,
+    /// Voxels and exposed sides.
+    pub reach: Reach,
+    /// The lightmap.
+    pub atlas: Arc<Atlas>,
+    /// Receivers that count, with their texel ([`NO_RECEIVER`] in free space).
+    pub receivers: Vec<(Receiver, u32)>,
+    /// Probes (m).
+    pub probes: Vec<Vec3>,
+    /// Radius of their support (m).
+    pub radius: f32,
+    /// What the probes leave unseen.
+    pub coverage: Coverage,
+    /// Texels dropped because they lie inside solids.
+    pub dropped: usize,
+    /// Receivers of each cluster.
+    pub clusters: Vec<Vec<u32>>,
+}
+
+/// Transport of one of the plan's clusters, perhaps split for compression.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ClusterOutput {
+    /// Parts, each with its receivers.
+    pub parts: Vec<(Vec<u32>, Cluster)>,
+    /// Relative error of each part's compression.
+    pub errors: Vec<f32>,
+    /// Per receiver of the plan's cluster.
+    pub rays: Vec<Rays>,
+}
+
+impl<'a> Plan<'a> {
+    /// Makes receivers, probes and clusters.
+    ///
+    /// # Errors
+    /// What the voxel kernels return.
+    pub fn new(scene: &'a crate::scene::Scene, options: &BakeOptions) -> Result<Self, MethodError> {
+        let world = World::new(scene);
+        let area: f32 = scene
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = scene.corners(t);
+                0.5 * (b - a).cross(c - a).length()
+            })
+            .sum();
+        let texel = PATCH_TEXEL * (area / options.receivers.max(1) as f32).sqrt();
+        let patches = Patches::new(scene, texel);
+        let reach = Reach::new(&world, &patches, options.seed)?;
+        let atlas = Arc::new(Atlas::new(&world, &patches, &reach.exposed, options.receivers));
+        let valid: Vec<bool> = atlas
+            .texels
+            .par_iter()
+            .map(|t| is_outside(&world, &patches, &reach, &t.receiver, atlas.texel_size))
+            .collect();
+        let mut receivers: Vec<(Receiver, u32)> =
+            (atlas.texels.iter().enumerate()).filter(|(i, _)| valid[*i]).map(|(i, t)| (t.receiver, i as u32)).collect();
+        let dropped = atlas.texels.len() - receivers.len();
+        receivers.extend(options.free.iter().map(|(p, n)| (free_receiver(*p, *n), NO_RECEIVER)));
+        let points: Vec<Receiver> = receivers.iter().map(|r| r.0).collect();
+        let manual = options.probe_positions.clone();
+        let mut probes =
+            manual.clone().unwrap_or_else(|| probes::place(&reach.space, options.placement, options.probes));
+        let mut radius = probes::radius(&probes, &points, options.overlap);
+        let limit = if manual.is_some() { 0 } else { options.added_probes };
+        let coverage = probes::cover(&world, &reach.space, &points, &mut probes, radius, options.unseen_bound, limit);
+        if coverage.added > 0 {
+            radius = radius.min(probes::radius(&probes, &points, options.overlap)).max(f32::MIN_POSITIVE);
+        }
+        let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
+        Ok(Self {
+            options: options.clone(),
+            world,
+            reach,
+            atlas,
+            receivers,
+            probes,
+            radius,
+            coverage,
+            dropped,
+            clusters,
+        })
+    }
+
+    /// Everything at once.
+    pub fn bake(&self) -> (SrpBake, Lookup) {
+        self.finish((0..self.clusters.len()).into_par_iter().map(|c| self.cluster(c)).collect())
+    }
+
+    /// The clusters that are not among those `found`; each is given to `keep` when it is finished, and their number to
+    /// `progress`.
+    ///
+    /// # Errors
+    /// The first of `keep`'s.
+    pub fn resume<E: Send>(
+        &self,
+        mut found: BTreeMap<usize, ClusterOutput>,
+        keep: &(dyn Fn(usize, &ClusterOutput) -> Result<(), E> + Sync),
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<(SrpBake, Lookup), E> {
+        let left: Vec<usize> = (0..self.clusters.len()).filter(|c| !found.contains_key(c)).collect();
+        let done = AtomicUsize::new(self.clusters.len() - left.len());
+        let compute = |c: usize| {
+            let output = self.cluster(c);
+            keep(c, &output)?;
+            progress(done.fetch_add(1, Relaxed) + 1);
+            Ok((c, output))
+        };
+        found.extend(left.into_par_iter().map(compute).collect::<Result<Vec<_>, E>>()?);
+        Ok(self.finish(found.into_values().collect()))
+    }
+
+    /// Transport of one cluster, compressed as asked.
+    pub fn cluster(&self, index: usize) -> ClusterOutput {
+        let chart = &self.atlas.charts.chart;
+        let exposed = |t: u32, front: bool| self.reach.exposed[chart[t as usize] as usize][usize::from(!front)];
+        let o = &self.options;
+        let transport = Transport {
+            world: &self.world,
+            probes: &self.probes,
+            radius: self.radius,
+            order: o.order,
+            rows: o.rows,
+            sharpness: o.sharpness,
+            directions: transport::directions(o.rays, o.rows),
+            exposed: &exposed,
+        };
+        let members = &self.clusters[index];
+        let supports: Vec<Vec<u32>> =
+            members.iter().map(|r| transport.support(self.receivers[*r as usize].0.position)).collect();
+        let mut probes: Vec<u32> = supports.concat();
+        probes.sort_unstable();
+        probes.dedup();
+        let (k, rows) = (sh::count(o.order), o.rows as usize);
+        let width = probes.len() * k;
+        let mut matrix = vec![0.0f32; members.len() * rows * width];
+        let fill = |scratch: &mut Scratch, (i, block): (usize, &mut [f32])| {
+            let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
+            let (own, rays) = transport.rows(receiver, support, scratch);
+            for (n, coefs) in own.chunks_exact(k.max(1)).enumerate() {
+                let (row, probe) = (n / support.len(), support[n % support.len()]);
+                let slot = probes.binary_search(&probe).unwrap_or(0);
+                block[row * width + slot * k..][..k].copy_from_slice(coefs);
+            }
+            rays
+        };
+        let rays = if width == 0 {
+            vec![Rays::default(); members.len()]
+        } else {
+            matrix.par_chunks_mut(rows * width).enumerate().map_init(Scratch::default, fill).collect()
+        };
+        let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
+        let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression);
+        let mut output = ClusterOutput { parts: Vec::new(), errors: Vec::new(), rays };
+        for (own, cluster, error) in local {
+            output.parts.push((own.iter().map(|i| members[*i as usize]).collect(), cluster));
+            output.errors.push(error);
+        }
+        output
+    }
+
+    /// Puts all clusters together: the order of receivers, relight rays, dilation; and the way from
+    /// surface points to receivers.
+    pub fn finish(&self, outputs: Vec<ClusterOutput>) -> (SrpBake, Lookup) {
+        let mut bake = SrpBake {
+            order: self.options.order,
+            rows_per_receiver: self.options.rows,
+            atlas_size: self.atlas.size,
+            probes: self.probes.clone(),
+            radius: self.radius,
+            ray_directions: relight_directions(self.options.relight_rays),
+            ..SrpBake::default()
+        };
+        let mut sky = vec![0.0; self.receivers.len()];
+        let mut order = Vec::with_capacity(self.receivers.len());
+        for (members, output) in self.clusters.iter().zip(outputs) {
+            members.iter().zip(&output.rays).for_each(|(m, rays)| sky[*m as usize] = rays.sky);
+            for (own, mut cluster) in output.parts {
+                let first = order.len() as u32;
+                cluster.receivers = first..first + own.len() as u32;
+                order.extend(own);
+                bake.clusters.push(cluster);
+            }
+        }
+        let texels: Vec<u32> = order.iter().map(|r| self.receivers[*r as usize].1).collect();
+        let place = |t: &u32| self.atlas.texels.get(*t as usize).map_or([u32::MAX; 2], |t| t.at);
+        bake.receivers = order.iter().map(|r| self.receivers[*r as usize].0).collect();
+        bake.sky = order.iter().map(|r| sky[*r as usize]).collect();
+        bake.texel = texels.iter().map(place).collect();
+        let lookup = Lookup::new(self.atlas.clone(), &texels);
+        bake.ray_hits = self.relight_hits(&bake.ray_directions, &lookup);
+        bake.dilation = lookup.dilation();
+        (bake, lookup)
+    }
+
+    /// What every relight ray of every probe meets.
+    fn relight_hits(&self, directions: &[Vec3], lookup: &Lookup) -> Vec<u32> {
+        let chart = &self.atlas.charts.chart;
+        let hit = |i: usize| {
+            let (probe, direction) = (self.probes[i / directions.len()], directions[i % directions.len()]);
+            let Some(seen) = self.world.closest(probe, direction) else { return RAY_MISS };
+            let exposed = self.reach.exposed[chart[seen.triangle as usize] as usize];
+            if !exposed[usize::from(!seen.front)] {
+                return RAY_INVALID;
+            }
+            lookup.one(seen.triangle, seen.weights, seen.front, seen.position, seen.normal).unwrap_or(RAY_INVALID)
+        };
+        (0..self.probes.len() * directions.len()).into_par_iter().map(hit).collect()
+    }
+}
+
+/// Directions of the relight rays.
+pub fn relight_directions(count: u32) -> Vec<Vec3> {
+    (0..count).map(|i| spherical_fibonacci(i, count)).collect()
+}
+
+/// Whether a receiver lies in the world, not inside a solid: most of what it sees does, and is not so near that it lies in
+/// a gap which texels cannot resolve.
+fn is_outside(world: &World<'_>, patches: &Patches, reach: &Reach, r: &Receiver, texel_size: f32) -> bool {
+    if r.triangle == FREE {
+        return true;
+    }
+    let frame = Frame::new(r.geometric_normal);
+    let meets_inside = |i: &u32| {
+        let direction = frame.world_from_local(cosine_hemisphere(hammersley(*i, VALIDITY_RAYS)));
+        let from = leave_surface(r.position, r.geometric_normal, r.error, direction);
+        world.closest(from, direction).is_some_and(|seen| {
+            let exposed = reach.exposed[patches.chart[seen.triangle as usize] as usize][usize::from(!seen.front)];
+            !exposed || (seen.position - r.position).length() < GAP * texel_size
+        })
+    };
+    let inside = (0..VALIDITY_RAYS).filter(meets_inside).count();
+    inside as f32 <= INSIDE_ALLOWED * VALIDITY_RAYS as f32
+}
+
+/// Halves the box of the points along its longest side until none holds more than `most` (SL17 §4.1, LE §5.6.6).
+pub fn split(members: Vec<u32>, points: &[Receiver], most: usize) -> Vec<Vec<u32>> {
+    if members.is_empty() {
+        return Vec::new();
+    }
+    if members.len() <= most {
+        return vec![members];
+    }
+    let position = |i: u32| points[i as usize].position;
+    let (near, far) = halve(members, position);
+    let mut parts = split(near, points, most);
+    parts.extend(split(far, points, most));
+    parts
+}
+
+/// Two non-empty halves: by the middle of the box's longest side, by number where all lie on one side.
+pub fn halve(mut members: Vec<u32>, position: impl Fn(u32) -> Vec3) -> (Vec<u32>, Vec<u32>) {
+    let (low, high) =
+        members.iter().fold((Vec3::MAX, Vec3::MIN), |(l, h), i| (l.min(position(*i)), h.max(position(*i))));
+    let axis = (0..3).max_by(|a, b| (high - low)[*a].total_cmp(&(high - low)[*b]).then(b.cmp(a))).unwrap_or(0);
+    let middle = 0.5 * (low + high)[axis];
+    let (near, far): (Vec<u32>, Vec<u32>) = members.iter().partition(|i| position(**i)[axis] < middle);
+    if near.is_empty() || far.is_empty() {
+        let far = members.split_off(members.len() / 2);
+        return (members, far);
+    }
+    (near, far)
+}
+
+impl Plan<'_> {
+    /// What was decided and what it takes, for reports.
+    pub fn report(&self, bake: &SrpBake) -> serde_json::Value {
+        let count = bake.clusters.len().max(1) as f64;
+        let sum = |f: &dyn Fn(&Cluster) -> usize| bake.clusters.iter().map(f).sum::<usize>() as f64;
+        let numbers = |c: &Cluster| c.projection.len() + c.reconstruction.len();
+        let plain = |c: &Cluster| c.receivers.len() * bake.rows_per_receiver as usize * c.columns.len();
+        let compressed = sum(&numbers);
+        serde_json::json!({
+            "receivers": bake.receivers.len(),
+            "receivers_inside_solids": self.dropped,
+            "lightmap": bake.atlas_size,
+            "texel_m": self.atlas.texel_size,
+            "charts": self.atlas.charts.count,
+            "own_uv_set": self.atlas.charts.from_file,
+            "probes": bake.probes.len(),
+            "probes_added": self.coverage.added,
+            "receivers_without_probe": self.coverage.unseen,
+            "support_radius_m": bake.radius,
+            "clusters": bake.clusters.len(),
+            "mean_rank": sum(&|c| c.rank as usize) / count,
+            "mean_probes_per_cluster": sum(&|c| c.probes.len()) / count,
+            "transport_f16_bytes": 2.0 * compressed,
+            "compression": if compressed > 0.0 { sum(&plain) / compressed } else { 1.0 },
+        })
+    }
+}
