@@ -128,6 +128,22 @@ pub struct At {
     pub i: usize,
 }
 
+/// Asks a processor to bring word `i` of a slice into its cache; beyond the end, or where there is no such instruction,
+/// nothing happens. Processors fetch ahead by themselves, but not beyond a page.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+#[allow(unsafe_code)]
+pub fn prefetch(words: &[u32], i: usize) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: a prefetch reads nothing and faults nowhere; the address is computed without leaving its provenance.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(words.as_ptr().wrapping_add(i).cast()) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (words, i);
+}
+
 /// Words that many invocations change at once, in any order, with the same result.
 pub trait AtomicWords {
     /// Adds to a word (wrapping) and returns what it was; do not let a result depend on what it was.

@@ -29,6 +29,9 @@ pub trait Real:
     /// Words `i, i+1, …` as pairs of half floats, those in the low bits first. For words that
     /// [`crate::math::pack::pack_f16x2_flushed`] made: denormal halves may be read as 0, and there is no infinity.
     fn load_f16x2(words: &[u32], i: usize) -> [Self; 2];
+    /// Asks for the words that `load_f16x2` reads at `i`, which may lie beyond the end: no more than a hint to a CPU.
+    #[inline(always)]
+    fn prefetch(_words: &[u32], _i: usize) {}
     /// Stores to elements `i, i+1, …` of a plane.
     fn store(self, plane: &mut [f32], i: usize);
     /// `self < other` (false with a NaN).
@@ -230,6 +233,10 @@ mod lanes {
                 high[lane] = half_high(part[lane]);
             }
             [Self(low), Self(high)]
+        }
+        #[inline(always)]
+        fn prefetch(words: &[u32], i: usize) {
+            crate::kernel::prefetch(words, i);
         }
         #[inline(always)]
         fn store(self, plane: &mut [f32], i: usize) {

@@ -7,6 +7,7 @@
 //! where their coefficients are no multiple of 16. Lanes hold columns and not ranks, because a cluster has hundreds of the
 //! first and few of the second; [`super::light_basis`] adds them up. Before: [`super::probe_sum`].
 
+use super::PREFETCH_WORDS;
 use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -36,6 +37,8 @@ pub fn project<R: Real>(
     let mut block = pair.block_first as usize;
     let mut sum = [R::splat(0.0); 6];
     for _ in 0..pair.block_pairs {
+        R::prefetch(words, word + PREFETCH_WORDS);
+        R::prefetch(words, word + PREFETCH_WORDS + SRP_LANES as usize);
         let a = (blocks[block] + at.x) as usize;
         let b = (blocks[block + 1] + at.x) as usize;
         let [a0, b0] = R::load_f16x2(words, word);

@@ -62,6 +62,9 @@ pub const KERNELS: &[&Kernel] = &[
     &probe_light::srp_probe_light::KERNEL,
 ];
 
+/// Words ahead of which matrices are asked for: a page of 4 KiB, at whose end processors stop fetching ahead by themselves.
+const PREFETCH_WORDS: usize = 1024;
+
 /// Sizes of probes for a test case.
 #[cfg(not(target_arch = "spirv"))]
 fn case_probes(input: &mut crate::kernel::CaseInput, probe_count: u32) -> interreflect_shared::srp::SrpProbeParams {

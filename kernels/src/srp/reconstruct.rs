@@ -6,6 +6,7 @@
 //! once, next to its neighbours': bound by bandwidth. Before: [`super::light_basis`]; after: [`super::relight`] of the
 //! next bounce, [`super::resolve`].
 
+use super::PREFETCH_WORDS;
 use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -32,6 +33,7 @@ pub fn irradiance<R: Real>(
     let mut b = 4 * block.basis_first as usize;
     let mut sum = [R::splat(0.0); 3];
     for _ in 0..block.rank_pairs {
+        R::prefetch(words, word + PREFETCH_WORDS);
         let [u0, u1] = R::load_f16x2(words, word);
         unroll!(C in 0, 1, 2 => {
             sum[C] = sum[C] + u0 * R::splat(basis[b + C]) + u1 * R::splat(basis[b + 4 + C]);
@@ -57,6 +59,7 @@ pub fn radiance<R: Real>(
     let mut sum = [R::splat(0.0); 12];
     for _ in 0..block.rank_pairs {
         unroll!(K in 0, 1, 2, 3 => {
+            R::prefetch(words, word + PREFETCH_WORDS + K * SRP_LANES as usize);
             let [u0, u1] = R::load_f16x2(words, word + K * SRP_LANES as usize);
             unroll!(C in 0, 1, 2 => {
                 sum[3 * K + C] = sum[3 * K + C] + u0 * R::splat(basis[b + C]) + u1 * R::splat(basis[b + 4 + C]);

@@ -12,6 +12,7 @@ mod lpv;
 mod memory;
 mod rays;
 mod scene;
+mod srp;
 mod twins;
 mod voxels;
 
@@ -51,6 +52,7 @@ const SECTIONS: &[(&str, Section)] = &[
     ("voxels", voxels::run),
     ("memory", memory::run),
     ("lpv", lpv::run),
+    ("srp", srp::run),
 ];
 
 /// Runs the sections: those that the filter names, or all (with kernels that the filter names).
