@@ -145,7 +145,12 @@ fn paper_size(bench: &mut Bench) -> Result<Value> {
     works.push(("- projection alone", "product", operations, Box::new(|exec| Ok(runtime.project_alone(exec)?))));
     works.push(("sh_project, same product", "product", operations, Box::new(|exec| unblocked.run(exec))));
     works.push(("gemm crate, same product", "product", operations, Box::new(|_| same_shape.run())));
-    works.push(("lightmap with dilation", "", 0.0, Box::new(|exec| runtime.atlas(exec).map(|_| ()).map_err(Into::into))));
+    works.push((
+        "lightmap with dilation",
+        "",
+        0.0,
+        Box::new(|exec| runtime.atlas(exec).map(|_| ()).map_err(Into::into)),
+    ));
 
     let mut times = vec![Times::default(); works.len()];
     for turn in 0..=REPEATS {
