@@ -3,9 +3,10 @@
 //!
 //! 1. Climb: the cheapest rung of every method, then always the next rung of the method whose last one was cheapest, as
 //!    long as that can still win.
-//! 2. Descend: from the best rung, one parameter at a time, to the next cheaper value while the limit holds (or to the
+//! 2. Step: from the rung below the best one, each parameter's next dearer value.
+//! 3. Descend: from the best rung, one parameter at a time, to the next cheaper value while the limit holds (or to the
 //!    next dearer one while the time allows and the error falls).
-//! 3. Confirm: the winner's error on more blocks of the picture, until it is clear on which side of the limit it lies;
+//! 4. Confirm: the winner's error on more blocks of the picture, until it is clear on which side of the limit it lies;
 //!    where it is the wrong one, the next best takes its place.
 //!
 //! Cheap estimates come first: the truth is traced on a few blocks, and on more only where an answer is open
@@ -22,6 +23,9 @@ use crate::methods::{MethodRow, Settings};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::time::Instant;
+
+/// Error over the limit up to which a single dearer parameter may be enough.
+const FAR_OFF: f64 = 2.0;
 
 /// What is asked for.
 #[derive(Clone, Copy, PartialEq, Default, Debug, Serialize, Deserialize)]
@@ -260,6 +264,7 @@ pub fn fit(
         chosen = search.rescue(methods, news)?;
     }
     if let Some(best) = chosen.take() {
+        let best = search.between_rungs(best, methods, news)?;
         chosen = Some(search.descend(best, methods, news)?);
     }
     let search_s = start.elapsed().as_secs_f64();
@@ -424,6 +429,33 @@ impl Search<'_> {
     fn closest(&self) -> Option<Candidate> {
         let least = |all: &mut dyn Iterator<Item = &Candidate>| all.min_by(|a, b| a.error.total_cmp(&b.error)).cloned();
         least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
+    }
+
+    /// The rung below the best may need one dearer parameter only: cheaper than the whole next rung.
+    fn between_rungs(
+        &mut self,
+        mut best: Candidate,
+        methods: &[&'static MethodRow],
+        news: &mut dyn FnMut(&Candidate),
+    ) -> Result<Candidate, Error> {
+        let Some(limit) = self.goal.error else { return Ok(best) };
+        let Some(row) = methods.iter().find(|m| m.name == best.row).copied() else { return Ok(best) };
+        let missed = self.tried.iter().filter(|c| c.row == row.name && !self.goal.accepts(c));
+        let Some(below) = missed.min_by(|a, b| a.error.total_cmp(&b.error)).cloned() else { return Ok(best) };
+        // A rung far off, or hardly cheaper, is not a step away.
+        if below.error > FAR_OFF * limit || self.goal.cost(&below) > 0.8 * self.goal.cost(&best) {
+            return Ok(best);
+        }
+        for axis in axes(row, &below.settings) {
+            let Some(settings) = step(&below.settings, &axis, 1) else { continue };
+            let Some(mut next) = self.run(row, &settings) else { continue };
+            self.settle(&mut next, limit)?;
+            news(&next);
+            if self.goal.accepts(&next) && self.goal.affords(&next) && self.goal.cost(&next) < self.goal.cost(&best) {
+                best = next;
+            }
+        }
+        Ok(best)
     }
 
     /// One parameter at a time, down while the limit holds, or up while the time allows and the error falls.
