@@ -7,7 +7,26 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_18 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+}
+
+struct type_20 {
+    member: array<type_18>,
+}
+
+struct type_30 {
+    member: array<vec4<f32>>,
+}
+
+struct type_35 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -25,30 +44,11 @@ struct type_21 {
     member_14: f32,
 }
 
-struct type_22 {
-    member: type_21,
-}
-
-struct type_24 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-}
-
-struct type_26 {
-    member: array<type_24>,
-}
-
-struct type_29 {
-    member: array<vec4<f32>>,
-}
-
 struct type_36 {
+    member: type_35,
+}
+
+struct type_38 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -58,129 +58,129 @@ struct type_36 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_22;
+var<uniform> params: type_36;
 @group(0) @binding(1) 
 var<storage> cells: type_11;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_11;
 @group(0) @binding(3) 
-var<storage> facets: type_26;
+var<storage> facets: type_20;
 @group(0) @binding(4) 
-var<storage> radiance: type_29;
+var<storage> radiance: type_30;
 @group(0) @binding(5) 
-var<storage> odd: type_29;
+var<storage> odd: type_30;
 @group(0) @binding(6) 
-var<storage> even: type_29;
+var<storage> even: type_30;
 @group(0) @binding(7) 
-var<storage, read_write> out: type_29;
+var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_187_: vec3<f32>;
-    var phi_194_: vec3<f32>;
-    var phi_297_: f32;
+    var phi_191_: vec3<f32>;
+    var phi_198_: vec3<f32>;
+    var phi_301_: f32;
     var phi_2421_: bool;
-    var phi_302_: type_8;
-    var phi_305_: vec3<f32>;
-    var phi_303_: type_8;
-    var phi_328_: type_8;
-    var phi_466_: f32;
-    var phi_474_: f32;
-    var phi_487_: f32;
-    var phi_488_: vec3<f32>;
-    var phi_535_: bool;
-    var phi_544_: u32;
-    var phi_576_: i32;
-    var phi_590_: bool;
-    var phi_607_: f32;
-    var phi_608_: f32;
-    var phi_609_: bool;
-    var phi_646_: i32;
-    var phi_660_: bool;
-    var phi_677_: f32;
-    var phi_678_: f32;
-    var phi_679_: bool;
-    var phi_716_: i32;
-    var phi_730_: bool;
-    var phi_747_: f32;
-    var phi_748_: f32;
-    var phi_749_: bool;
+    var phi_306_: type_8;
+    var phi_309_: vec3<f32>;
+    var phi_307_: type_8;
+    var phi_332_: type_8;
+    var phi_470_: f32;
+    var phi_478_: f32;
+    var phi_491_: f32;
+    var phi_492_: vec3<f32>;
+    var phi_539_: bool;
+    var phi_548_: u32;
+    var phi_580_: i32;
+    var phi_594_: bool;
+    var phi_611_: f32;
+    var phi_612_: f32;
+    var phi_613_: bool;
+    var phi_650_: i32;
+    var phi_664_: bool;
+    var phi_681_: f32;
+    var phi_682_: f32;
+    var phi_683_: bool;
+    var phi_720_: i32;
+    var phi_734_: bool;
+    var phi_751_: f32;
+    var phi_752_: f32;
+    var phi_753_: bool;
     var phi_2397_: bool;
-    var phi_757_: type_8;
-    var phi_760_: vec3<f32>;
-    var phi_762_: type_36;
-    var phi_764_: type_36;
-    var phi_766_: type_36;
-    var phi_768_: f32;
-    var phi_770_: f32;
-    var phi_758_: type_8;
-    var phi_793_: type_8;
-    var phi_813_: bool;
-    var phi_824_: u32;
-    var phi_845_: f32;
-    var phi_846_: i32;
-    var phi_847_: u32;
-    var phi_848_: f32;
+    var phi_761_: type_8;
+    var phi_764_: vec3<f32>;
+    var phi_766_: type_38;
+    var phi_768_: type_38;
+    var phi_770_: type_38;
+    var phi_772_: f32;
+    var phi_774_: f32;
+    var phi_762_: type_8;
+    var phi_797_: type_8;
+    var phi_817_: bool;
+    var phi_828_: u32;
     var phi_849_: f32;
     var phi_850_: i32;
     var phi_851_: u32;
     var phi_852_: f32;
-    var phi_908_: u32;
-    var phi_925_: f32;
-    var phi_946_: bool;
-    var phi_958_: u32;
-    var phi_969_: u32;
-    var phi_977_: f32;
-    var phi_1016_: f32;
-    var phi_1027_: f32;
-    var phi_1049_: bool;
-    var phi_1061_: u32;
-    var phi_1072_: u32;
-    var phi_1080_: f32;
-    var phi_1119_: f32;
-    var phi_1130_: f32;
-    var phi_1152_: bool;
-    var phi_1164_: u32;
-    var phi_1175_: u32;
-    var phi_1183_: f32;
-    var phi_1222_: f32;
-    var phi_1249_: f32;
-    var phi_1250_: f32;
-    var phi_1251_: u32;
-    var phi_1252_: u32;
-    var phi_1253_: u32;
-    var phi_1254_: u32;
-    var phi_1255_: f32;
-    var phi_1256_: f32;
+    var phi_853_: f32;
+    var phi_854_: i32;
+    var phi_855_: u32;
+    var phi_856_: f32;
+    var phi_912_: u32;
+    var phi_929_: f32;
+    var phi_950_: bool;
+    var phi_962_: u32;
+    var phi_973_: u32;
+    var phi_981_: f32;
+    var phi_1020_: f32;
+    var phi_1031_: f32;
+    var phi_1053_: bool;
+    var phi_1065_: u32;
+    var phi_1076_: u32;
+    var phi_1084_: f32;
+    var phi_1123_: f32;
+    var phi_1134_: f32;
+    var phi_1156_: bool;
+    var phi_1168_: u32;
+    var phi_1179_: u32;
+    var phi_1187_: f32;
+    var phi_1226_: f32;
+    var phi_1253_: f32;
+    var phi_1254_: f32;
+    var phi_1255_: u32;
+    var phi_1256_: u32;
     var phi_1257_: u32;
     var phi_1258_: u32;
-    var phi_1259_: u32;
-    var phi_1260_: u32;
+    var phi_1259_: f32;
+    var phi_1260_: f32;
     var phi_1261_: u32;
     var phi_1262_: u32;
+    var phi_1263_: u32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1266_: u32;
     var phi_2360_: bool;
-    var phi_1265_: type_8;
-    var phi_1268_: vec4<f32>;
-    var phi_1266_: type_8;
-    var phi_1291_: type_8;
-    var phi_1845_: u32;
-    var phi_1869_: vec4<f32>;
-    var phi_1378_: type_8;
-    var phi_1381_: u32;
-    var phi_1379_: type_8;
-    var phi_1404_: type_8;
-    var phi_1382_: u32;
+    var phi_1269_: type_8;
+    var phi_1272_: vec4<f32>;
+    var phi_1270_: type_8;
+    var phi_1295_: type_8;
+    var phi_1849_: u32;
+    var phi_1873_: vec4<f32>;
+    var phi_1382_: type_8;
+    var phi_1385_: u32;
+    var phi_1383_: type_8;
+    var phi_1408_: type_8;
+    var phi_1386_: u32;
     var phi_2349_: bool;
     var local: u32;
     var local_1: u32;
-    var phi_1669_: type_8;
-    var phi_1672_: vec4<f32>;
-    var phi_1674_: vec4<f32>;
-    var phi_1670_: type_8;
-    var phi_1697_: type_8;
-    var phi_1781_: vec4<f32>;
-    var phi_1782_: vec4<f32>;
-    var phi_1673_: vec4<f32>;
-    var phi_1675_: vec4<f32>;
+    var phi_1673_: type_8;
+    var phi_1676_: vec4<f32>;
+    var phi_1678_: vec4<f32>;
+    var phi_1674_: type_8;
+    var phi_1701_: type_8;
+    var phi_1785_: vec4<f32>;
+    var phi_1786_: vec4<f32>;
+    var phi_1677_: vec4<f32>;
+    var phi_1679_: vec4<f32>;
     var phi_2439_: bool;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
@@ -188,84 +188,84 @@ fn function_() {
     var local_5: vec4<f32>;
     var local_6: vec4<f32>;
     var local_7: vec4<f32>;
-    var phi_1804_: vec4<f32>;
+    var phi_1808_: vec4<f32>;
     var local_8: u32;
     var local_9: u32;
-    var phi_1518_: type_8;
-    var phi_1521_: vec4<f32>;
-    var phi_1519_: type_8;
-    var phi_1544_: type_8;
-    var phi_1522_: vec4<f32>;
+    var phi_1522_: type_8;
+    var phi_1525_: vec4<f32>;
+    var phi_1523_: type_8;
+    var phi_1548_: type_8;
+    var phi_1526_: vec4<f32>;
     var phi_2448_: bool;
     var phi_2463_: bool;
-    var phi_1805_: vec4<f32>;
-    var phi_1819_: vec4<f32>;
+    var phi_1809_: vec4<f32>;
+    var phi_1823_: vec4<f32>;
     var phi_2459_: bool;
-    var phi_1870_: vec4<f32>;
+    var phi_1874_: vec4<f32>;
     var phi_2458_: bool;
-    var phi_1891_: vec4<f32>;
+    var phi_1895_: vec4<f32>;
     var phi_2457_: bool;
-    var phi_1892_: vec4<f32>;
+    var phi_1896_: vec4<f32>;
     var phi_2456_: bool;
-    var phi_1269_: vec4<f32>;
+    var phi_1273_: vec4<f32>;
     var phi_2455_: bool;
     var phi_2484_: bool;
-    var phi_1893_: vec4<f32>;
+    var phi_1897_: vec4<f32>;
     var phi_2483_: bool;
-    var phi_1894_: vec4<f32>;
-    var phi_1895_: bool;
-    var phi_1939_: vec3<f32>;
-    var phi_1940_: f32;
-    var phi_1941_: f32;
-    var phi_2146_: i32;
-    var phi_2161_: type_36;
-    var phi_2162_: type_36;
-    var phi_2181_: bool;
-    var phi_2203_: f32;
-    var phi_2204_: f32;
-    var phi_2205_: bool;
-    var phi_2067_: i32;
-    var phi_2082_: type_36;
-    var phi_2083_: type_36;
-    var phi_2102_: bool;
-    var phi_2124_: f32;
-    var phi_2125_: f32;
-    var phi_2126_: bool;
-    var phi_2211_: type_36;
-    var phi_2212_: type_36;
-    var phi_1984_: i32;
-    var phi_1999_: type_36;
-    var phi_2000_: type_36;
-    var phi_2019_: bool;
-    var phi_2041_: f32;
-    var phi_2042_: f32;
-    var phi_2043_: bool;
-    var phi_2213_: type_36;
-    var phi_2214_: type_36;
-    var phi_2215_: type_36;
+    var phi_1898_: vec4<f32>;
+    var phi_1899_: bool;
+    var phi_1943_: vec3<f32>;
+    var phi_1944_: f32;
+    var phi_1945_: f32;
+    var phi_2150_: i32;
+    var phi_2165_: type_38;
+    var phi_2166_: type_38;
+    var phi_2185_: bool;
+    var phi_2207_: f32;
+    var phi_2208_: f32;
+    var phi_2209_: bool;
+    var phi_2071_: i32;
+    var phi_2086_: type_38;
+    var phi_2087_: type_38;
+    var phi_2106_: bool;
+    var phi_2128_: f32;
+    var phi_2129_: f32;
+    var phi_2130_: bool;
+    var phi_2215_: type_38;
+    var phi_2216_: type_38;
+    var phi_1988_: i32;
+    var phi_2003_: type_38;
+    var phi_2004_: type_38;
+    var phi_2023_: bool;
+    var phi_2045_: f32;
+    var phi_2046_: f32;
+    var phi_2047_: bool;
+    var phi_2217_: type_38;
+    var phi_2218_: type_38;
+    var phi_2219_: type_38;
     var phi_2468_: bool;
-    var phi_2216_: vec3<f32>;
-    var phi_2217_: type_36;
-    var phi_2218_: type_36;
-    var phi_2219_: type_36;
-    var phi_2220_: f32;
-    var phi_2221_: f32;
+    var phi_2220_: vec3<f32>;
+    var phi_2221_: type_38;
+    var phi_2222_: type_38;
+    var phi_2223_: type_38;
+    var phi_2224_: f32;
+    var phi_2225_: f32;
     var phi_2467_: bool;
-    var phi_2223_: vec3<f32>;
-    var phi_2224_: type_36;
-    var phi_2225_: type_36;
-    var phi_2226_: type_36;
-    var phi_2227_: f32;
-    var phi_2228_: f32;
-    var phi_2229_: bool;
+    var phi_2227_: vec3<f32>;
+    var phi_2228_: type_38;
+    var phi_2229_: type_38;
+    var phi_2230_: type_38;
+    var phi_2231_: f32;
+    var phi_2232_: f32;
+    var phi_2233_: bool;
     var phi_2466_: bool;
-    var phi_761_: vec3<f32>;
-    var phi_763_: type_36;
-    var phi_765_: type_36;
-    var phi_767_: type_36;
-    var phi_769_: f32;
-    var phi_771_: f32;
-    var phi_2231_: bool;
+    var phi_765_: vec3<f32>;
+    var phi_767_: type_38;
+    var phi_769_: type_38;
+    var phi_771_: type_38;
+    var phi_773_: f32;
+    var phi_775_: f32;
+    var phi_2235_: bool;
     var phi_2465_: bool;
     var local_10: f32;
     var local_11: f32;
@@ -273,7 +273,7 @@ fn function_() {
     var local_13: vec3<f32>;
     var local_14: vec3<f32>;
     var phi_2502_: bool;
-    var phi_306_: vec3<f32>;
+    var phi_310_: vec3<f32>;
     var phi_2501_: bool;
     var local_15: vec3<f32>;
     var local_16: vec3<f32>;
@@ -300,17 +300,17 @@ fn function_() {
                 let _e113 = facets.member[_e109];
                 let _e123 = sqrt((((_e113.member_2[0] * _e113.member_2[0]) + (_e113.member_2[1] * _e113.member_2[1])) + (_e113.member_2[2] * _e113.member_2[2])));
                 if (_e123 > 0.000000000001f) {
-                    phi_187_ = vec3<f32>((_e113.member_2[0] / _e123), (_e113.member_2[1] / _e123), (_e113.member_2[2] / _e123));
+                    phi_191_ = vec3<f32>((_e113.member_2[0] / _e123), (_e113.member_2[1] / _e123), (_e113.member_2[2] / _e123));
                 } else {
-                    phi_187_ = vec3<f32>(0f, 1f, 0f);
+                    phi_191_ = vec3<f32>(0f, 1f, 0f);
                 }
-                let _e130 = phi_187_;
+                let _e130 = phi_191_;
                 if ((_e107 & 1u) == 0u) {
-                    phi_194_ = _e130;
+                    phi_198_ = _e130;
                 } else {
-                    phi_194_ = -(_e130);
+                    phi_198_ = -(_e130);
                 }
-                let _e135 = phi_194_;
+                let _e135 = phi_198_;
                 let _e142 = params.member.member;
                 let _e155 = params.member.member_12;
                 let _e162 = (((_e113.member[0] - _e142.x) / _e142.w) + (_e135.x * _e155));
@@ -322,35 +322,35 @@ fn function_() {
                 let _e186 = params.member.member_10;
                 let _e187 = (_e186 == 0u);
                 if _e187 {
-                    phi_297_ = 0f;
+                    phi_301_ = 0f;
                 } else {
                     let _e191 = ((_e107 * 1664525u) + 1013904223u);
                     let _e193 = (((_e186 * 1664525u) + 1013904223u) + (_e191 * 1013904223u));
                     let _e195 = (_e191 + (1013904223u * _e193));
                     let _e199 = (1013904223u + (_e195 * (1013904223u + (_e193 * _e195))));
-                    phi_297_ = (f32((((_e193 ^ (_e193 >> bitcast<u32>(16i))) + ((_e195 ^ (_e195 >> bitcast<u32>(16i))) * (_e199 ^ (_e199 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                    phi_301_ = (f32((((_e193 ^ (_e193 >> bitcast<u32>(16i))) + ((_e195 ^ (_e195 >> bitcast<u32>(16i))) * (_e199 ^ (_e199 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                 }
-                let _e216 = phi_297_;
+                let _e216 = phi_301_;
                 let _e219 = params.member.member_7;
                 phi_2421_ = false;
-                phi_302_ = type_8(0u, _e219);
-                phi_305_ = vec3<f32>(0f, 0f, 0f);
+                phi_306_ = type_8(0u, _e219);
+                phi_309_ = vec3<f32>(0f, 0f, 0f);
                 loop {
                     let _e222 = phi_2421_;
-                    let _e224 = phi_302_;
-                    let _e226 = phi_305_;
+                    let _e224 = phi_306_;
+                    let _e226 = phi_309_;
                     local_15 = _e226;
                     local_16 = _e226;
                     local_17 = _e226;
                     if (_e224.member < _e224.member_1) {
-                        phi_303_ = type_8((_e224.member + 1u), _e224.member_1);
-                        phi_328_ = type_8(1u, _e224.member);
+                        phi_307_ = type_8((_e224.member + 1u), _e224.member_1);
+                        phi_332_ = type_8(1u, _e224.member);
                     } else {
-                        phi_303_ = _e224;
-                        phi_328_ = type_8(0u, type_8().member_1);
+                        phi_307_ = _e224;
+                        phi_332_ = type_8(0u, type_8().member_1);
                     }
-                    let _e239 = phi_303_;
-                    let _e241 = phi_328_;
+                    let _e239 = phi_307_;
+                    let _e241 = phi_332_;
                     let _e245 = (bitcast<i32>(_e241.member) != 0i);
                     if _e245 {
                         let _e246 = (_e241.member_1 < 16u);
@@ -361,8 +361,8 @@ fn function_() {
                         }
                         let _e250 = params.member.member_3[_e241.member_1];
                         if _e187 {
-                            phi_487_ = 1.4142135f;
-                            phi_488_ = vec3<f32>(_e250.x, _e250.y, _e250.z);
+                            phi_491_ = 1.4142135f;
+                            phi_492_ = vec3<f32>(_e250.x, _e250.y, _e250.z);
                         } else {
                             let _e255 = ((_e107 * 1664525u) + 1013904223u);
                             let _e257 = (((1u + _e241.member_1) * 1664525u) + 1013904223u);
@@ -392,24 +392,24 @@ fn function_() {
                             let _e346 = select(_e336, _e327, _e345);
                             let _e347 = select(_e327, _e336, _e345);
                             if ((_e343 & 2i) == 0i) {
-                                phi_466_ = _e346;
+                                phi_470_ = _e346;
                             } else {
-                                phi_466_ = -(_e346);
+                                phi_470_ = -(_e346);
                             }
-                            let _e352 = phi_466_;
+                            let _e352 = phi_470_;
                             if (((_e343 + 1i) & 2i) == 0i) {
-                                phi_474_ = _e347;
+                                phi_478_ = _e347;
                             } else {
-                                phi_474_ = -(_e347);
+                                phi_478_ = -(_e347);
                             }
-                            let _e358 = phi_474_;
+                            let _e358 = phi_478_;
                             let _e359 = (1f - _e304);
                             let _e362 = sqrt(select(0f, _e359, (_e359 > 0f)));
-                            phi_487_ = (1f + (f32(((_e274 + (_e279 * _e281)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                            phi_488_ = vec3<f32>((_e362 * _e358), (_e362 * _e352), sqrt(_e304));
+                            phi_491_ = (1f + (f32(((_e274 + (_e279 * _e281)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                            phi_492_ = vec3<f32>((_e362 * _e358), (_e362 * _e352), sqrt(_e304));
                         }
-                        let _e373 = phi_487_;
-                        let _e375 = phi_488_;
+                        let _e373 = phi_491_;
+                        let _e375 = phi_492_;
                         let _e378 = params.member.member_11;
                         let _e381 = params.member.member_13;
                         let _e399 = ((((1f + (((_e168 * _e135.x) * _e135.x) * _e170)) * _e375.x) + (_e172 * _e375.y)) + (_e135.x * _e375.z));
@@ -420,206 +420,206 @@ fn function_() {
                         let _e406 = abs(_e400);
                         let _e407 = abs(_e401);
                         if (_e405 >= _e406) {
-                            phi_535_ = select(true, false, (_e405 >= _e407));
+                            phi_539_ = select(true, false, (_e405 >= _e407));
                         } else {
-                            phi_535_ = true;
+                            phi_539_ = true;
                         }
-                        let _e412 = phi_535_;
+                        let _e412 = phi_539_;
                         if _e412 {
-                            phi_544_ = select(2u, 1u, (_e406 >= _e407));
+                            phi_548_ = select(2u, 1u, (_e406 >= _e407));
                         } else {
-                            phi_544_ = 0u;
+                            phi_548_ = 0u;
                         }
-                        let _e416 = phi_544_;
+                        let _e416 = phi_548_;
                         let _e419 = floor((_e162 - 0.5f));
                         let _e429 = -(floor((0.5f - _e162)));
                         let _e437 = (_e399 < 0f);
                         if _e437 {
-                            phi_576_ = (select(0i, select(select(i32(_e429), i32(-2147483648), (_e429 < -2147483600f)), 2147483647i, (_e429 > 2147483500f)), (_e429 == _e429)) - 1i);
+                            phi_580_ = (select(0i, select(select(i32(_e429), i32(-2147483648), (_e429 < -2147483600f)), 2147483647i, (_e429 > 2147483500f)), (_e429 == _e429)) - 1i);
                         } else {
-                            phi_576_ = (select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < -2147483600f)), 2147483647i, (_e419 > 2147483500f)), (_e419 == _e419)) + 1i);
+                            phi_580_ = (select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < -2147483600f)), 2147483647i, (_e419 > 2147483500f)), (_e419 == _e419)) + 1i);
                         }
-                        let _e441 = phi_576_;
+                        let _e441 = phi_580_;
                         if _e437 {
-                            phi_590_ = (_e441 < 0i);
+                            phi_594_ = (_e441 < 0i);
                         } else {
-                            phi_590_ = (_e441 >= bitcast<i32>(_e404.x));
+                            phi_594_ = (_e441 >= bitcast<i32>(_e404.x));
                         }
-                        let _e446 = phi_590_;
+                        let _e446 = phi_594_;
                         if _e446 {
-                            phi_608_ = f32();
-                            phi_609_ = true;
+                            phi_612_ = f32();
+                            phi_613_ = true;
                         } else {
                             let _e449 = (_e405 < 0.000001f);
                             if _e449 {
-                                phi_607_ = f32();
+                                phi_611_ = f32();
                             } else {
-                                phi_607_ = (((f32(_e441) + 0.5f) - _e162) / _e399);
+                                phi_611_ = (((f32(_e441) + 0.5f) - _e162) / _e399);
                             }
-                            let _e453 = phi_607_;
-                            phi_608_ = _e453;
-                            phi_609_ = _e449;
+                            let _e453 = phi_611_;
+                            phi_612_ = _e453;
+                            phi_613_ = _e449;
                         }
-                        let _e455 = phi_608_;
-                        let _e457 = phi_609_;
+                        let _e455 = phi_612_;
+                        let _e457 = phi_613_;
                         let _e462 = floor((_e163 - 0.5f));
                         let _e472 = -(floor((0.5f - _e163)));
                         let _e480 = (_e400 < 0f);
                         if _e480 {
-                            phi_646_ = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
+                            phi_650_ = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
                         } else {
-                            phi_646_ = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) + 1i);
+                            phi_650_ = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) + 1i);
                         }
-                        let _e484 = phi_646_;
+                        let _e484 = phi_650_;
                         if _e480 {
-                            phi_660_ = (_e484 < 0i);
+                            phi_664_ = (_e484 < 0i);
                         } else {
-                            phi_660_ = (_e484 >= bitcast<i32>(_e404.y));
+                            phi_664_ = (_e484 >= bitcast<i32>(_e404.y));
                         }
-                        let _e489 = phi_660_;
+                        let _e489 = phi_664_;
                         if _e489 {
-                            phi_678_ = f32();
-                            phi_679_ = true;
+                            phi_682_ = f32();
+                            phi_683_ = true;
                         } else {
                             let _e492 = (_e406 < 0.000001f);
                             if _e492 {
-                                phi_677_ = f32();
+                                phi_681_ = f32();
                             } else {
-                                phi_677_ = (((f32(_e484) + 0.5f) - _e163) / _e400);
+                                phi_681_ = (((f32(_e484) + 0.5f) - _e163) / _e400);
                             }
-                            let _e496 = phi_677_;
-                            phi_678_ = _e496;
-                            phi_679_ = _e492;
+                            let _e496 = phi_681_;
+                            phi_682_ = _e496;
+                            phi_683_ = _e492;
                         }
-                        let _e498 = phi_678_;
-                        let _e500 = phi_679_;
+                        let _e498 = phi_682_;
+                        let _e500 = phi_683_;
                         let _e505 = floor((_e164 - 0.5f));
                         let _e515 = -(floor((0.5f - _e164)));
                         let _e523 = (_e401 < 0f);
                         if _e523 {
-                            phi_716_ = (select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < -2147483600f)), 2147483647i, (_e515 > 2147483500f)), (_e515 == _e515)) - 1i);
+                            phi_720_ = (select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < -2147483600f)), 2147483647i, (_e515 > 2147483500f)), (_e515 == _e515)) - 1i);
                         } else {
-                            phi_716_ = (select(0i, select(select(i32(_e505), i32(-2147483648), (_e505 < -2147483600f)), 2147483647i, (_e505 > 2147483500f)), (_e505 == _e505)) + 1i);
+                            phi_720_ = (select(0i, select(select(i32(_e505), i32(-2147483648), (_e505 < -2147483600f)), 2147483647i, (_e505 > 2147483500f)), (_e505 == _e505)) + 1i);
                         }
-                        let _e527 = phi_716_;
+                        let _e527 = phi_720_;
                         if _e523 {
-                            phi_730_ = (_e527 < 0i);
+                            phi_734_ = (_e527 < 0i);
                         } else {
-                            phi_730_ = (_e527 >= bitcast<i32>(_e404.z));
+                            phi_734_ = (_e527 >= bitcast<i32>(_e404.z));
                         }
-                        let _e532 = phi_730_;
+                        let _e532 = phi_734_;
                         if _e532 {
-                            phi_748_ = f32();
-                            phi_749_ = true;
+                            phi_752_ = f32();
+                            phi_753_ = true;
                         } else {
                             let _e535 = (_e407 < 0.000001f);
                             if _e535 {
-                                phi_747_ = f32();
+                                phi_751_ = f32();
                             } else {
-                                phi_747_ = (((f32(_e527) + 0.5f) - _e164) / _e401);
+                                phi_751_ = (((f32(_e527) + 0.5f) - _e164) / _e401);
                             }
-                            let _e539 = phi_747_;
-                            phi_748_ = _e539;
-                            phi_749_ = _e535;
+                            let _e539 = phi_751_;
+                            phi_752_ = _e539;
+                            phi_753_ = _e535;
                         }
-                        let _e541 = phi_748_;
-                        let _e543 = phi_749_;
+                        let _e541 = phi_752_;
+                        let _e543 = phi_753_;
                         phi_2397_ = _e222;
-                        phi_757_ = type_8(0u, 2048u);
-                        phi_760_ = vec3<f32>(0f, 0f, 0f);
-                        phi_762_ = type_36(_e164, _e401, 0u, _e527, select(_e541, 340282350000000000000000000000000000000f, _e543));
-                        phi_764_ = type_36(_e163, _e400, 0u, _e484, select(_e498, 340282350000000000000000000000000000000f, _e500));
-                        phi_766_ = type_36(_e162, _e399, 0u, _e441, select(_e455, 340282350000000000000000000000000000000f, _e457));
-                        phi_768_ = 0f;
-                        phi_770_ = 1f;
+                        phi_761_ = type_8(0u, 2048u);
+                        phi_764_ = vec3<f32>(0f, 0f, 0f);
+                        phi_766_ = type_38(_e164, _e401, 0u, _e527, select(_e541, 340282350000000000000000000000000000000f, _e543));
+                        phi_768_ = type_38(_e163, _e400, 0u, _e484, select(_e498, 340282350000000000000000000000000000000f, _e500));
+                        phi_770_ = type_38(_e162, _e399, 0u, _e441, select(_e455, 340282350000000000000000000000000000000f, _e457));
+                        phi_772_ = 0f;
+                        phi_774_ = 1f;
                         loop {
                             let _e547 = phi_2397_;
-                            let _e549 = phi_757_;
-                            let _e551 = phi_760_;
-                            let _e553 = phi_762_;
-                            let _e555 = phi_764_;
-                            let _e557 = phi_766_;
-                            let _e559 = phi_768_;
-                            let _e561 = phi_770_;
+                            let _e549 = phi_761_;
+                            let _e551 = phi_764_;
+                            let _e553 = phi_766_;
+                            let _e555 = phi_768_;
+                            let _e557 = phi_770_;
+                            let _e559 = phi_772_;
+                            let _e561 = phi_774_;
                             local_10 = _e559;
                             local_11 = _e561;
                             local_12 = _e551;
                             local_13 = _e551;
                             local_14 = _e551;
                             if (_e549.member < _e549.member_1) {
-                                phi_758_ = type_8((_e549.member + 1u), _e549.member_1);
-                                phi_793_ = type_8(1u, _e549.member);
+                                phi_762_ = type_8((_e549.member + 1u), _e549.member_1);
+                                phi_797_ = type_8(1u, _e549.member);
                             } else {
-                                phi_758_ = _e549;
-                                phi_793_ = type_8(0u, type_8().member_1);
+                                phi_762_ = _e549;
+                                phi_797_ = type_8(0u, type_8().member_1);
                             }
-                            let _e574 = phi_758_;
-                            let _e576 = phi_793_;
+                            let _e574 = phi_762_;
+                            let _e576 = phi_797_;
                             if (bitcast<i32>(_e576.member) != 0i) {
                                 if (_e557.member_4 <= _e555.member_4) {
-                                    phi_813_ = select(true, false, (_e557.member_4 <= _e553.member_4));
+                                    phi_817_ = select(true, false, (_e557.member_4 <= _e553.member_4));
                                 } else {
-                                    phi_813_ = true;
+                                    phi_817_ = true;
                                 }
-                                let _e587 = phi_813_;
+                                let _e587 = phi_817_;
                                 if _e587 {
-                                    phi_824_ = select(2u, 1u, (_e555.member_4 <= _e553.member_4));
+                                    phi_828_ = select(2u, 1u, (_e555.member_4 <= _e553.member_4));
                                 } else {
-                                    phi_824_ = 0u;
+                                    phi_828_ = 0u;
                                 }
-                                let _e592 = phi_824_;
+                                let _e592 = phi_828_;
                                 let _e593 = (_e592 == 0u);
                                 if _e593 {
-                                    phi_849_ = _e557.member_4;
-                                    phi_850_ = _e557.member_3;
-                                    phi_851_ = _e557.member_2;
-                                    phi_852_ = _e557.member_1;
+                                    phi_853_ = _e557.member_4;
+                                    phi_854_ = _e557.member_3;
+                                    phi_855_ = _e557.member_2;
+                                    phi_856_ = _e557.member_1;
                                 } else {
                                     if (_e592 == 1u) {
-                                        phi_845_ = _e555.member_4;
-                                        phi_846_ = _e555.member_3;
-                                        phi_847_ = _e555.member_2;
-                                        phi_848_ = _e555.member_1;
+                                        phi_849_ = _e555.member_4;
+                                        phi_850_ = _e555.member_3;
+                                        phi_851_ = _e555.member_2;
+                                        phi_852_ = _e555.member_1;
                                     } else {
-                                        phi_845_ = _e553.member_4;
-                                        phi_846_ = _e553.member_3;
-                                        phi_847_ = _e553.member_2;
-                                        phi_848_ = _e553.member_1;
+                                        phi_849_ = _e553.member_4;
+                                        phi_850_ = _e553.member_3;
+                                        phi_851_ = _e553.member_2;
+                                        phi_852_ = _e553.member_1;
                                     }
-                                    let _e603 = phi_845_;
-                                    let _e605 = phi_846_;
-                                    let _e607 = phi_847_;
-                                    let _e609 = phi_848_;
-                                    phi_849_ = _e603;
-                                    phi_850_ = _e605;
-                                    phi_851_ = _e607;
-                                    phi_852_ = _e609;
+                                    let _e603 = phi_849_;
+                                    let _e605 = phi_850_;
+                                    let _e607 = phi_851_;
+                                    let _e609 = phi_852_;
+                                    phi_853_ = _e603;
+                                    phi_854_ = _e605;
+                                    phi_855_ = _e607;
+                                    phi_856_ = _e609;
                                 }
-                                let _e614 = phi_849_;
-                                let _e616 = phi_850_;
-                                let _e618 = phi_851_;
-                                let _e620 = phi_852_;
+                                let _e614 = phi_853_;
+                                let _e616 = phi_854_;
+                                let _e618 = phi_855_;
+                                let _e620 = phi_856_;
                                 if (_e614 >= 340282350000000000000000000000000000000f) {
                                     phi_2467_ = _e547;
-                                    phi_2223_ = vec3<f32>();
-                                    phi_2224_ = type_36();
-                                    phi_2225_ = type_36();
-                                    phi_2226_ = type_36();
-                                    phi_2227_ = f32();
-                                    phi_2228_ = f32();
-                                    phi_2229_ = false;
+                                    phi_2227_ = vec3<f32>();
+                                    phi_2228_ = type_38();
+                                    phi_2229_ = type_38();
+                                    phi_2230_ = type_38();
+                                    phi_2231_ = f32();
+                                    phi_2232_ = f32();
+                                    phi_2233_ = false;
                                 } else {
                                     let _e622 = (1f - _e559);
                                     let _e623 = (_e561 * _e622);
                                     let _e624 = (_e623 < 0.001f);
                                     if _e624 {
                                         phi_2468_ = _e547;
-                                        phi_2216_ = vec3<f32>();
-                                        phi_2217_ = type_36();
-                                        phi_2218_ = type_36();
-                                        phi_2219_ = type_36();
-                                        phi_2220_ = f32();
-                                        phi_2221_ = f32();
+                                        phi_2220_ = vec3<f32>();
+                                        phi_2221_ = type_38();
+                                        phi_2222_ = type_38();
+                                        phi_2223_ = type_38();
+                                        phi_2224_ = f32();
+                                        phi_2225_ = f32();
                                     } else {
                                         let _e631 = (_e620 < 0f);
                                         if (_e618 < 10u) {
@@ -636,227 +636,227 @@ fn function_() {
                                         let _e649 = ((_e404.z + _e640) >> bitcast<u32>(_e637));
                                         let _e651 = (1f / f32(_e639));
                                         if _e593 {
-                                            phi_908_ = _e643;
+                                            phi_912_ = _e643;
                                         } else {
-                                            phi_908_ = select(_e649, _e646, (_e592 == 1u));
+                                            phi_912_ = select(_e649, _e646, (_e592 == 1u));
                                         }
-                                        let _e655 = phi_908_;
+                                        let _e655 = phi_912_;
                                         if (_e616 < 0i) {
                                             phi_2483_ = _e547;
-                                            phi_1894_ = vec4<f32>();
-                                            phi_1895_ = true;
+                                            phi_1898_ = vec4<f32>();
+                                            phi_1899_ = true;
                                         } else {
                                             let _e658 = (_e616 >= bitcast<i32>(_e655));
                                             if _e658 {
                                                 phi_2484_ = _e547;
-                                                phi_1893_ = vec4<f32>();
+                                                phi_1897_ = vec4<f32>();
                                             } else {
                                                 let _e659 = f32(_e616);
                                                 if _e593 {
-                                                    phi_925_ = _e659;
+                                                    phi_929_ = _e659;
                                                 } else {
-                                                    phi_925_ = (((_e162 + (_e399 * _e614)) * _e651) - 0.5f);
+                                                    phi_929_ = (((_e162 + (_e399 * _e614)) * _e651) - 0.5f);
                                                 }
-                                                let _e663 = phi_925_;
+                                                let _e663 = phi_929_;
                                                 let _e664 = floor(_e663);
                                                 let _e672 = select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < -2147483600f)), 2147483647i, (_e664 > 2147483500f)), (_e664 == _e664));
                                                 let _e674 = (bitcast<i32>(_e643) - 1i);
                                                 if (_e663 >= -0.5f) {
-                                                    phi_946_ = (_e663 <= (f32(_e674) + 0.5f));
+                                                    phi_950_ = (_e663 <= (f32(_e674) + 0.5f));
                                                 } else {
-                                                    phi_946_ = false;
+                                                    phi_950_ = false;
                                                 }
-                                                let _e680 = phi_946_;
+                                                let _e680 = phi_950_;
                                                 let _e681 = (_e672 >= 0i);
                                                 let _e682 = (_e672 < _e674);
                                                 if _e681 {
-                                                    phi_958_ = bitcast<u32>(select(_e672, _e674, (_e674 < _e672)));
+                                                    phi_962_ = bitcast<u32>(select(_e672, _e674, (_e674 < _e672)));
                                                 } else {
-                                                    phi_958_ = 0u;
+                                                    phi_962_ = 0u;
                                                 }
-                                                let _e687 = phi_958_;
+                                                let _e687 = phi_962_;
                                                 if _e682 {
                                                     let _e688 = (_e672 + 1i);
-                                                    phi_969_ = bitcast<u32>(select(0i, _e688, (0i < _e688)));
+                                                    phi_973_ = bitcast<u32>(select(0i, _e688, (0i < _e688)));
                                                 } else {
-                                                    phi_969_ = 0u;
+                                                    phi_973_ = 0u;
                                                 }
-                                                let _e693 = phi_969_;
+                                                let _e693 = phi_973_;
                                                 if _e681 {
-                                                    phi_977_ = select(0f, (_e663 - _e664), _e682);
+                                                    phi_981_ = select(0f, (_e663 - _e664), _e682);
                                                 } else {
-                                                    phi_977_ = 1f;
+                                                    phi_981_ = 1f;
                                                 }
-                                                let _e696 = phi_977_;
+                                                let _e696 = phi_981_;
                                                 let _e698 = (_e687 >> bitcast<u32>(2u));
                                                 let _e700 = (_e693 >> bitcast<u32>(2u));
                                                 let _e707 = ((_e687 & 1u) | (((_e687 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
                                                 let _e714 = ((_e693 & 1u) | (((_e693 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
                                                 if _e680 {
-                                                    phi_1016_ = (1f - _e696);
+                                                    phi_1020_ = (1f - _e696);
                                                 } else {
-                                                    phi_1016_ = 0f;
+                                                    phi_1020_ = 0f;
                                                 }
-                                                let _e717 = phi_1016_;
+                                                let _e717 = phi_1020_;
                                                 let _e718 = select(0f, _e696, _e680);
                                                 let _e719 = (_e592 == 1u);
                                                 if _e719 {
-                                                    phi_1027_ = _e659;
+                                                    phi_1031_ = _e659;
                                                 } else {
-                                                    phi_1027_ = (((_e163 + (_e400 * _e614)) * _e651) - 0.5f);
+                                                    phi_1031_ = (((_e163 + (_e400 * _e614)) * _e651) - 0.5f);
                                                 }
-                                                let _e723 = phi_1027_;
+                                                let _e723 = phi_1031_;
                                                 let _e725 = floor(_e723);
                                                 let _e733 = select(0i, select(select(i32(_e725), i32(-2147483648), (_e725 < -2147483600f)), 2147483647i, (_e725 > 2147483500f)), (_e725 == _e725));
                                                 let _e735 = (bitcast<i32>(_e646) - 1i);
                                                 if (_e723 >= -0.5f) {
-                                                    phi_1049_ = (_e723 <= (f32(_e735) + 0.5f));
+                                                    phi_1053_ = (_e723 <= (f32(_e735) + 0.5f));
                                                 } else {
-                                                    phi_1049_ = false;
+                                                    phi_1053_ = false;
                                                 }
-                                                let _e741 = phi_1049_;
+                                                let _e741 = phi_1053_;
                                                 let _e742 = (_e733 >= 0i);
                                                 let _e743 = (_e733 < _e735);
                                                 if _e742 {
-                                                    phi_1061_ = bitcast<u32>(select(_e733, _e735, (_e735 < _e733)));
+                                                    phi_1065_ = bitcast<u32>(select(_e733, _e735, (_e735 < _e733)));
                                                 } else {
-                                                    phi_1061_ = 0u;
+                                                    phi_1065_ = 0u;
                                                 }
-                                                let _e748 = phi_1061_;
+                                                let _e748 = phi_1065_;
                                                 if _e743 {
                                                     let _e749 = (_e733 + 1i);
-                                                    phi_1072_ = bitcast<u32>(select(0i, _e749, (0i < _e749)));
+                                                    phi_1076_ = bitcast<u32>(select(0i, _e749, (0i < _e749)));
                                                 } else {
-                                                    phi_1072_ = 0u;
+                                                    phi_1076_ = 0u;
                                                 }
-                                                let _e754 = phi_1072_;
+                                                let _e754 = phi_1076_;
                                                 if _e742 {
-                                                    phi_1080_ = select(0f, (_e723 - _e725), _e743);
+                                                    phi_1084_ = select(0f, (_e723 - _e725), _e743);
                                                 } else {
-                                                    phi_1080_ = 1f;
+                                                    phi_1084_ = 1f;
                                                 }
-                                                let _e757 = phi_1080_;
+                                                let _e757 = phi_1084_;
                                                 let _e760 = ((_e748 >> bitcast<u32>(2u)) * _e636.x);
                                                 let _e763 = ((_e754 >> bitcast<u32>(2u)) * _e636.x);
                                                 let _e772 = (((_e748 & 1u) << bitcast<u32>(1u)) | (((_e748 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
                                                 let _e781 = (((_e754 & 1u) << bitcast<u32>(1u)) | (((_e754 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
                                                 if _e741 {
-                                                    phi_1119_ = (1f - _e757);
+                                                    phi_1123_ = (1f - _e757);
                                                 } else {
-                                                    phi_1119_ = 0f;
+                                                    phi_1123_ = 0f;
                                                 }
-                                                let _e784 = phi_1119_;
+                                                let _e784 = phi_1123_;
                                                 let _e785 = select(0f, _e757, _e741);
                                                 let _e786 = (_e592 == 2u);
                                                 if _e786 {
-                                                    phi_1130_ = _e659;
+                                                    phi_1134_ = _e659;
                                                 } else {
-                                                    phi_1130_ = (((_e164 + (_e401 * _e614)) * _e651) - 0.5f);
+                                                    phi_1134_ = (((_e164 + (_e401 * _e614)) * _e651) - 0.5f);
                                                 }
-                                                let _e790 = phi_1130_;
+                                                let _e790 = phi_1134_;
                                                 let _e792 = floor(_e790);
                                                 let _e800 = select(0i, select(select(i32(_e792), i32(-2147483648), (_e792 < -2147483600f)), 2147483647i, (_e792 > 2147483500f)), (_e792 == _e792));
                                                 let _e802 = (bitcast<i32>(_e649) - 1i);
                                                 if (_e790 >= -0.5f) {
-                                                    phi_1152_ = (_e790 <= (f32(_e802) + 0.5f));
+                                                    phi_1156_ = (_e790 <= (f32(_e802) + 0.5f));
                                                 } else {
-                                                    phi_1152_ = false;
+                                                    phi_1156_ = false;
                                                 }
-                                                let _e808 = phi_1152_;
+                                                let _e808 = phi_1156_;
                                                 let _e809 = (_e800 >= 0i);
                                                 let _e810 = (_e800 < _e802);
                                                 if _e809 {
-                                                    phi_1164_ = bitcast<u32>(select(_e800, _e802, (_e802 < _e800)));
+                                                    phi_1168_ = bitcast<u32>(select(_e800, _e802, (_e802 < _e800)));
                                                 } else {
-                                                    phi_1164_ = 0u;
+                                                    phi_1168_ = 0u;
                                                 }
-                                                let _e815 = phi_1164_;
+                                                let _e815 = phi_1168_;
                                                 if _e810 {
                                                     let _e816 = (_e800 + 1i);
-                                                    phi_1175_ = bitcast<u32>(select(0i, _e816, (0i < _e816)));
+                                                    phi_1179_ = bitcast<u32>(select(0i, _e816, (0i < _e816)));
                                                 } else {
-                                                    phi_1175_ = 0u;
+                                                    phi_1179_ = 0u;
                                                 }
-                                                let _e821 = phi_1175_;
+                                                let _e821 = phi_1179_;
                                                 if _e809 {
-                                                    phi_1183_ = select(0f, (_e790 - _e792), _e810);
+                                                    phi_1187_ = select(0f, (_e790 - _e792), _e810);
                                                 } else {
-                                                    phi_1183_ = 1f;
+                                                    phi_1187_ = 1f;
                                                 }
-                                                let _e824 = phi_1183_;
+                                                let _e824 = phi_1187_;
                                                 let _e827 = ((_e815 >> bitcast<u32>(1u)) * _e636.y);
                                                 let _e830 = ((_e821 >> bitcast<u32>(1u)) * _e636.y);
                                                 let _e833 = ((_e815 & 1u) << bitcast<u32>(2u));
                                                 let _e836 = ((_e821 & 1u) << bitcast<u32>(2u));
                                                 if _e808 {
-                                                    phi_1222_ = (1f - _e824);
+                                                    phi_1226_ = (1f - _e824);
                                                 } else {
-                                                    phi_1222_ = 0f;
+                                                    phi_1226_ = 0f;
                                                 }
-                                                let _e839 = phi_1222_;
+                                                let _e839 = phi_1226_;
                                                 let _e840 = select(0f, _e824, _e808);
                                                 if _e593 {
-                                                    phi_1249_ = _e840;
-                                                    phi_1250_ = _e839;
-                                                    phi_1251_ = _e836;
-                                                    phi_1252_ = _e833;
-                                                    phi_1253_ = _e830;
-                                                    phi_1254_ = _e827;
-                                                    phi_1255_ = _e785;
-                                                    phi_1256_ = _e784;
-                                                    phi_1257_ = _e781;
-                                                    phi_1258_ = _e772;
-                                                    phi_1259_ = _e763;
-                                                    phi_1260_ = _e760;
-                                                    phi_1261_ = _e707;
-                                                    phi_1262_ = _e698;
+                                                    phi_1253_ = _e840;
+                                                    phi_1254_ = _e839;
+                                                    phi_1255_ = _e836;
+                                                    phi_1256_ = _e833;
+                                                    phi_1257_ = _e830;
+                                                    phi_1258_ = _e827;
+                                                    phi_1259_ = _e785;
+                                                    phi_1260_ = _e784;
+                                                    phi_1261_ = _e781;
+                                                    phi_1262_ = _e772;
+                                                    phi_1263_ = _e763;
+                                                    phi_1264_ = _e760;
+                                                    phi_1265_ = _e707;
+                                                    phi_1266_ = _e698;
                                                 } else {
-                                                    phi_1249_ = select(_e785, _e718, _e719);
-                                                    phi_1250_ = select(_e784, _e717, _e719);
-                                                    phi_1251_ = select(_e781, _e714, _e719);
-                                                    phi_1252_ = select(_e772, _e707, _e719);
-                                                    phi_1253_ = select(_e763, _e700, _e719);
-                                                    phi_1254_ = select(_e760, _e698, _e719);
-                                                    phi_1255_ = select(_e718, _e840, _e719);
-                                                    phi_1256_ = select(_e717, _e839, _e719);
-                                                    phi_1257_ = select(_e714, _e836, _e719);
-                                                    phi_1258_ = select(_e707, _e833, _e719);
-                                                    phi_1259_ = select(_e700, _e830, _e719);
-                                                    phi_1260_ = select(_e698, _e827, _e719);
-                                                    phi_1261_ = select(_e833, _e772, _e719);
-                                                    phi_1262_ = select(_e827, _e760, _e719);
+                                                    phi_1253_ = select(_e785, _e718, _e719);
+                                                    phi_1254_ = select(_e784, _e717, _e719);
+                                                    phi_1255_ = select(_e781, _e714, _e719);
+                                                    phi_1256_ = select(_e772, _e707, _e719);
+                                                    phi_1257_ = select(_e763, _e700, _e719);
+                                                    phi_1258_ = select(_e760, _e698, _e719);
+                                                    phi_1259_ = select(_e718, _e840, _e719);
+                                                    phi_1260_ = select(_e717, _e839, _e719);
+                                                    phi_1261_ = select(_e714, _e836, _e719);
+                                                    phi_1262_ = select(_e707, _e833, _e719);
+                                                    phi_1263_ = select(_e700, _e830, _e719);
+                                                    phi_1264_ = select(_e698, _e827, _e719);
+                                                    phi_1265_ = select(_e833, _e772, _e719);
+                                                    phi_1266_ = select(_e827, _e760, _e719);
                                                 }
-                                                let _e856 = phi_1249_;
-                                                let _e858 = phi_1250_;
-                                                let _e860 = phi_1251_;
-                                                let _e862 = phi_1252_;
-                                                let _e864 = phi_1253_;
-                                                let _e866 = phi_1254_;
-                                                let _e868 = phi_1255_;
-                                                let _e870 = phi_1256_;
-                                                let _e872 = phi_1257_;
-                                                let _e874 = phi_1258_;
-                                                let _e876 = phi_1259_;
-                                                let _e878 = phi_1260_;
-                                                let _e880 = phi_1261_;
-                                                let _e882 = phi_1262_;
+                                                let _e856 = phi_1253_;
+                                                let _e858 = phi_1254_;
+                                                let _e860 = phi_1255_;
+                                                let _e862 = phi_1256_;
+                                                let _e864 = phi_1257_;
+                                                let _e866 = phi_1258_;
+                                                let _e868 = phi_1259_;
+                                                let _e870 = phi_1260_;
+                                                let _e872 = phi_1261_;
+                                                let _e874 = phi_1262_;
+                                                let _e876 = phi_1263_;
+                                                let _e878 = phi_1264_;
+                                                let _e880 = phi_1265_;
+                                                let _e882 = phi_1266_;
                                                 phi_2360_ = _e547;
-                                                phi_1265_ = type_8(0u, 4u);
-                                                phi_1268_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                phi_1269_ = type_8(0u, 4u);
+                                                phi_1272_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                 loop {
                                                     let _e884 = phi_2360_;
-                                                    let _e886 = phi_1265_;
-                                                    let _e888 = phi_1268_;
+                                                    let _e886 = phi_1269_;
+                                                    let _e888 = phi_1272_;
                                                     local_20 = _e888;
                                                     if (_e886.member < _e886.member_1) {
-                                                        phi_1266_ = type_8((_e886.member + 1u), _e886.member_1);
-                                                        phi_1291_ = type_8(1u, _e886.member);
+                                                        phi_1270_ = type_8((_e886.member + 1u), _e886.member_1);
+                                                        phi_1295_ = type_8(1u, _e886.member);
                                                     } else {
-                                                        phi_1266_ = _e886;
-                                                        phi_1291_ = type_8(0u, type_8().member_1);
+                                                        phi_1270_ = _e886;
+                                                        phi_1295_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e901 = phi_1266_;
-                                                    let _e903 = phi_1291_;
+                                                    let _e901 = phi_1270_;
+                                                    let _e903 = phi_1295_;
                                                     let _e907 = (bitcast<i32>(_e903.member) != 0i);
                                                     if _e907 {
                                                         let _e909 = ((_e903.member_1 & 1u) == 1u);
@@ -884,24 +884,24 @@ fn function_() {
                                                                         break;
                                                                     }
                                                                     let _e971 = cells.member[_e968];
-                                                                    phi_1378_ = type_8(0u, 6u);
-                                                                    phi_1381_ = _e971;
+                                                                    phi_1382_ = type_8(0u, 6u);
+                                                                    phi_1385_ = _e971;
                                                                     loop {
-                                                                        let _e973 = phi_1378_;
-                                                                        let _e975 = phi_1381_;
+                                                                        let _e973 = phi_1382_;
+                                                                        let _e975 = phi_1385_;
                                                                         local = _e975;
                                                                         local_1 = _e975;
                                                                         local_8 = _e975;
                                                                         local_9 = _e975;
                                                                         if (_e973.member < _e973.member_1) {
-                                                                            phi_1379_ = type_8((_e973.member + 1u), _e973.member_1);
-                                                                            phi_1404_ = type_8(1u, _e973.member);
+                                                                            phi_1383_ = type_8((_e973.member + 1u), _e973.member_1);
+                                                                            phi_1408_ = type_8(1u, _e973.member);
                                                                         } else {
-                                                                            phi_1379_ = _e973;
-                                                                            phi_1404_ = type_8(0u, type_8().member_1);
+                                                                            phi_1383_ = _e973;
+                                                                            phi_1408_ = type_8(0u, type_8().member_1);
                                                                         }
-                                                                        let _e988 = phi_1379_;
-                                                                        let _e990 = phi_1404_;
+                                                                        let _e988 = phi_1383_;
+                                                                        let _e990 = phi_1408_;
                                                                         let _e994 = (bitcast<i32>(_e990.member) != 0i);
                                                                         if _e994 {
                                                                             let _e995 = (_e967 + _e990.member_1);
@@ -911,15 +911,15 @@ fn function_() {
                                                                                 break;
                                                                             }
                                                                             let _e998 = facet_bits.member[_e995];
-                                                                            phi_1382_ = (_e975 + countOneBits((_e998 & ((1u << bitcast<u32>(_e930)) - 1u))));
+                                                                            phi_1386_ = (_e975 + countOneBits((_e998 & ((1u << bitcast<u32>(_e930)) - 1u))));
                                                                         } else {
-                                                                            phi_1382_ = u32();
+                                                                            phi_1386_ = u32();
                                                                         }
-                                                                        let _e1006 = phi_1382_;
+                                                                        let _e1006 = phi_1386_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_1378_ = _e988;
-                                                                            phi_1381_ = _e1006;
+                                                                            phi_1382_ = _e988;
+                                                                            phi_1385_ = _e1006;
                                                                             phi_2349_ = _e884;
                                                                             break if !(_e994);
                                                                         }
@@ -974,21 +974,21 @@ fn function_() {
                                                                     if _e938 {
                                                                         let _e1183 = local_8;
                                                                         let _e1186 = local_9;
-                                                                        phi_1518_ = type_8(_e1186, (_e1183 + _e1055));
-                                                                        phi_1521_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                        phi_1522_ = type_8(_e1186, (_e1183 + _e1055));
+                                                                        phi_1525_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                         loop {
-                                                                            let _e1189 = phi_1518_;
-                                                                            let _e1191 = phi_1521_;
+                                                                            let _e1189 = phi_1522_;
+                                                                            let _e1191 = phi_1525_;
                                                                             local_19 = _e1191;
                                                                             if (_e1189.member < _e1189.member_1) {
-                                                                                phi_1519_ = type_8((_e1189.member + 1u), _e1189.member_1);
-                                                                                phi_1544_ = type_8(1u, _e1189.member);
+                                                                                phi_1523_ = type_8((_e1189.member + 1u), _e1189.member_1);
+                                                                                phi_1548_ = type_8(1u, _e1189.member);
                                                                             } else {
-                                                                                phi_1519_ = _e1189;
-                                                                                phi_1544_ = type_8(0u, type_8().member_1);
+                                                                                phi_1523_ = _e1189;
+                                                                                phi_1548_ = type_8(0u, type_8().member_1);
                                                                             }
-                                                                            let _e1204 = phi_1519_;
-                                                                            let _e1206 = phi_1544_;
+                                                                            let _e1204 = phi_1523_;
+                                                                            let _e1206 = phi_1548_;
                                                                             let _e1210 = (bitcast<i32>(_e1206.member) != 0i);
                                                                             if _e1210 {
                                                                                 let _e1211 = (2u * _e1206.member_1);
@@ -1016,15 +1016,15 @@ fn function_() {
                                                                                 }
                                                                                 let _e1242 = facets.member[_e1206.member_1].member_2;
                                                                                 let _e1251 = sqrt((((_e1242[0] * _e1242[0]) + (_e1242[1] * _e1242[1])) + (_e1242[2] * _e1242[2])));
-                                                                                phi_1522_ = vec4<f32>((_e1191.x + (select(_e1226, _e1215, (_e1215 > _e1226)) * _e1251)), (_e1191.y + (select(_e1229, _e1218, (_e1218 > _e1229)) * _e1251)), (_e1191.z + (select(_e1232, _e1221, (_e1221 > _e1232)) * _e1251)), (_e1191.w + _e1251));
+                                                                                phi_1526_ = vec4<f32>((_e1191.x + (select(_e1226, _e1215, (_e1215 > _e1226)) * _e1251)), (_e1191.y + (select(_e1229, _e1218, (_e1218 > _e1229)) * _e1251)), (_e1191.z + (select(_e1232, _e1221, (_e1221 > _e1232)) * _e1251)), (_e1191.w + _e1251));
                                                                             } else {
-                                                                                phi_1522_ = vec4<f32>();
+                                                                                phi_1526_ = vec4<f32>();
                                                                             }
-                                                                            let _e1265 = phi_1522_;
+                                                                            let _e1265 = phi_1526_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_1518_ = _e1204;
-                                                                                phi_1521_ = _e1265;
+                                                                                phi_1522_ = _e1204;
+                                                                                phi_1525_ = _e1265;
                                                                                 phi_2448_ = _e1009;
                                                                                 break if !(_e1210);
                                                                             }
@@ -1036,18 +1036,18 @@ fn function_() {
                                                                         }
                                                                         phi_2463_ = _e1268;
                                                                         let _e1857 = local_19;
-                                                                        phi_1805_ = _e1857;
+                                                                        phi_1809_ = _e1857;
                                                                     } else {
                                                                         let _e1056 = select(1f, -1f, _e631);
                                                                         let _e1061 = local;
                                                                         let _e1064 = local_1;
-                                                                        phi_1669_ = type_8(_e1064, (_e1061 + _e1055));
-                                                                        phi_1672_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                        phi_1674_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                        phi_1673_ = type_8(_e1064, (_e1061 + _e1055));
+                                                                        phi_1676_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                        phi_1678_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                         loop {
-                                                                            let _e1067 = phi_1669_;
-                                                                            let _e1069 = phi_1672_;
-                                                                            let _e1071 = phi_1674_;
+                                                                            let _e1067 = phi_1673_;
+                                                                            let _e1069 = phi_1676_;
+                                                                            let _e1071 = phi_1678_;
                                                                             local_2 = _e1069;
                                                                             local_3 = _e1071;
                                                                             local_4 = _e1069;
@@ -1056,14 +1056,14 @@ fn function_() {
                                                                             local_7 = _e1071;
                                                                             local_18 = _e1071;
                                                                             if (_e1067.member < _e1067.member_1) {
-                                                                                phi_1670_ = type_8((_e1067.member + 1u), _e1067.member_1);
-                                                                                phi_1697_ = type_8(1u, _e1067.member);
+                                                                                phi_1674_ = type_8((_e1067.member + 1u), _e1067.member_1);
+                                                                                phi_1701_ = type_8(1u, _e1067.member);
                                                                             } else {
-                                                                                phi_1670_ = _e1067;
-                                                                                phi_1697_ = type_8(0u, type_8().member_1);
+                                                                                phi_1674_ = _e1067;
+                                                                                phi_1701_ = type_8(0u, type_8().member_1);
                                                                             }
-                                                                            let _e1084 = phi_1670_;
-                                                                            let _e1086 = phi_1697_;
+                                                                            let _e1084 = phi_1674_;
+                                                                            let _e1086 = phi_1701_;
                                                                             let _e1090 = (bitcast<i32>(_e1086.member) != 0i);
                                                                             if _e1090 {
                                                                                 if (_e1086.member_1 < _e89) {
@@ -1081,8 +1081,8 @@ fn function_() {
                                                                                         break;
                                                                                     }
                                                                                     let _e1128 = radiance.member[_e1125];
-                                                                                    phi_1781_ = _e1069;
-                                                                                    phi_1782_ = vec4<f32>((_e1071.x + (_e1128.x * _e1103)), (_e1071.y + (_e1128.y * _e1103)), (_e1071.z + (_e1128.z * _e1103)), (_e1071.w + _e1103));
+                                                                                    phi_1785_ = _e1069;
+                                                                                    phi_1786_ = vec4<f32>((_e1071.x + (_e1128.x * _e1103)), (_e1071.y + (_e1128.y * _e1103)), (_e1071.z + (_e1128.z * _e1103)), (_e1071.w + _e1103));
                                                                                 } else {
                                                                                     let _e1106 = ((2u * _e1086.member_1) + 1u);
                                                                                     if (_e1106 < _e92) {
@@ -1091,24 +1091,24 @@ fn function_() {
                                                                                         break;
                                                                                     }
                                                                                     let _e1109 = radiance.member[_e1106];
-                                                                                    phi_1781_ = vec4<f32>((_e1069.x - (_e1109.x * _e1103)), (_e1069.y - (_e1109.y * _e1103)), (_e1069.z - (_e1109.z * _e1103)), (_e1069.w - _e1103));
-                                                                                    phi_1782_ = _e1071;
+                                                                                    phi_1785_ = vec4<f32>((_e1069.x - (_e1109.x * _e1103)), (_e1069.y - (_e1109.y * _e1103)), (_e1069.z - (_e1109.z * _e1103)), (_e1069.w - _e1103));
+                                                                                    phi_1786_ = _e1071;
                                                                                 }
-                                                                                let _e1145 = phi_1781_;
-                                                                                let _e1147 = phi_1782_;
-                                                                                phi_1673_ = _e1145;
-                                                                                phi_1675_ = _e1147;
+                                                                                let _e1145 = phi_1785_;
+                                                                                let _e1147 = phi_1786_;
+                                                                                phi_1677_ = _e1145;
+                                                                                phi_1679_ = _e1147;
                                                                             } else {
-                                                                                phi_1673_ = vec4<f32>();
-                                                                                phi_1675_ = vec4<f32>();
+                                                                                phi_1677_ = vec4<f32>();
+                                                                                phi_1679_ = vec4<f32>();
                                                                             }
-                                                                            let _e1149 = phi_1673_;
-                                                                            let _e1151 = phi_1675_;
+                                                                            let _e1149 = phi_1677_;
+                                                                            let _e1151 = phi_1679_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_1669_ = _e1084;
-                                                                                phi_1672_ = _e1149;
-                                                                                phi_1674_ = _e1151;
+                                                                                phi_1673_ = _e1084;
+                                                                                phi_1676_ = _e1149;
+                                                                                phi_1678_ = _e1151;
                                                                                 phi_2439_ = _e1009;
                                                                                 break if !(_e1090);
                                                                             }
@@ -1127,25 +1127,25 @@ fn function_() {
                                                                             let _e1169 = local_5;
                                                                             let _e1173 = local_6;
                                                                             let _e1178 = local_7;
-                                                                            phi_1804_ = (_e1178 + vec4<f32>((_e1165.x * _e1163), (_e1169.y * _e1163), (_e1173.z * _e1163), _e1162));
+                                                                            phi_1808_ = (_e1178 + vec4<f32>((_e1165.x * _e1163), (_e1169.y * _e1163), (_e1173.z * _e1163), _e1162));
                                                                         } else {
                                                                             let _e1845 = local_18;
-                                                                            phi_1804_ = _e1845;
+                                                                            phi_1808_ = _e1845;
                                                                         }
-                                                                        let _e1181 = phi_1804_;
+                                                                        let _e1181 = phi_1808_;
                                                                         phi_2463_ = _e1154;
-                                                                        phi_1805_ = _e1181;
+                                                                        phi_1809_ = _e1181;
                                                                     }
                                                                     let _e1270 = phi_2463_;
-                                                                    let _e1272 = phi_1805_;
+                                                                    let _e1272 = phi_1809_;
                                                                     if (_e1272.w > 1f) {
-                                                                        phi_1819_ = vec4<f32>((_e1272.x / _e1272.w), (_e1272.y / _e1272.w), (_e1272.z / _e1272.w), 1f);
+                                                                        phi_1823_ = vec4<f32>((_e1272.x / _e1272.w), (_e1272.y / _e1272.w), (_e1272.z / _e1272.w), 1f);
                                                                     } else {
-                                                                        phi_1819_ = _e1272;
+                                                                        phi_1823_ = _e1272;
                                                                     }
-                                                                    let _e1283 = phi_1819_;
+                                                                    let _e1283 = phi_1823_;
                                                                     phi_2459_ = _e1270;
-                                                                    phi_1870_ = _e1283;
+                                                                    phi_1874_ = _e1283;
                                                                 } else {
                                                                     let _e940 = (_e925 + 1u);
                                                                     if (_e940 < _e83) {
@@ -1156,11 +1156,11 @@ fn function_() {
                                                                     let _e943 = cells.member[_e940];
                                                                     let _e949 = (_e943 + countOneBits((_e928 & ((1u << bitcast<u32>(_e930)) - 1u))));
                                                                     if _e938 {
-                                                                        phi_1845_ = _e949;
+                                                                        phi_1849_ = _e949;
                                                                     } else {
-                                                                        phi_1845_ = (((6u * _e949) + (2u * _e592)) + select(0u, 1u, _e631));
+                                                                        phi_1849_ = (((6u * _e949) + (2u * _e592)) + select(0u, 1u, _e631));
                                                                     }
-                                                                    let _e956 = phi_1845_;
+                                                                    let _e956 = phi_1849_;
                                                                     if ((_e618 & 1u) == 1u) {
                                                                         if (_e956 < arrayLength((&odd.member))) {
                                                                         } else {
@@ -1168,7 +1168,7 @@ fn function_() {
                                                                             break;
                                                                         }
                                                                         let _e964 = odd.member[_e956];
-                                                                        phi_1869_ = _e964;
+                                                                        phi_1873_ = _e964;
                                                                     } else {
                                                                         if (_e956 < arrayLength((&even.member))) {
                                                                         } else {
@@ -1176,43 +1176,43 @@ fn function_() {
                                                                             break;
                                                                         }
                                                                         let _e961 = even.member[_e956];
-                                                                        phi_1869_ = _e961;
+                                                                        phi_1873_ = _e961;
                                                                     }
-                                                                    let _e966 = phi_1869_;
+                                                                    let _e966 = phi_1873_;
                                                                     phi_2459_ = _e884;
-                                                                    phi_1870_ = _e966;
+                                                                    phi_1874_ = _e966;
                                                                 }
                                                                 let _e1285 = phi_2459_;
-                                                                let _e1287 = phi_1870_;
+                                                                let _e1287 = phi_1874_;
                                                                 phi_2458_ = _e1285;
-                                                                phi_1891_ = vec4<f32>((_e888.x + (_e1287.x * _e914)), (_e888.y + (_e1287.y * _e914)), (_e888.z + (_e1287.z * _e914)), (_e888.w + (_e1287.w * _e914)));
+                                                                phi_1895_ = vec4<f32>((_e888.x + (_e1287.x * _e914)), (_e888.y + (_e1287.y * _e914)), (_e888.z + (_e1287.z * _e914)), (_e888.w + (_e1287.w * _e914)));
                                                             } else {
                                                                 phi_2458_ = _e884;
-                                                                phi_1891_ = _e888;
+                                                                phi_1895_ = _e888;
                                                             }
                                                             let _e1306 = phi_2458_;
-                                                            let _e1308 = phi_1891_;
+                                                            let _e1308 = phi_1895_;
                                                             phi_2457_ = _e1306;
-                                                            phi_1892_ = _e1308;
+                                                            phi_1896_ = _e1308;
                                                         } else {
                                                             phi_2457_ = _e884;
-                                                            phi_1892_ = _e888;
+                                                            phi_1896_ = _e888;
                                                         }
                                                         let _e1310 = phi_2457_;
-                                                        let _e1312 = phi_1892_;
+                                                        let _e1312 = phi_1896_;
                                                         phi_2456_ = _e1310;
-                                                        phi_1269_ = _e1312;
+                                                        phi_1273_ = _e1312;
                                                     } else {
                                                         phi_2456_ = _e884;
-                                                        phi_1269_ = vec4<f32>();
+                                                        phi_1273_ = vec4<f32>();
                                                     }
                                                     let _e1314 = phi_2456_;
-                                                    let _e1316 = phi_1269_;
+                                                    let _e1316 = phi_1273_;
                                                     continue;
                                                     continuing {
                                                         phi_2360_ = _e1314;
-                                                        phi_1265_ = _e901;
-                                                        phi_1268_ = _e1316;
+                                                        phi_1269_ = _e901;
+                                                        phi_1272_ = _e1316;
                                                         phi_2455_ = _e1314;
                                                         break if !(_e907);
                                                     }
@@ -1224,33 +1224,33 @@ fn function_() {
                                                 }
                                                 phi_2484_ = _e1319;
                                                 let _e1871 = local_20;
-                                                phi_1893_ = _e1871;
+                                                phi_1897_ = _e1871;
                                             }
                                             let _e1321 = phi_2484_;
-                                            let _e1323 = phi_1893_;
+                                            let _e1323 = phi_1897_;
                                             phi_2483_ = _e1321;
-                                            phi_1894_ = _e1323;
-                                            phi_1895_ = _e658;
+                                            phi_1898_ = _e1323;
+                                            phi_1899_ = _e658;
                                         }
                                         let _e1325 = phi_2483_;
-                                        let _e1327 = phi_1894_;
-                                        let _e1329 = phi_1895_;
+                                        let _e1327 = phi_1898_;
+                                        let _e1329 = phi_1899_;
                                         let _e1331 = select(_e1327, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1329));
                                         if (_e1331.w > 0f) {
                                             let _e1338 = select(_e622, _e1331.w, (_e1331.w < _e622));
                                             let _e1343 = ((_e561 * _e1338) / _e1331.w);
-                                            phi_1939_ = vec3<f32>((_e551.x + (_e1331.x * _e1343)), (_e551.y + (_e1331.y * _e1343)), (_e551.z + (_e1331.z * _e1343)));
-                                            phi_1940_ = (_e559 + _e1338);
-                                            phi_1941_ = _e561;
+                                            phi_1943_ = vec3<f32>((_e551.x + (_e1331.x * _e1343)), (_e551.y + (_e1331.y * _e1343)), (_e551.z + (_e1331.z * _e1343)));
+                                            phi_1944_ = (_e559 + _e1338);
+                                            phi_1945_ = _e561;
                                         } else {
                                             let _e1334 = (_e592 == _e416);
-                                            phi_1939_ = _e551;
-                                            phi_1940_ = select(_e559, 0f, _e1334);
-                                            phi_1941_ = select(_e561, _e623, _e1334);
+                                            phi_1943_ = _e551;
+                                            phi_1944_ = select(_e559, 0f, _e1334);
+                                            phi_1945_ = select(_e561, _e623, _e1334);
                                         }
-                                        let _e1356 = phi_1939_;
-                                        let _e1358 = phi_1940_;
-                                        let _e1360 = phi_1941_;
+                                        let _e1356 = phi_1943_;
+                                        let _e1358 = phi_1944_;
+                                        let _e1360 = phi_1945_;
                                         let _e1361 = (_e378 * _e614);
                                         let _e1363 = ((_e381 * _e155) + ((_e381 * _e375.z) * _e614));
                                         let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
@@ -1260,227 +1260,227 @@ fn function_() {
                                         if _e593 {
                                             let _e1537 = (_e557.member_1 < 0f);
                                             if _e1537 {
-                                                phi_1984_ = (_e557.member_3 - 1i);
+                                                phi_1988_ = (_e557.member_3 - 1i);
                                             } else {
-                                                phi_1984_ = (_e557.member_3 + 1i);
+                                                phi_1988_ = (_e557.member_3 + 1i);
                                             }
-                                            let _e1545 = phi_1984_;
-                                            let _e1551 = type_36(_e557.member, _e557.member_1, _e557.member_2, _e1545, _e557.member_4);
+                                            let _e1545 = phi_1988_;
+                                            let _e1551 = type_38(_e557.member, _e557.member_1, _e557.member_2, _e1545, _e557.member_4);
                                             if (((_e557.member_3 & 1i) == 0i) == _e1537) {
                                                 if (_e1376 > _e557.member_2) {
-                                                    let _e1560 = type_36(_e1551.member, _e1551.member_1, (_e557.member_2 + 1u), _e1551.member_3, _e1551.member_4);
-                                                    phi_1999_ = type_36(_e1560.member, _e1560.member_1, _e1560.member_2, (_e1545 >> bitcast<u32>(1i)), _e1560.member_4);
+                                                    let _e1560 = type_38(_e1551.member, _e1551.member_1, (_e557.member_2 + 1u), _e1551.member_3, _e1551.member_4);
+                                                    phi_2003_ = type_38(_e1560.member, _e1560.member_1, _e1560.member_2, (_e1545 >> bitcast<u32>(1i)), _e1560.member_4);
                                                 } else {
-                                                    phi_1999_ = _e1551;
+                                                    phi_2003_ = _e1551;
                                                 }
-                                                let _e1570 = phi_1999_;
-                                                phi_2000_ = _e1570;
+                                                let _e1570 = phi_2003_;
+                                                phi_2004_ = _e1570;
                                             } else {
-                                                phi_2000_ = _e1551;
+                                                phi_2004_ = _e1551;
                                             }
-                                            let _e1572 = phi_2000_;
+                                            let _e1572 = phi_2004_;
                                             let _e1574 = (_e1572.member_2 & 31u);
                                             let _e1576 = (1u << bitcast<u32>(_e1574));
                                             if (_e1572.member_1 < 0f) {
-                                                phi_2019_ = (_e1572.member_3 < 0i);
+                                                phi_2023_ = (_e1572.member_3 < 0i);
                                             } else {
-                                                phi_2019_ = (_e1572.member_3 >= bitcast<i32>((((_e404.x + _e1576) - 1u) >> bitcast<u32>(_e1574))));
+                                                phi_2023_ = (_e1572.member_3 >= bitcast<i32>((((_e404.x + _e1576) - 1u) >> bitcast<u32>(_e1574))));
                                             }
-                                            let _e1589 = phi_2019_;
+                                            let _e1589 = phi_2023_;
                                             if _e1589 {
-                                                phi_2042_ = f32();
-                                                phi_2043_ = true;
+                                                phi_2046_ = f32();
+                                                phi_2047_ = true;
                                             } else {
                                                 let _e1596 = (abs(_e1572.member_1) < 0.000001f);
                                                 if _e1596 {
-                                                    phi_2041_ = f32();
+                                                    phi_2045_ = f32();
                                                 } else {
-                                                    phi_2041_ = ((((f32(_e1572.member_3) + 0.5f) * f32(_e1576)) - _e1572.member) / _e1572.member_1);
+                                                    phi_2045_ = ((((f32(_e1572.member_3) + 0.5f) * f32(_e1576)) - _e1572.member) / _e1572.member_1);
                                                 }
-                                                let _e1601 = phi_2041_;
-                                                phi_2042_ = _e1601;
-                                                phi_2043_ = _e1596;
+                                                let _e1601 = phi_2045_;
+                                                phi_2046_ = _e1601;
+                                                phi_2047_ = _e1596;
                                             }
-                                            let _e1603 = phi_2042_;
-                                            let _e1605 = phi_2043_;
-                                            phi_2213_ = _e553;
-                                            phi_2214_ = _e555;
-                                            phi_2215_ = type_36(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3, select(_e1603, 340282350000000000000000000000000000000f, _e1605));
+                                            let _e1603 = phi_2046_;
+                                            let _e1605 = phi_2047_;
+                                            phi_2217_ = _e553;
+                                            phi_2218_ = _e555;
+                                            phi_2219_ = type_38(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3, select(_e1603, 340282350000000000000000000000000000000f, _e1605));
                                         } else {
                                             if (_e592 == 1u) {
                                                 let _e1456 = (_e555.member_1 < 0f);
                                                 if _e1456 {
-                                                    phi_2067_ = (_e555.member_3 - 1i);
+                                                    phi_2071_ = (_e555.member_3 - 1i);
                                                 } else {
-                                                    phi_2067_ = (_e555.member_3 + 1i);
+                                                    phi_2071_ = (_e555.member_3 + 1i);
                                                 }
-                                                let _e1464 = phi_2067_;
-                                                let _e1470 = type_36(_e555.member, _e555.member_1, _e555.member_2, _e1464, _e555.member_4);
+                                                let _e1464 = phi_2071_;
+                                                let _e1470 = type_38(_e555.member, _e555.member_1, _e555.member_2, _e1464, _e555.member_4);
                                                 if (((_e555.member_3 & 1i) == 0i) == _e1456) {
                                                     if (_e1376 > _e555.member_2) {
-                                                        let _e1479 = type_36(_e1470.member, _e1470.member_1, (_e555.member_2 + 1u), _e1470.member_3, _e1470.member_4);
-                                                        phi_2082_ = type_36(_e1479.member, _e1479.member_1, _e1479.member_2, (_e1464 >> bitcast<u32>(1i)), _e1479.member_4);
+                                                        let _e1479 = type_38(_e1470.member, _e1470.member_1, (_e555.member_2 + 1u), _e1470.member_3, _e1470.member_4);
+                                                        phi_2086_ = type_38(_e1479.member, _e1479.member_1, _e1479.member_2, (_e1464 >> bitcast<u32>(1i)), _e1479.member_4);
                                                     } else {
-                                                        phi_2082_ = _e1470;
+                                                        phi_2086_ = _e1470;
                                                     }
-                                                    let _e1489 = phi_2082_;
-                                                    phi_2083_ = _e1489;
+                                                    let _e1489 = phi_2086_;
+                                                    phi_2087_ = _e1489;
                                                 } else {
-                                                    phi_2083_ = _e1470;
+                                                    phi_2087_ = _e1470;
                                                 }
-                                                let _e1491 = phi_2083_;
+                                                let _e1491 = phi_2087_;
                                                 let _e1493 = (_e1491.member_2 & 31u);
                                                 let _e1495 = (1u << bitcast<u32>(_e1493));
                                                 if (_e1491.member_1 < 0f) {
-                                                    phi_2102_ = (_e1491.member_3 < 0i);
+                                                    phi_2106_ = (_e1491.member_3 < 0i);
                                                 } else {
-                                                    phi_2102_ = (_e1491.member_3 >= bitcast<i32>((((_e404.y + _e1495) - 1u) >> bitcast<u32>(_e1493))));
+                                                    phi_2106_ = (_e1491.member_3 >= bitcast<i32>((((_e404.y + _e1495) - 1u) >> bitcast<u32>(_e1493))));
                                                 }
-                                                let _e1508 = phi_2102_;
+                                                let _e1508 = phi_2106_;
                                                 if _e1508 {
-                                                    phi_2125_ = f32();
-                                                    phi_2126_ = true;
+                                                    phi_2129_ = f32();
+                                                    phi_2130_ = true;
                                                 } else {
                                                     let _e1515 = (abs(_e1491.member_1) < 0.000001f);
                                                     if _e1515 {
-                                                        phi_2124_ = f32();
+                                                        phi_2128_ = f32();
                                                     } else {
-                                                        phi_2124_ = ((((f32(_e1491.member_3) + 0.5f) * f32(_e1495)) - _e1491.member) / _e1491.member_1);
+                                                        phi_2128_ = ((((f32(_e1491.member_3) + 0.5f) * f32(_e1495)) - _e1491.member) / _e1491.member_1);
                                                     }
-                                                    let _e1520 = phi_2124_;
-                                                    phi_2125_ = _e1520;
-                                                    phi_2126_ = _e1515;
+                                                    let _e1520 = phi_2128_;
+                                                    phi_2129_ = _e1520;
+                                                    phi_2130_ = _e1515;
                                                 }
-                                                let _e1522 = phi_2125_;
-                                                let _e1524 = phi_2126_;
-                                                phi_2211_ = _e553;
-                                                phi_2212_ = type_36(_e1491.member, _e1491.member_1, _e1491.member_2, _e1491.member_3, select(_e1522, 340282350000000000000000000000000000000f, _e1524));
+                                                let _e1522 = phi_2129_;
+                                                let _e1524 = phi_2130_;
+                                                phi_2215_ = _e553;
+                                                phi_2216_ = type_38(_e1491.member, _e1491.member_1, _e1491.member_2, _e1491.member_3, select(_e1522, 340282350000000000000000000000000000000f, _e1524));
                                             } else {
                                                 let _e1379 = (_e553.member_1 < 0f);
                                                 if _e1379 {
-                                                    phi_2146_ = (_e553.member_3 - 1i);
+                                                    phi_2150_ = (_e553.member_3 - 1i);
                                                 } else {
-                                                    phi_2146_ = (_e553.member_3 + 1i);
+                                                    phi_2150_ = (_e553.member_3 + 1i);
                                                 }
-                                                let _e1387 = phi_2146_;
-                                                let _e1393 = type_36(_e553.member, _e553.member_1, _e553.member_2, _e1387, _e553.member_4);
+                                                let _e1387 = phi_2150_;
+                                                let _e1393 = type_38(_e553.member, _e553.member_1, _e553.member_2, _e1387, _e553.member_4);
                                                 if (((_e553.member_3 & 1i) == 0i) == _e1379) {
                                                     if (_e1376 > _e553.member_2) {
-                                                        let _e1402 = type_36(_e1393.member, _e1393.member_1, (_e553.member_2 + 1u), _e1393.member_3, _e1393.member_4);
-                                                        phi_2161_ = type_36(_e1402.member, _e1402.member_1, _e1402.member_2, (_e1387 >> bitcast<u32>(1i)), _e1402.member_4);
+                                                        let _e1402 = type_38(_e1393.member, _e1393.member_1, (_e553.member_2 + 1u), _e1393.member_3, _e1393.member_4);
+                                                        phi_2165_ = type_38(_e1402.member, _e1402.member_1, _e1402.member_2, (_e1387 >> bitcast<u32>(1i)), _e1402.member_4);
                                                     } else {
-                                                        phi_2161_ = _e1393;
+                                                        phi_2165_ = _e1393;
                                                     }
-                                                    let _e1412 = phi_2161_;
-                                                    phi_2162_ = _e1412;
+                                                    let _e1412 = phi_2165_;
+                                                    phi_2166_ = _e1412;
                                                 } else {
-                                                    phi_2162_ = _e1393;
+                                                    phi_2166_ = _e1393;
                                                 }
-                                                let _e1414 = phi_2162_;
+                                                let _e1414 = phi_2166_;
                                                 let _e1416 = (_e1414.member_2 & 31u);
                                                 let _e1418 = (1u << bitcast<u32>(_e1416));
                                                 if (_e1414.member_1 < 0f) {
-                                                    phi_2181_ = (_e1414.member_3 < 0i);
+                                                    phi_2185_ = (_e1414.member_3 < 0i);
                                                 } else {
-                                                    phi_2181_ = (_e1414.member_3 >= bitcast<i32>((((_e404.z + _e1418) - 1u) >> bitcast<u32>(_e1416))));
+                                                    phi_2185_ = (_e1414.member_3 >= bitcast<i32>((((_e404.z + _e1418) - 1u) >> bitcast<u32>(_e1416))));
                                                 }
-                                                let _e1431 = phi_2181_;
+                                                let _e1431 = phi_2185_;
                                                 if _e1431 {
-                                                    phi_2204_ = f32();
-                                                    phi_2205_ = true;
+                                                    phi_2208_ = f32();
+                                                    phi_2209_ = true;
                                                 } else {
                                                     let _e1438 = (abs(_e1414.member_1) < 0.000001f);
                                                     if _e1438 {
-                                                        phi_2203_ = f32();
+                                                        phi_2207_ = f32();
                                                     } else {
-                                                        phi_2203_ = ((((f32(_e1414.member_3) + 0.5f) * f32(_e1418)) - _e1414.member) / _e1414.member_1);
+                                                        phi_2207_ = ((((f32(_e1414.member_3) + 0.5f) * f32(_e1418)) - _e1414.member) / _e1414.member_1);
                                                     }
-                                                    let _e1443 = phi_2203_;
-                                                    phi_2204_ = _e1443;
-                                                    phi_2205_ = _e1438;
+                                                    let _e1443 = phi_2207_;
+                                                    phi_2208_ = _e1443;
+                                                    phi_2209_ = _e1438;
                                                 }
-                                                let _e1445 = phi_2204_;
-                                                let _e1447 = phi_2205_;
-                                                phi_2211_ = type_36(_e1414.member, _e1414.member_1, _e1414.member_2, _e1414.member_3, select(_e1445, 340282350000000000000000000000000000000f, _e1447));
-                                                phi_2212_ = _e555;
+                                                let _e1445 = phi_2208_;
+                                                let _e1447 = phi_2209_;
+                                                phi_2215_ = type_38(_e1414.member, _e1414.member_1, _e1414.member_2, _e1414.member_3, select(_e1445, 340282350000000000000000000000000000000f, _e1447));
+                                                phi_2216_ = _e555;
                                             }
-                                            let _e1533 = phi_2211_;
-                                            let _e1535 = phi_2212_;
-                                            phi_2213_ = _e1533;
-                                            phi_2214_ = _e1535;
-                                            phi_2215_ = _e557;
+                                            let _e1533 = phi_2215_;
+                                            let _e1535 = phi_2216_;
+                                            phi_2217_ = _e1533;
+                                            phi_2218_ = _e1535;
+                                            phi_2219_ = _e557;
                                         }
-                                        let _e1614 = phi_2213_;
-                                        let _e1616 = phi_2214_;
-                                        let _e1618 = phi_2215_;
+                                        let _e1614 = phi_2217_;
+                                        let _e1616 = phi_2218_;
+                                        let _e1618 = phi_2219_;
                                         phi_2468_ = _e1325;
-                                        phi_2216_ = _e1356;
-                                        phi_2217_ = _e1614;
-                                        phi_2218_ = _e1616;
-                                        phi_2219_ = _e1618;
-                                        phi_2220_ = _e1358;
-                                        phi_2221_ = _e1360;
+                                        phi_2220_ = _e1356;
+                                        phi_2221_ = _e1614;
+                                        phi_2222_ = _e1616;
+                                        phi_2223_ = _e1618;
+                                        phi_2224_ = _e1358;
+                                        phi_2225_ = _e1360;
                                     }
                                     let _e1620 = phi_2468_;
-                                    let _e1622 = phi_2216_;
-                                    let _e1624 = phi_2217_;
-                                    let _e1626 = phi_2218_;
-                                    let _e1628 = phi_2219_;
-                                    let _e1630 = phi_2220_;
-                                    let _e1632 = phi_2221_;
+                                    let _e1622 = phi_2220_;
+                                    let _e1624 = phi_2221_;
+                                    let _e1626 = phi_2222_;
+                                    let _e1628 = phi_2223_;
+                                    let _e1630 = phi_2224_;
+                                    let _e1632 = phi_2225_;
                                     phi_2467_ = _e1620;
-                                    phi_2223_ = _e1622;
-                                    phi_2224_ = _e1624;
-                                    phi_2225_ = _e1626;
-                                    phi_2226_ = _e1628;
-                                    phi_2227_ = _e1630;
-                                    phi_2228_ = _e1632;
-                                    phi_2229_ = select(true, false, _e624);
+                                    phi_2227_ = _e1622;
+                                    phi_2228_ = _e1624;
+                                    phi_2229_ = _e1626;
+                                    phi_2230_ = _e1628;
+                                    phi_2231_ = _e1630;
+                                    phi_2232_ = _e1632;
+                                    phi_2233_ = select(true, false, _e624);
                                 }
                                 let _e1635 = phi_2467_;
-                                let _e1637 = phi_2223_;
-                                let _e1639 = phi_2224_;
-                                let _e1641 = phi_2225_;
-                                let _e1643 = phi_2226_;
-                                let _e1645 = phi_2227_;
-                                let _e1647 = phi_2228_;
-                                let _e1649 = phi_2229_;
+                                let _e1637 = phi_2227_;
+                                let _e1639 = phi_2228_;
+                                let _e1641 = phi_2229_;
+                                let _e1643 = phi_2230_;
+                                let _e1645 = phi_2231_;
+                                let _e1647 = phi_2232_;
+                                let _e1649 = phi_2233_;
                                 phi_2466_ = _e1635;
-                                phi_761_ = _e1637;
-                                phi_763_ = _e1639;
-                                phi_765_ = _e1641;
-                                phi_767_ = _e1643;
-                                phi_769_ = _e1645;
-                                phi_771_ = _e1647;
-                                phi_2231_ = _e1649;
+                                phi_765_ = _e1637;
+                                phi_767_ = _e1639;
+                                phi_769_ = _e1641;
+                                phi_771_ = _e1643;
+                                phi_773_ = _e1645;
+                                phi_775_ = _e1647;
+                                phi_2235_ = _e1649;
                             } else {
                                 phi_2466_ = _e547;
-                                phi_761_ = vec3<f32>();
-                                phi_763_ = type_36();
-                                phi_765_ = type_36();
-                                phi_767_ = type_36();
-                                phi_769_ = f32();
-                                phi_771_ = f32();
-                                phi_2231_ = false;
+                                phi_765_ = vec3<f32>();
+                                phi_767_ = type_38();
+                                phi_769_ = type_38();
+                                phi_771_ = type_38();
+                                phi_773_ = f32();
+                                phi_775_ = f32();
+                                phi_2235_ = false;
                             }
                             let _e1651 = phi_2466_;
-                            let _e1653 = phi_761_;
-                            let _e1655 = phi_763_;
-                            let _e1657 = phi_765_;
-                            let _e1659 = phi_767_;
-                            let _e1661 = phi_769_;
-                            let _e1663 = phi_771_;
-                            let _e1665 = phi_2231_;
+                            let _e1653 = phi_765_;
+                            let _e1655 = phi_767_;
+                            let _e1657 = phi_769_;
+                            let _e1659 = phi_771_;
+                            let _e1661 = phi_773_;
+                            let _e1663 = phi_775_;
+                            let _e1665 = phi_2235_;
                             continue;
                             continuing {
                                 phi_2397_ = _e1651;
-                                phi_757_ = _e574;
-                                phi_760_ = _e1653;
-                                phi_762_ = _e1655;
-                                phi_764_ = _e1657;
-                                phi_766_ = _e1659;
-                                phi_768_ = _e1661;
-                                phi_770_ = _e1663;
+                                phi_761_ = _e574;
+                                phi_764_ = _e1653;
+                                phi_766_ = _e1655;
+                                phi_768_ = _e1657;
+                                phi_770_ = _e1659;
+                                phi_772_ = _e1661;
+                                phi_774_ = _e1663;
                                 phi_2465_ = _e1651;
                                 break if !(_e1665);
                             }
@@ -1498,18 +1498,18 @@ fn function_() {
                         let _e1682 = local_14;
                         let _e1686 = params.member.member_5;
                         phi_2502_ = _e1668;
-                        phi_306_ = vec3<f32>((_e226.x + ((_e1676.x + (_e1686.x * _e1674)) * _e250.w)), (_e226.y + ((_e1679.y + (_e1686.y * _e1674)) * _e250.w)), (_e226.z + ((_e1682.z + (_e1686.z * _e1674)) * _e250.w)));
+                        phi_310_ = vec3<f32>((_e226.x + ((_e1676.x + (_e1686.x * _e1674)) * _e250.w)), (_e226.y + ((_e1679.y + (_e1686.y * _e1674)) * _e250.w)), (_e226.z + ((_e1682.z + (_e1686.z * _e1674)) * _e250.w)));
                     } else {
                         phi_2502_ = _e222;
-                        phi_306_ = vec3<f32>();
+                        phi_310_ = vec3<f32>();
                     }
                     let _e1708 = phi_2502_;
-                    let _e1710 = phi_306_;
+                    let _e1710 = phi_310_;
                     continue;
                     continuing {
                         phi_2421_ = _e1708;
-                        phi_302_ = _e239;
-                        phi_305_ = _e1710;
+                        phi_306_ = _e239;
+                        phi_309_ = _e1710;
                         phi_2501_ = _e1708;
                         break if !(_e245);
                     }

@@ -7,7 +7,43 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_18 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+}
+
+struct type_20 {
+    member: array<type_18>,
+}
+
+struct type_26 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: array<f32, 3>,
+    member_3: f32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+    member_8: array<f32, 3>,
+    member_9: f32,
+}
+
+struct type_30 {
+    member: array<vec4<f32>>,
+}
+
+struct type_34 {
+    member: array<type_26>,
+}
+
+struct type_38 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -25,30 +61,11 @@ struct type_21 {
     member_14: f32,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_39 {
+    member: type_38,
 }
 
-struct type_24 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-}
-
-struct type_26 {
-    member: array<type_24>,
-}
-
-struct type_29 {
-    member: array<vec4<f32>>,
-}
-
-struct type_35 {
+struct type_41 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -56,42 +73,25 @@ struct type_35 {
     member_4: f32,
 }
 
-struct type_38 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: f32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-    member_8: array<f32, 3>,
-    member_9: f32,
-}
-
-struct type_40 {
-    member: array<type_38>,
-}
-
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_22;
+var<uniform> params: type_39;
 @group(0) @binding(1) 
 var<storage> cells: type_11;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_11;
 @group(0) @binding(3) 
-var<storage> facets: type_26;
+var<storage> facets: type_20;
 @group(0) @binding(4) 
-var<storage> radiance: type_29;
+var<storage> radiance: type_30;
 @group(0) @binding(5) 
-var<storage> odd: type_29;
+var<storage> odd: type_30;
 @group(0) @binding(6) 
-var<storage> even: type_29;
+var<storage> even: type_30;
 @group(0) @binding(7) 
-var<storage> surfels: type_40;
+var<storage> surfels: type_34;
 @group(0) @binding(8) 
-var<storage, read_write> out: type_29;
+var<storage, read_write> out: type_30;
 
 fn function_() {
     var phi_315_: f32;
@@ -124,9 +124,9 @@ fn function_() {
     var phi_2409_: bool;
     var phi_772_: type_8;
     var phi_775_: vec3<f32>;
-    var phi_777_: type_35;
-    var phi_779_: type_35;
-    var phi_781_: type_35;
+    var phi_777_: type_41;
+    var phi_779_: type_41;
+    var phi_781_: type_41;
     var phi_783_: f32;
     var phi_785_: f32;
     var phi_773_: type_8;
@@ -235,51 +235,51 @@ fn function_() {
     var phi_1955_: f32;
     var phi_1956_: f32;
     var phi_2161_: i32;
-    var phi_2176_: type_35;
-    var phi_2177_: type_35;
+    var phi_2176_: type_41;
+    var phi_2177_: type_41;
     var phi_2196_: bool;
     var phi_2218_: f32;
     var phi_2219_: f32;
     var phi_2220_: bool;
     var phi_2082_: i32;
-    var phi_2097_: type_35;
-    var phi_2098_: type_35;
+    var phi_2097_: type_41;
+    var phi_2098_: type_41;
     var phi_2117_: bool;
     var phi_2139_: f32;
     var phi_2140_: f32;
     var phi_2141_: bool;
-    var phi_2226_: type_35;
-    var phi_2227_: type_35;
+    var phi_2226_: type_41;
+    var phi_2227_: type_41;
     var phi_1999_: i32;
-    var phi_2014_: type_35;
-    var phi_2015_: type_35;
+    var phi_2014_: type_41;
+    var phi_2015_: type_41;
     var phi_2034_: bool;
     var phi_2056_: f32;
     var phi_2057_: f32;
     var phi_2058_: bool;
-    var phi_2228_: type_35;
-    var phi_2229_: type_35;
-    var phi_2230_: type_35;
+    var phi_2228_: type_41;
+    var phi_2229_: type_41;
+    var phi_2230_: type_41;
     var phi_2478_: bool;
     var phi_2231_: vec3<f32>;
-    var phi_2232_: type_35;
-    var phi_2233_: type_35;
-    var phi_2234_: type_35;
+    var phi_2232_: type_41;
+    var phi_2233_: type_41;
+    var phi_2234_: type_41;
     var phi_2235_: f32;
     var phi_2236_: f32;
     var phi_2477_: bool;
     var phi_2238_: vec3<f32>;
-    var phi_2239_: type_35;
-    var phi_2240_: type_35;
-    var phi_2241_: type_35;
+    var phi_2239_: type_41;
+    var phi_2240_: type_41;
+    var phi_2241_: type_41;
     var phi_2242_: f32;
     var phi_2243_: f32;
     var phi_2244_: bool;
     var phi_2476_: bool;
     var phi_776_: vec3<f32>;
-    var phi_778_: type_35;
-    var phi_780_: type_35;
-    var phi_782_: type_35;
+    var phi_778_: type_41;
+    var phi_780_: type_41;
+    var phi_782_: type_41;
     var phi_784_: f32;
     var phi_786_: f32;
     var phi_2246_: bool;
@@ -537,9 +537,9 @@ fn function_() {
                             phi_2409_ = _e217;
                             phi_772_ = type_8(0u, 2048u);
                             phi_775_ = vec3<f32>(0f, 0f, 0f);
-                            phi_777_ = type_35(_e159, _e396, 0u, _e522, select(_e536, 340282350000000000000000000000000000000f, _e538));
-                            phi_779_ = type_35(_e158, _e395, 0u, _e479, select(_e493, 340282350000000000000000000000000000000f, _e495));
-                            phi_781_ = type_35(_e157, _e394, 0u, _e436, select(_e450, 340282350000000000000000000000000000000f, _e452));
+                            phi_777_ = type_41(_e159, _e396, 0u, _e522, select(_e536, 340282350000000000000000000000000000000f, _e538));
+                            phi_779_ = type_41(_e158, _e395, 0u, _e479, select(_e493, 340282350000000000000000000000000000000f, _e495));
+                            phi_781_ = type_41(_e157, _e394, 0u, _e436, select(_e450, 340282350000000000000000000000000000000f, _e452));
                             phi_783_ = 0f;
                             phi_785_ = 1f;
                             loop {
@@ -612,9 +612,9 @@ fn function_() {
                                     if (_e609 >= 340282350000000000000000000000000000000f) {
                                         phi_2477_ = _e542;
                                         phi_2238_ = vec3<f32>();
-                                        phi_2239_ = type_35();
-                                        phi_2240_ = type_35();
-                                        phi_2241_ = type_35();
+                                        phi_2239_ = type_41();
+                                        phi_2240_ = type_41();
+                                        phi_2241_ = type_41();
                                         phi_2242_ = f32();
                                         phi_2243_ = f32();
                                         phi_2244_ = false;
@@ -625,9 +625,9 @@ fn function_() {
                                         if _e619 {
                                             phi_2478_ = _e542;
                                             phi_2231_ = vec3<f32>();
-                                            phi_2232_ = type_35();
-                                            phi_2233_ = type_35();
-                                            phi_2234_ = type_35();
+                                            phi_2232_ = type_41();
+                                            phi_2233_ = type_41();
+                                            phi_2234_ = type_41();
                                             phi_2235_ = f32();
                                             phi_2236_ = f32();
                                         } else {
@@ -1275,11 +1275,11 @@ fn function_() {
                                                     phi_1999_ = (_e552.member_3 + 1i);
                                                 }
                                                 let _e1540 = phi_1999_;
-                                                let _e1546 = type_35(_e552.member, _e552.member_1, _e552.member_2, _e1540, _e552.member_4);
+                                                let _e1546 = type_41(_e552.member, _e552.member_1, _e552.member_2, _e1540, _e552.member_4);
                                                 if (((_e552.member_3 & 1i) == 0i) == _e1532) {
                                                     if (_e1371 > _e552.member_2) {
-                                                        let _e1555 = type_35(_e1546.member, _e1546.member_1, (_e552.member_2 + 1u), _e1546.member_3, _e1546.member_4);
-                                                        phi_2014_ = type_35(_e1555.member, _e1555.member_1, _e1555.member_2, (_e1540 >> bitcast<u32>(1i)), _e1555.member_4);
+                                                        let _e1555 = type_41(_e1546.member, _e1546.member_1, (_e552.member_2 + 1u), _e1546.member_3, _e1546.member_4);
+                                                        phi_2014_ = type_41(_e1555.member, _e1555.member_1, _e1555.member_2, (_e1540 >> bitcast<u32>(1i)), _e1555.member_4);
                                                     } else {
                                                         phi_2014_ = _e1546;
                                                     }
@@ -1315,7 +1315,7 @@ fn function_() {
                                                 let _e1600 = phi_2058_;
                                                 phi_2228_ = _e548;
                                                 phi_2229_ = _e550;
-                                                phi_2230_ = type_35(_e1567.member, _e1567.member_1, _e1567.member_2, _e1567.member_3, select(_e1598, 340282350000000000000000000000000000000f, _e1600));
+                                                phi_2230_ = type_41(_e1567.member, _e1567.member_1, _e1567.member_2, _e1567.member_3, select(_e1598, 340282350000000000000000000000000000000f, _e1600));
                                             } else {
                                                 if (_e587 == 1u) {
                                                     let _e1451 = (_e550.member_1 < 0f);
@@ -1325,11 +1325,11 @@ fn function_() {
                                                         phi_2082_ = (_e550.member_3 + 1i);
                                                     }
                                                     let _e1459 = phi_2082_;
-                                                    let _e1465 = type_35(_e550.member, _e550.member_1, _e550.member_2, _e1459, _e550.member_4);
+                                                    let _e1465 = type_41(_e550.member, _e550.member_1, _e550.member_2, _e1459, _e550.member_4);
                                                     if (((_e550.member_3 & 1i) == 0i) == _e1451) {
                                                         if (_e1371 > _e550.member_2) {
-                                                            let _e1474 = type_35(_e1465.member, _e1465.member_1, (_e550.member_2 + 1u), _e1465.member_3, _e1465.member_4);
-                                                            phi_2097_ = type_35(_e1474.member, _e1474.member_1, _e1474.member_2, (_e1459 >> bitcast<u32>(1i)), _e1474.member_4);
+                                                            let _e1474 = type_41(_e1465.member, _e1465.member_1, (_e550.member_2 + 1u), _e1465.member_3, _e1465.member_4);
+                                                            phi_2097_ = type_41(_e1474.member, _e1474.member_1, _e1474.member_2, (_e1459 >> bitcast<u32>(1i)), _e1474.member_4);
                                                         } else {
                                                             phi_2097_ = _e1465;
                                                         }
@@ -1364,7 +1364,7 @@ fn function_() {
                                                     let _e1517 = phi_2140_;
                                                     let _e1519 = phi_2141_;
                                                     phi_2226_ = _e548;
-                                                    phi_2227_ = type_35(_e1486.member, _e1486.member_1, _e1486.member_2, _e1486.member_3, select(_e1517, 340282350000000000000000000000000000000f, _e1519));
+                                                    phi_2227_ = type_41(_e1486.member, _e1486.member_1, _e1486.member_2, _e1486.member_3, select(_e1517, 340282350000000000000000000000000000000f, _e1519));
                                                 } else {
                                                     let _e1374 = (_e548.member_1 < 0f);
                                                     if _e1374 {
@@ -1373,11 +1373,11 @@ fn function_() {
                                                         phi_2161_ = (_e548.member_3 + 1i);
                                                     }
                                                     let _e1382 = phi_2161_;
-                                                    let _e1388 = type_35(_e548.member, _e548.member_1, _e548.member_2, _e1382, _e548.member_4);
+                                                    let _e1388 = type_41(_e548.member, _e548.member_1, _e548.member_2, _e1382, _e548.member_4);
                                                     if (((_e548.member_3 & 1i) == 0i) == _e1374) {
                                                         if (_e1371 > _e548.member_2) {
-                                                            let _e1397 = type_35(_e1388.member, _e1388.member_1, (_e548.member_2 + 1u), _e1388.member_3, _e1388.member_4);
-                                                            phi_2176_ = type_35(_e1397.member, _e1397.member_1, _e1397.member_2, (_e1382 >> bitcast<u32>(1i)), _e1397.member_4);
+                                                            let _e1397 = type_41(_e1388.member, _e1388.member_1, (_e548.member_2 + 1u), _e1388.member_3, _e1388.member_4);
+                                                            phi_2176_ = type_41(_e1397.member, _e1397.member_1, _e1397.member_2, (_e1382 >> bitcast<u32>(1i)), _e1397.member_4);
                                                         } else {
                                                             phi_2176_ = _e1388;
                                                         }
@@ -1411,7 +1411,7 @@ fn function_() {
                                                     }
                                                     let _e1440 = phi_2219_;
                                                     let _e1442 = phi_2220_;
-                                                    phi_2226_ = type_35(_e1409.member, _e1409.member_1, _e1409.member_2, _e1409.member_3, select(_e1440, 340282350000000000000000000000000000000f, _e1442));
+                                                    phi_2226_ = type_41(_e1409.member, _e1409.member_1, _e1409.member_2, _e1409.member_3, select(_e1440, 340282350000000000000000000000000000000f, _e1442));
                                                     phi_2227_ = _e550;
                                                 }
                                                 let _e1528 = phi_2226_;
@@ -1466,9 +1466,9 @@ fn function_() {
                                 } else {
                                     phi_2476_ = _e542;
                                     phi_776_ = vec3<f32>();
-                                    phi_778_ = type_35();
-                                    phi_780_ = type_35();
-                                    phi_782_ = type_35();
+                                    phi_778_ = type_41();
+                                    phi_780_ = type_41();
+                                    phi_782_ = type_41();
                                     phi_784_ = f32();
                                     phi_786_ = f32();
                                     phi_2246_ = false;

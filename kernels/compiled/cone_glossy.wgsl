@@ -7,7 +7,43 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_21 {
+struct type_18 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+}
+
+struct type_20 {
+    member: array<type_18>,
+}
+
+struct type_26 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: array<f32, 3>,
+    member_3: f32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+    member_8: array<f32, 3>,
+    member_9: f32,
+}
+
+struct type_30 {
+    member: array<vec4<f32>>,
+}
+
+struct type_34 {
+    member: array<type_26>,
+}
+
+struct type_38 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -25,30 +61,11 @@ struct type_21 {
     member_14: f32,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_39 {
+    member: type_38,
 }
 
-struct type_24 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-}
-
-struct type_26 {
-    member: array<type_24>,
-}
-
-struct type_29 {
-    member: array<vec4<f32>>,
-}
-
-struct type_35 {
+struct type_41 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -56,42 +73,25 @@ struct type_35 {
     member_4: f32,
 }
 
-struct type_38 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: f32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-    member_8: array<f32, 3>,
-    member_9: f32,
-}
-
-struct type_40 {
-    member: array<type_38>,
-}
-
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_22;
+var<uniform> params: type_39;
 @group(0) @binding(1) 
 var<storage> cells: type_11;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_11;
 @group(0) @binding(3) 
-var<storage> facets: type_26;
+var<storage> facets: type_20;
 @group(0) @binding(4) 
-var<storage> radiance: type_29;
+var<storage> radiance: type_30;
 @group(0) @binding(5) 
-var<storage> odd: type_29;
+var<storage> odd: type_30;
 @group(0) @binding(6) 
-var<storage> even: type_29;
+var<storage> even: type_30;
 @group(0) @binding(7) 
-var<storage> surfels: type_40;
+var<storage> surfels: type_34;
 @group(0) @binding(8) 
-var<storage, read_write> out: type_29;
+var<storage, read_write> out: type_30;
 
 fn function_() {
     var phi_230_: vec3<f32>;
@@ -115,9 +115,9 @@ fn function_() {
     var phi_2119_: bool;
     var phi_536_: type_8;
     var phi_539_: vec3<f32>;
-    var phi_541_: type_35;
-    var phi_543_: type_35;
-    var phi_545_: type_35;
+    var phi_541_: type_41;
+    var phi_543_: type_41;
+    var phi_545_: type_41;
     var phi_547_: f32;
     var phi_549_: f32;
     var phi_537_: type_8;
@@ -226,51 +226,51 @@ fn function_() {
     var phi_1719_: f32;
     var phi_1720_: f32;
     var phi_1925_: i32;
-    var phi_1940_: type_35;
-    var phi_1941_: type_35;
+    var phi_1940_: type_41;
+    var phi_1941_: type_41;
     var phi_1960_: bool;
     var phi_1982_: f32;
     var phi_1983_: f32;
     var phi_1984_: bool;
     var phi_1846_: i32;
-    var phi_1861_: type_35;
-    var phi_1862_: type_35;
+    var phi_1861_: type_41;
+    var phi_1862_: type_41;
     var phi_1881_: bool;
     var phi_1903_: f32;
     var phi_1904_: f32;
     var phi_1905_: bool;
-    var phi_1990_: type_35;
-    var phi_1991_: type_35;
+    var phi_1990_: type_41;
+    var phi_1991_: type_41;
     var phi_1763_: i32;
-    var phi_1778_: type_35;
-    var phi_1779_: type_35;
+    var phi_1778_: type_41;
+    var phi_1779_: type_41;
     var phi_1798_: bool;
     var phi_1820_: f32;
     var phi_1821_: f32;
     var phi_1822_: bool;
-    var phi_1992_: type_35;
-    var phi_1993_: type_35;
-    var phi_1994_: type_35;
+    var phi_1992_: type_41;
+    var phi_1993_: type_41;
+    var phi_1994_: type_41;
     var phi_2182_: bool;
     var phi_1995_: vec3<f32>;
-    var phi_1996_: type_35;
-    var phi_1997_: type_35;
-    var phi_1998_: type_35;
+    var phi_1996_: type_41;
+    var phi_1997_: type_41;
+    var phi_1998_: type_41;
     var phi_1999_: f32;
     var phi_2000_: f32;
     var phi_2181_: bool;
     var phi_2002_: vec3<f32>;
-    var phi_2003_: type_35;
-    var phi_2004_: type_35;
-    var phi_2005_: type_35;
+    var phi_2003_: type_41;
+    var phi_2004_: type_41;
+    var phi_2005_: type_41;
     var phi_2006_: f32;
     var phi_2007_: f32;
     var phi_2008_: bool;
     var phi_2180_: bool;
     var phi_540_: vec3<f32>;
-    var phi_542_: type_35;
-    var phi_544_: type_35;
-    var phi_546_: type_35;
+    var phi_542_: type_41;
+    var phi_544_: type_41;
+    var phi_546_: type_41;
     var phi_548_: f32;
     var phi_550_: f32;
     var phi_2010_: bool;
@@ -442,9 +442,9 @@ fn function_() {
                     phi_2119_ = false;
                     phi_536_ = type_8(0u, 2048u);
                     phi_539_ = vec3<f32>(0f, 0f, 0f);
-                    phi_541_ = type_35(_e173, _e148, 0u, _e316, select(_e330, 340282350000000000000000000000000000000f, _e332));
-                    phi_543_ = type_35(_e172, _e147, 0u, _e273, select(_e287, 340282350000000000000000000000000000000f, _e289));
-                    phi_545_ = type_35(_e171, _e146, 0u, _e230, select(_e244, 340282350000000000000000000000000000000f, _e246));
+                    phi_541_ = type_41(_e173, _e148, 0u, _e316, select(_e330, 340282350000000000000000000000000000000f, _e332));
+                    phi_543_ = type_41(_e172, _e147, 0u, _e273, select(_e287, 340282350000000000000000000000000000000f, _e289));
+                    phi_545_ = type_41(_e171, _e146, 0u, _e230, select(_e244, 340282350000000000000000000000000000000f, _e246));
                     phi_547_ = 0f;
                     phi_549_ = 1f;
                     loop {
@@ -517,9 +517,9 @@ fn function_() {
                             if (_e403 >= 340282350000000000000000000000000000000f) {
                                 phi_2181_ = _e336;
                                 phi_2002_ = vec3<f32>();
-                                phi_2003_ = type_35();
-                                phi_2004_ = type_35();
-                                phi_2005_ = type_35();
+                                phi_2003_ = type_41();
+                                phi_2004_ = type_41();
+                                phi_2005_ = type_41();
                                 phi_2006_ = f32();
                                 phi_2007_ = f32();
                                 phi_2008_ = false;
@@ -530,9 +530,9 @@ fn function_() {
                                 if _e413 {
                                     phi_2182_ = _e336;
                                     phi_1995_ = vec3<f32>();
-                                    phi_1996_ = type_35();
-                                    phi_1997_ = type_35();
-                                    phi_1998_ = type_35();
+                                    phi_1996_ = type_41();
+                                    phi_1997_ = type_41();
+                                    phi_1998_ = type_41();
                                     phi_1999_ = f32();
                                     phi_2000_ = f32();
                                 } else {
@@ -1180,11 +1180,11 @@ fn function_() {
                                             phi_1763_ = (_e346.member_3 + 1i);
                                         }
                                         let _e1334 = phi_1763_;
-                                        let _e1340 = type_35(_e346.member, _e346.member_1, _e346.member_2, _e1334, _e346.member_4);
+                                        let _e1340 = type_41(_e346.member, _e346.member_1, _e346.member_2, _e1334, _e346.member_4);
                                         if (((_e346.member_3 & 1i) == 0i) == _e1326) {
                                             if (_e1165 > _e346.member_2) {
-                                                let _e1349 = type_35(_e1340.member, _e1340.member_1, (_e346.member_2 + 1u), _e1340.member_3, _e1340.member_4);
-                                                phi_1778_ = type_35(_e1349.member, _e1349.member_1, _e1349.member_2, (_e1334 >> bitcast<u32>(1i)), _e1349.member_4);
+                                                let _e1349 = type_41(_e1340.member, _e1340.member_1, (_e346.member_2 + 1u), _e1340.member_3, _e1340.member_4);
+                                                phi_1778_ = type_41(_e1349.member, _e1349.member_1, _e1349.member_2, (_e1334 >> bitcast<u32>(1i)), _e1349.member_4);
                                             } else {
                                                 phi_1778_ = _e1340;
                                             }
@@ -1220,7 +1220,7 @@ fn function_() {
                                         let _e1394 = phi_1822_;
                                         phi_1992_ = _e342;
                                         phi_1993_ = _e344;
-                                        phi_1994_ = type_35(_e1361.member, _e1361.member_1, _e1361.member_2, _e1361.member_3, select(_e1392, 340282350000000000000000000000000000000f, _e1394));
+                                        phi_1994_ = type_41(_e1361.member, _e1361.member_1, _e1361.member_2, _e1361.member_3, select(_e1392, 340282350000000000000000000000000000000f, _e1394));
                                     } else {
                                         if (_e381 == 1u) {
                                             let _e1245 = (_e344.member_1 < 0f);
@@ -1230,11 +1230,11 @@ fn function_() {
                                                 phi_1846_ = (_e344.member_3 + 1i);
                                             }
                                             let _e1253 = phi_1846_;
-                                            let _e1259 = type_35(_e344.member, _e344.member_1, _e344.member_2, _e1253, _e344.member_4);
+                                            let _e1259 = type_41(_e344.member, _e344.member_1, _e344.member_2, _e1253, _e344.member_4);
                                             if (((_e344.member_3 & 1i) == 0i) == _e1245) {
                                                 if (_e1165 > _e344.member_2) {
-                                                    let _e1268 = type_35(_e1259.member, _e1259.member_1, (_e344.member_2 + 1u), _e1259.member_3, _e1259.member_4);
-                                                    phi_1861_ = type_35(_e1268.member, _e1268.member_1, _e1268.member_2, (_e1253 >> bitcast<u32>(1i)), _e1268.member_4);
+                                                    let _e1268 = type_41(_e1259.member, _e1259.member_1, (_e344.member_2 + 1u), _e1259.member_3, _e1259.member_4);
+                                                    phi_1861_ = type_41(_e1268.member, _e1268.member_1, _e1268.member_2, (_e1253 >> bitcast<u32>(1i)), _e1268.member_4);
                                                 } else {
                                                     phi_1861_ = _e1259;
                                                 }
@@ -1269,7 +1269,7 @@ fn function_() {
                                             let _e1311 = phi_1904_;
                                             let _e1313 = phi_1905_;
                                             phi_1990_ = _e342;
-                                            phi_1991_ = type_35(_e1280.member, _e1280.member_1, _e1280.member_2, _e1280.member_3, select(_e1311, 340282350000000000000000000000000000000f, _e1313));
+                                            phi_1991_ = type_41(_e1280.member, _e1280.member_1, _e1280.member_2, _e1280.member_3, select(_e1311, 340282350000000000000000000000000000000f, _e1313));
                                         } else {
                                             let _e1168 = (_e342.member_1 < 0f);
                                             if _e1168 {
@@ -1278,11 +1278,11 @@ fn function_() {
                                                 phi_1925_ = (_e342.member_3 + 1i);
                                             }
                                             let _e1176 = phi_1925_;
-                                            let _e1182 = type_35(_e342.member, _e342.member_1, _e342.member_2, _e1176, _e342.member_4);
+                                            let _e1182 = type_41(_e342.member, _e342.member_1, _e342.member_2, _e1176, _e342.member_4);
                                             if (((_e342.member_3 & 1i) == 0i) == _e1168) {
                                                 if (_e1165 > _e342.member_2) {
-                                                    let _e1191 = type_35(_e1182.member, _e1182.member_1, (_e342.member_2 + 1u), _e1182.member_3, _e1182.member_4);
-                                                    phi_1940_ = type_35(_e1191.member, _e1191.member_1, _e1191.member_2, (_e1176 >> bitcast<u32>(1i)), _e1191.member_4);
+                                                    let _e1191 = type_41(_e1182.member, _e1182.member_1, (_e342.member_2 + 1u), _e1182.member_3, _e1182.member_4);
+                                                    phi_1940_ = type_41(_e1191.member, _e1191.member_1, _e1191.member_2, (_e1176 >> bitcast<u32>(1i)), _e1191.member_4);
                                                 } else {
                                                     phi_1940_ = _e1182;
                                                 }
@@ -1316,7 +1316,7 @@ fn function_() {
                                             }
                                             let _e1234 = phi_1983_;
                                             let _e1236 = phi_1984_;
-                                            phi_1990_ = type_35(_e1203.member, _e1203.member_1, _e1203.member_2, _e1203.member_3, select(_e1234, 340282350000000000000000000000000000000f, _e1236));
+                                            phi_1990_ = type_41(_e1203.member, _e1203.member_1, _e1203.member_2, _e1203.member_3, select(_e1234, 340282350000000000000000000000000000000f, _e1236));
                                             phi_1991_ = _e344;
                                         }
                                         let _e1322 = phi_1990_;
@@ -1371,9 +1371,9 @@ fn function_() {
                         } else {
                             phi_2180_ = _e336;
                             phi_540_ = vec3<f32>();
-                            phi_542_ = type_35();
-                            phi_544_ = type_35();
-                            phi_546_ = type_35();
+                            phi_542_ = type_41();
+                            phi_544_ = type_41();
+                            phi_546_ = type_41();
                             phi_548_ = f32();
                             phi_550_ = f32();
                             phi_2010_ = false;

@@ -21,10 +21,10 @@ struct type_12 {
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> values: type_8;
-@group(0) @binding(0) 
-var<uniform> params: type_12;
 @group(0) @binding(2) 
 var<storage, read_write> out: type_8;
+@group(0) @binding(0) 
+var<uniform> params: type_12;
 
 fn function_() {
     var phi_57_: type_5;

@@ -6,19 +6,19 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_19 {
+    member: array<vec4<f32>>,
+}
+
+struct type_21 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_17 {
-    member: type_16,
-}
-
-struct type_20 {
-    member: array<vec4<f32>>,
+struct type_22 {
+    member: type_21,
 }
 
 struct type_24 {
@@ -32,7 +32,7 @@ struct type_26 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_17;
+var<uniform> params: type_22;
 @group(0) @binding(1) 
 var<storage> map: type_11;
 @group(0) @binding(2) 
@@ -40,7 +40,7 @@ var<storage> blends: type_26;
 @group(0) @binding(3) 
 var<storage> irradiance: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> texels: type_20;
+var<storage, read_write> texels: type_19;
 
 fn function_() {
     var phi_291_: vec4<f32>;

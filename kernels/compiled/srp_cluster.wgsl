@@ -11,14 +11,14 @@ struct type_14 {
     member: array<u32>,
 }
 
-struct type_17 {
+struct type_18 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_18 {
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -29,19 +29,19 @@ struct type_18 {
     member_7: u32,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_20 {
+    member: type_19,
 }
 
-struct type_22 {
-    member: array<type_17>,
+struct type_23 {
+    member: array<type_18>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_19;
+var<uniform> params: type_20;
 @group(0) @binding(1) 
-var<storage> pairs: type_22;
+var<storage> pairs: type_23;
 @group(0) @binding(2) 
 var<storage> blocks: type_14;
 @group(0) @binding(3) 

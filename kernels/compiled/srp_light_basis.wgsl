@@ -2,41 +2,41 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_14 {
+    member: array<vec4<f32>>,
+}
+
+struct type_16 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_13 {
-    member: type_12,
+struct type_17 {
+    member: type_16,
 }
 
-struct type_15 {
+struct type_19 {
     member: u32,
     member_1: f32,
 }
 
-struct type_17 {
-    member: array<type_15>,
-}
-
-struct type_20 {
-    member: array<vec4<f32>>,
+struct type_21 {
+    member: array<type_19>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_13;
+var<uniform> params: type_17;
 @group(0) @binding(1) 
-var<storage> sources: type_17;
+var<storage> sources: type_21;
 @group(0) @binding(2) 
 var<storage> partial: type_5;
 @group(0) @binding(3) 
 var<storage> coefs: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> basis: type_20;
+var<storage, read_write> basis: type_14;
 
 fn function_() {
     var phi_626_: vec4<f32>;

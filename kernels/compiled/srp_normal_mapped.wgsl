@@ -2,31 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_13 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-}
-
-struct type_14 {
-    member: type_13,
-}
-
-struct type_17 {
-    member: array<vec4<f32>>,
-}
-
-struct type_21 {
-    member: array<u32, 4>,
-    member_1: array<f32, 4>,
-}
-
-struct type_23 {
-    member: array<type_21>,
-}
-
-struct type_25 {
+struct type_16 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -39,21 +15,45 @@ struct type_25 {
     member_9: f32,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_18 {
+    member: array<vec4<f32>>,
+}
+
+struct type_21 {
+    member: array<type_16>,
+}
+
+struct type_23 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_24 {
+    member: type_23,
+}
+
+struct type_26 {
+    member: array<u32, 4>,
+    member_1: array<f32, 4>,
+}
+
+struct type_28 {
+    member: array<type_26>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
 var<storage> radiance: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_14;
-@group(0) @binding(1) 
-var<storage> blends: type_23;
+var<uniform> params: type_24;
 @group(0) @binding(3) 
-var<storage> surfels: type_27;
+var<storage> surfels: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> irradiance: type_17;
+var<storage, read_write> irradiance: type_18;
+@group(0) @binding(1) 
+var<storage> blends: type_28;
 
 fn function_() {
     switch bitcast<i32>(0u) {

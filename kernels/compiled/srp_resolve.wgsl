@@ -2,19 +2,19 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_15 {
+    member: array<vec4<f32>>,
+}
+
+struct type_17 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_13 {
-    member: type_12,
-}
-
-struct type_16 {
-    member: array<vec4<f32>>,
+struct type_18 {
+    member: type_17,
 }
 
 struct type_20 {
@@ -28,13 +28,13 @@ struct type_22 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_13;
+var<uniform> params: type_18;
 @group(0) @binding(1) 
 var<storage> blends: type_22;
 @group(0) @binding(2) 
 var<storage> irradiance: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> points: type_16;
+var<storage, read_write> points: type_15;
 
 fn function_() {
     switch bitcast<i32>(0u) {

@@ -1,8 +1,4 @@
-struct type_9 {
-    member: array<vec4<f32>>,
-}
-
-struct type_13 {
+struct type_10 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -15,8 +11,12 @@ struct type_13 {
     member_9: f32,
 }
 
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
 struct type_15 {
-    member: array<type_13>,
+    member: array<type_10>,
 }
 
 struct type_17 {
@@ -36,11 +36,11 @@ var<uniform> params: type_18;
 @group(0) @binding(1) 
 var<storage> surfels: type_15;
 @group(0) @binding(2) 
-var<storage> direct: type_9;
+var<storage> direct: type_12;
 @group(0) @binding(3) 
-var<storage> indirect: type_9;
+var<storage> indirect: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> radiance: type_9;
+var<storage, read_write> radiance: type_12;
 
 fn function_() {
     switch bitcast<i32>(0u) {

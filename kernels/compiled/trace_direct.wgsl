@@ -7,11 +7,90 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_20 {
-    member: array<vec4<f32>>,
+struct type_19 {
+    member: vec4<f32>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+    member_5: u32,
+    member_6: u32,
+    member_7: u32,
+    member_8: u32,
 }
 
-struct type_24 {
+struct type_20 {
+    member: type_19,
+}
+
+struct type_23 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+    member_2: vec4<f32>,
+    member_3: vec4<f32>,
+    member_4: vec4<f32>,
+    member_5: vec4<f32>,
+    member_6: array<u32, 4>,
+    member_7: vec4<f32>,
+}
+
+struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_27 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+}
+
+struct type_29 {
+    member: array<type_27>,
+}
+
+struct type_33 {
+    member: array<f32, 6>,
+    member_1: array<u32, 3>,
+    member_2: array<u32, 3>,
+}
+
+struct type_35 {
+    member: array<type_33>,
+}
+
+struct type_37 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: array<f32, 3>,
+    member_3: f32,
+    member_4: array<f32, 3>,
+    member_5: f32,
+    member_6: array<f32, 3>,
+    member_7: f32,
+}
+
+struct type_39 {
+    member: array<type_37>,
+}
+
+struct type_48 {
+    member: vec3<f32>,
+    member_1: vec3<f32>,
+    member_2: f32,
+    member_3: f32,
+}
+
+struct type_51 {
+    member: f32,
+    member_1: u32,
+    member_2: f32,
+    member_3: f32,
+}
+
+struct type_53 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -24,91 +103,12 @@ struct type_24 {
     member_9: f32,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_55 {
+    member: array<vec4<f32>>,
 }
 
-struct type_30 {
-    member: vec4<f32>,
-    member_1: vec4<f32>,
-    member_2: vec4<f32>,
-    member_3: vec4<f32>,
-    member_4: vec4<f32>,
-    member_5: vec4<f32>,
-    member_6: array<u32, 4>,
-    member_7: vec4<f32>,
-}
-
-struct type_32 {
-    member: array<type_30>,
-}
-
-struct type_34 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-}
-
-struct type_36 {
-    member: array<type_34>,
-}
-
-struct type_40 {
-    member: array<f32, 6>,
-    member_1: array<u32, 3>,
-    member_2: array<u32, 3>,
-}
-
-struct type_42 {
-    member: array<type_40>,
-}
-
-struct type_44 {
-    member: f32,
-    member_1: u32,
-    member_2: f32,
-    member_3: f32,
-}
-
-struct type_51 {
-    member: vec4<f32>,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-    member_4: u32,
-    member_5: u32,
-    member_6: u32,
-    member_7: u32,
-    member_8: u32,
-}
-
-struct type_52 {
-    member: type_51,
-}
-
-struct type_54 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: f32,
-    member_4: array<f32, 3>,
-    member_5: f32,
-    member_6: array<f32, 3>,
-    member_7: f32,
-}
-
-struct type_56 {
-    member: array<type_54>,
-}
-
-struct type_60 {
-    member: vec3<f32>,
-    member_1: vec3<f32>,
-    member_2: f32,
-    member_3: f32,
+struct type_58 {
+    member: array<type_53>,
 }
 
 struct type_61 {
@@ -118,182 +118,182 @@ struct type_61 {
 }
 
 var<private> gid_1: vec3<u32>;
+@group(0) @binding(0) 
+var<uniform> params: type_20;
 @group(0) @binding(1) 
-var<storage> nodes: type_32;
+var<storage> nodes: type_25;
 @group(0) @binding(2) 
-var<storage> triangles: type_36;
+var<storage> triangles: type_29;
 @group(0) @binding(3) 
-var<storage> attributes: type_42;
+var<storage> attributes: type_35;
 @group(0) @binding(4) 
 var<storage> surfaces: type_11;
-@group(0) @binding(0) 
-var<uniform> params: type_52;
 @group(0) @binding(5) 
-var<storage> lights: type_56;
+var<storage> lights: type_39;
 @group(0) @binding(6) 
-var<storage> surfels: type_26;
+var<storage> surfels: type_58;
 @group(0) @binding(7) 
-var<storage, read_write> irradiance: type_20;
+var<storage, read_write> irradiance: type_55;
 
 fn function_() {
     var local: array<u32, 64>;
     var local_1: array<f32, 3>;
     var local_2: array<f32, 3>;
     var phi_5091_: bool;
-    var phi_346_: type_8;
-    var phi_349_: vec3<f32>;
-    var phi_347_: type_8;
-    var phi_372_: type_8;
-    var phi_411_: u32;
-    var phi_414_: u32;
-    var phi_438_: u32;
-    var phi_412_: u32;
-    var phi_415_: u32;
+    var phi_354_: type_8;
+    var phi_357_: vec3<f32>;
+    var phi_355_: type_8;
+    var phi_380_: type_8;
+    var phi_419_: u32;
+    var phi_422_: u32;
+    var phi_446_: u32;
+    var phi_420_: u32;
+    var phi_423_: u32;
     var phi_5087_: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_455_: f32;
+    var phi_463_: f32;
     var phi_5125_: bool;
-    var phi_465_: type_54;
-    var phi_466_: u32;
-    var phi_467_: f32;
+    var phi_473_: type_37;
+    var phi_474_: u32;
+    var phi_475_: f32;
     var phi_5124_: bool;
-    var phi_469_: type_54;
-    var phi_470_: u32;
-    var phi_471_: f32;
-    var phi_472_: bool;
-    var phi_504_: type_54;
-    var phi_505_: u32;
-    var phi_507_: type_54;
-    var phi_508_: u32;
-    var phi_509_: u32;
-    var phi_525_: bool;
+    var phi_477_: type_37;
+    var phi_478_: u32;
+    var phi_479_: f32;
+    var phi_480_: bool;
+    var phi_512_: type_37;
+    var phi_513_: u32;
+    var phi_515_: type_37;
+    var phi_516_: u32;
+    var phi_517_: u32;
+    var phi_533_: bool;
     var phi_5120_: bool;
-    var phi_532_: type_8;
-    var phi_535_: f32;
-    var phi_537_: f32;
-    var phi_539_: f32;
-    var phi_533_: type_8;
-    var phi_562_: type_8;
-    var phi_1134_: f32;
+    var phi_540_: type_8;
+    var phi_543_: f32;
+    var phi_545_: f32;
+    var phi_547_: f32;
+    var phi_541_: type_8;
+    var phi_570_: type_8;
+    var phi_1142_: f32;
     var phi_3773_: f32;
     var phi_3781_: f32;
-    var phi_898_: vec2<f32>;
-    var phi_899_: bool;
-    var phi_1029_: f32;
+    var phi_906_: vec2<f32>;
+    var phi_907_: bool;
     var phi_1037_: f32;
-    var phi_963_: f32;
+    var phi_1045_: f32;
     var phi_971_: f32;
-    var phi_1041_: vec2<f32>;
-    var phi_1042_: vec2<f32>;
-    var phi_1135_: vec3<f32>;
-    var phi_1136_: f32;
-    var phi_1137_: f32;
-    var phi_1138_: vec3<f32>;
-    var phi_1139_: f32;
-    var phi_1140_: bool;
-    var phi_1157_: f32;
-    var phi_1166_: type_60;
-    var phi_641_: vec3<f32>;
-    var phi_643_: vec3<f32>;
-    var phi_644_: bool;
+    var phi_979_: f32;
+    var phi_1049_: vec2<f32>;
+    var phi_1050_: vec2<f32>;
+    var phi_1143_: vec3<f32>;
+    var phi_1144_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: vec3<f32>;
+    var phi_1147_: f32;
+    var phi_1148_: bool;
+    var phi_1165_: f32;
+    var phi_1174_: type_48;
+    var phi_649_: vec3<f32>;
+    var phi_651_: vec3<f32>;
+    var phi_652_: bool;
     var phi_3789_: f32;
     var phi_3797_: f32;
-    var phi_718_: vec2<f32>;
-    var phi_1168_: f32;
-    var phi_1169_: vec3<f32>;
-    var phi_1170_: f32;
-    var phi_1171_: vec3<f32>;
-    var phi_1172_: type_60;
-    var phi_1173_: f32;
-    var phi_1174_: bool;
-    var phi_1191_: f32;
-    var phi_1202_: type_60;
-    var phi_1235_: bool;
-    var phi_1245_: u32;
-    var phi_1248_: bool;
-    var phi_1259_: u32;
-    var phi_1412_: f32;
+    var phi_726_: vec2<f32>;
+    var phi_1176_: f32;
+    var phi_1177_: vec3<f32>;
+    var phi_1178_: f32;
+    var phi_1179_: vec3<f32>;
+    var phi_1180_: type_48;
+    var phi_1181_: f32;
+    var phi_1182_: bool;
+    var phi_1199_: f32;
+    var phi_1210_: type_48;
+    var phi_1243_: bool;
+    var phi_1253_: u32;
+    var phi_1256_: bool;
+    var phi_1267_: u32;
     var phi_1420_: f32;
     var phi_1428_: f32;
+    var phi_1436_: f32;
     var phi_5098_: bool;
-    var phi_1432_: u32;
-    var phi_1435_: u32;
-    var phi_1862_: type_8;
-    var phi_1863_: type_8;
-    var phi_1886_: type_8;
-    var phi_2002_: f32;
-    var phi_2013_: f32;
-    var phi_2024_: f32;
-    var phi_2039_: f32;
-    var phi_2040_: f32;
-    var phi_2041_: bool;
-    var phi_2042_: f32;
-    var phi_2043_: bool;
-    var phi_2062_: f32;
-    var phi_2063_: bool;
-    var phi_2064_: f32;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var phi_2071_: f32;
-    var phi_2072_: bool;
-    var phi_2158_: array<f32, 3>;
-    var phi_2159_: array<f32, 3>;
-    var phi_2160_: array<f32, 3>;
-    var phi_2161_: array<f32, 3>;
-    var phi_2162_: bool;
-    var phi_2163_: array<f32, 3>;
-    var phi_2164_: array<f32, 3>;
-    var phi_2165_: bool;
-    var phi_2166_: bool;
+    var phi_1440_: u32;
+    var phi_1443_: u32;
+    var phi_1870_: type_8;
+    var phi_1871_: type_8;
+    var phi_1894_: type_8;
+    var phi_2010_: f32;
+    var phi_2021_: f32;
+    var phi_2032_: f32;
+    var phi_2047_: f32;
+    var phi_2048_: f32;
+    var phi_2049_: bool;
+    var phi_2050_: f32;
+    var phi_2051_: bool;
+    var phi_2070_: f32;
+    var phi_2071_: bool;
+    var phi_2072_: f32;
+    var phi_2073_: bool;
+    var phi_2074_: bool;
+    var phi_2079_: f32;
+    var phi_2080_: bool;
+    var phi_2166_: array<f32, 3>;
+    var phi_2167_: array<f32, 3>;
+    var phi_2168_: array<f32, 3>;
+    var phi_2169_: array<f32, 3>;
+    var phi_2170_: bool;
     var phi_2171_: array<f32, 3>;
-    var phi_2176_: array<f32, 3>;
-    var phi_2387_: u32;
-    var phi_2393_: u32;
-    var phi_2423_: u32;
-    var phi_2429_: u32;
-    var phi_2504_: bool;
-    var phi_2509_: bool;
-    var phi_2514_: type_44;
-    var phi_2516_: type_44;
-    var phi_2518_: bool;
-    var phi_2519_: type_44;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2523_: type_44;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
+    var phi_2172_: array<f32, 3>;
+    var phi_2173_: bool;
+    var phi_2174_: bool;
+    var phi_2179_: array<f32, 3>;
+    var phi_2184_: array<f32, 3>;
+    var phi_2395_: u32;
+    var phi_2401_: u32;
+    var phi_2431_: u32;
+    var phi_2437_: u32;
+    var phi_2512_: bool;
+    var phi_2517_: bool;
+    var phi_2522_: type_51;
+    var phi_2524_: type_51;
     var phi_2526_: bool;
-    var phi_2539_: type_44;
-    var phi_2546_: bool;
+    var phi_2527_: type_51;
+    var phi_2529_: bool;
+    var phi_2530_: bool;
+    var phi_2531_: type_51;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
+    var phi_2534_: bool;
+    var phi_2547_: type_51;
+    var phi_2554_: bool;
     var phi_5094_: bool;
     var phi_3764_: bool;
-    var phi_1822_: u32;
-    var phi_1834_: u32;
-    var phi_1846_: u32;
-    var phi_1858_: u32;
+    var phi_1830_: u32;
+    var phi_1842_: u32;
+    var phi_1854_: u32;
+    var phi_1866_: u32;
     var phi_5205_: bool;
-    var phi_2551_: u32;
-    var phi_2552_: bool;
-    var phi_2568_: u32;
-    var phi_2569_: u32;
-    var phi_1433_: u32;
-    var phi_1436_: u32;
-    var phi_2571_: bool;
-    var phi_2572_: bool;
+    var phi_2559_: u32;
+    var phi_2560_: bool;
+    var phi_2576_: u32;
+    var phi_2577_: u32;
+    var phi_1441_: u32;
+    var phi_1444_: u32;
+    var phi_2579_: bool;
+    var phi_2580_: bool;
     var phi_5203_: bool;
     var phi_3765_: bool;
-    var phi_2585_: f32;
+    var phi_2593_: f32;
     var phi_5265_: bool;
-    var phi_2586_: f32;
+    var phi_2594_: f32;
     var phi_5264_: bool;
-    var phi_536_: f32;
-    var phi_538_: f32;
-    var phi_540_: f32;
+    var phi_544_: f32;
+    var phi_546_: f32;
+    var phi_548_: f32;
     var phi_5263_: bool;
     var local_5: f32;
     var local_6: f32;
-    var phi_2599_: f32;
+    var phi_2607_: f32;
     var local_7: f32;
     var phi_4107_: bool;
     var phi_4118_: bool;
@@ -365,22 +365,22 @@ fn function_() {
     var phi_5082_: f32;
     var local_8: f32;
     var local_9: f32;
-    var phi_2633_: f32;
-    var phi_2634_: f32;
-    var phi_2635_: bool;
+    var phi_2641_: f32;
+    var phi_2642_: f32;
+    var phi_2643_: bool;
     var local_10: f32;
-    var phi_2643_: f32;
-    var phi_2644_: f32;
-    var phi_2653_: vec3<f32>;
+    var phi_2651_: f32;
+    var phi_2652_: f32;
+    var phi_2661_: vec3<f32>;
     var phi_5271_: bool;
-    var phi_2669_: vec3<f32>;
+    var phi_2677_: vec3<f32>;
     var phi_5270_: bool;
-    var phi_350_: vec3<f32>;
+    var phi_358_: vec3<f32>;
     var phi_5269_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
-    var phi_2674_: vec4<f32>;
+    var phi_2682_: vec4<f32>;
     var local_14: f32;
 
     switch bitcast<i32>(0u) {
@@ -398,7 +398,7 @@ fn function_() {
                 }
                 let _e143 = surfels.member[_e138];
                 if (_e143.member_1 == 4294967295u) {
-                    phi_2674_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_2682_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e150 = vec3<f32>(_e143.member[0], _e143.member[1], _e143.member[2]);
                     let _e162 = params.member.member_2;
@@ -419,24 +419,24 @@ fn function_() {
                     let _e216 = ((_e212 ^ (_e212 >> bitcast<u32>(15i))) * 2221713035u);
                     let _e219 = (_e216 ^ (_e216 >> bitcast<u32>(16i)));
                     phi_5091_ = false;
-                    phi_346_ = type_8(0u, (_e205 + select(0u, 1u, (_e177 > 0u))));
-                    phi_349_ = vec3<f32>(0f, 0f, 0f);
+                    phi_354_ = type_8(0u, (_e205 + select(0u, 1u, (_e177 > 0u))));
+                    phi_357_ = vec3<f32>(0f, 0f, 0f);
                     loop {
                         let _e226 = phi_5091_;
-                        let _e228 = phi_346_;
-                        let _e230 = phi_349_;
+                        let _e228 = phi_354_;
+                        let _e230 = phi_357_;
                         local_11 = _e230;
                         local_12 = _e230;
                         local_13 = _e230;
                         if (_e228.member < _e228.member_1) {
-                            phi_347_ = type_8((_e228.member + 1u), _e228.member_1);
-                            phi_372_ = type_8(1u, _e228.member);
+                            phi_355_ = type_8((_e228.member + 1u), _e228.member_1);
+                            phi_380_ = type_8(1u, _e228.member);
                         } else {
-                            phi_347_ = _e228;
-                            phi_372_ = type_8(0u, type_8().member_1);
+                            phi_355_ = _e228;
+                            phi_380_ = type_8(0u, type_8().member_1);
                         }
-                        let _e243 = phi_347_;
-                        let _e245 = phi_372_;
+                        let _e243 = phi_355_;
+                        let _e245 = phi_380_;
                         let _e249 = (bitcast<i32>(_e245.member) != 0i);
                         if _e249 {
                             let _e255 = ((_e219 ^ (_e219 >> bitcast<u32>(16i))) * 2146121005u);
@@ -445,11 +445,11 @@ fn function_() {
                             if _e263 {
                                 if _e204 {
                                     let _e266 = f32(_e205);
-                                    phi_411_ = (_e162 - 1u);
-                                    phi_414_ = 0u;
+                                    phi_419_ = (_e162 - 1u);
+                                    phi_422_ = 0u;
                                     loop {
-                                        let _e270 = phi_411_;
-                                        let _e272 = phi_414_;
+                                        let _e270 = phi_419_;
+                                        let _e272 = phi_422_;
                                         local_3 = _e272;
                                         local_4 = _e272;
                                         let _e273 = (_e272 < _e270);
@@ -463,23 +463,23 @@ fn function_() {
                                             let _e280 = lights.member[_e275].member_5;
                                             let _e281 = (_e280 > ((f32(_e245.member_1) + (f32((_e219 >> bitcast<u32>(8i))) * 0.000000059604645f)) / _e266));
                                             if _e281 {
-                                                phi_438_ = _e272;
+                                                phi_446_ = _e272;
                                             } else {
-                                                phi_438_ = (_e275 + 1u);
+                                                phi_446_ = (_e275 + 1u);
                                             }
-                                            let _e284 = phi_438_;
-                                            phi_412_ = select(_e270, _e275, _e281);
-                                            phi_415_ = _e284;
+                                            let _e284 = phi_446_;
+                                            phi_420_ = select(_e270, _e275, _e281);
+                                            phi_423_ = _e284;
                                         } else {
-                                            phi_412_ = u32();
-                                            phi_415_ = u32();
+                                            phi_420_ = u32();
+                                            phi_423_ = u32();
                                         }
-                                        let _e287 = phi_412_;
-                                        let _e289 = phi_415_;
+                                        let _e287 = phi_420_;
+                                        let _e289 = phi_423_;
                                         continue;
                                         continuing {
-                                            phi_411_ = _e287;
-                                            phi_414_ = _e289;
+                                            phi_419_ = _e287;
+                                            phi_422_ = _e289;
                                             phi_5087_ = _e226;
                                             break if !(_e273);
                                         }
@@ -498,45 +498,45 @@ fn function_() {
                                     let _e298 = local_4;
                                     let _e300 = lights.member[_e298];
                                     if (_e300.member_7 > 0f) {
-                                        phi_455_ = (1f / (_e300.member_7 * _e266));
+                                        phi_463_ = (1f / (_e300.member_7 * _e266));
                                     } else {
-                                        phi_455_ = 0f;
+                                        phi_463_ = 0f;
                                     }
-                                    let _e306 = phi_455_;
+                                    let _e306 = phi_463_;
                                     let _e307 = (_e203 + _e245.member_1);
                                     let _e311 = ((_e307 ^ (_e307 >> bitcast<u32>(16i))) * 2146121005u);
                                     let _e315 = ((_e311 ^ (_e311 >> bitcast<u32>(15i))) * 2221713035u);
                                     phi_5125_ = _e292;
-                                    phi_465_ = _e300;
-                                    phi_466_ = (_e315 ^ (_e315 >> bitcast<u32>(16i)));
-                                    phi_467_ = _e306;
+                                    phi_473_ = _e300;
+                                    phi_474_ = (_e315 ^ (_e315 >> bitcast<u32>(16i)));
+                                    phi_475_ = _e306;
                                 } else {
                                     phi_5125_ = _e226;
-                                    phi_465_ = type_54();
-                                    phi_466_ = u32();
-                                    phi_467_ = f32();
+                                    phi_473_ = type_37();
+                                    phi_474_ = u32();
+                                    phi_475_ = f32();
                                 }
                                 let _e320 = phi_5125_;
-                                let _e322 = phi_465_;
-                                let _e324 = phi_466_;
-                                let _e326 = phi_467_;
+                                let _e322 = phi_473_;
+                                let _e324 = phi_474_;
+                                let _e326 = phi_475_;
                                 phi_5124_ = _e320;
-                                phi_469_ = _e322;
-                                phi_470_ = _e324;
-                                phi_471_ = _e326;
-                                phi_472_ = select(true, false, _e204);
+                                phi_477_ = _e322;
+                                phi_478_ = _e324;
+                                phi_479_ = _e326;
+                                phi_480_ = select(true, false, _e204);
                             } else {
                                 phi_5124_ = _e226;
-                                phi_469_ = type_54();
-                                phi_470_ = u32();
-                                phi_471_ = f32();
-                                phi_472_ = true;
+                                phi_477_ = type_37();
+                                phi_478_ = u32();
+                                phi_479_ = f32();
+                                phi_480_ = true;
                             }
                             let _e329 = phi_5124_;
-                            let _e331 = phi_469_;
-                            let _e333 = phi_470_;
-                            let _e335 = phi_471_;
-                            let _e337 = phi_472_;
+                            let _e331 = phi_477_;
+                            let _e333 = phi_478_;
+                            let _e335 = phi_479_;
+                            let _e337 = phi_480_;
                             if _e337 {
                                 if _e263 {
                                     if (_e245.member_1 < _e127) {
@@ -550,46 +550,46 @@ fn function_() {
                                     let _e353 = (_e203 ^ (_e349 ^ (_e349 >> bitcast<u32>(16i))));
                                     let _e357 = ((_e353 ^ (_e353 >> bitcast<u32>(16i))) * 2146121005u);
                                     let _e361 = ((_e357 ^ (_e357 >> bitcast<u32>(15i))) * 2221713035u);
-                                    phi_504_ = _e341;
-                                    phi_505_ = (_e361 ^ (_e361 >> bitcast<u32>(16i)));
+                                    phi_512_ = _e341;
+                                    phi_513_ = (_e361 ^ (_e361 >> bitcast<u32>(16i)));
                                 } else {
-                                    phi_504_ = type_54(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e171.x, _e171.y, _e171.z), 1f);
-                                    phi_505_ = (_e259 ^ (_e259 >> bitcast<u32>(16i)));
+                                    phi_512_ = type_37(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e171.x, _e171.y, _e171.z), 1f);
+                                    phi_513_ = (_e259 ^ (_e259 >> bitcast<u32>(16i)));
                                 }
-                                let _e366 = phi_504_;
-                                let _e368 = phi_505_;
-                                phi_507_ = _e366;
-                                phi_508_ = _e368;
-                                phi_509_ = select(_e177, _e165, _e263);
+                                let _e366 = phi_512_;
+                                let _e368 = phi_513_;
+                                phi_515_ = _e366;
+                                phi_516_ = _e368;
+                                phi_517_ = select(_e177, _e165, _e263);
                             } else {
-                                phi_507_ = _e331;
-                                phi_508_ = _e333;
-                                phi_509_ = 1u;
+                                phi_515_ = _e331;
+                                phi_516_ = _e333;
+                                phi_517_ = 1u;
                             }
-                            let _e371 = phi_507_;
-                            let _e373 = phi_508_;
-                            let _e375 = phi_509_;
+                            let _e371 = phi_515_;
+                            let _e373 = phi_516_;
+                            let _e375 = phi_517_;
                             let _e376 = select(_e335, 1f, _e337);
                             if (_e376 > 0f) {
                                 let _e379 = (_e371.member_1 == 3u);
                                 if _e379 {
-                                    phi_525_ = true;
+                                    phi_533_ = true;
                                 } else {
-                                    phi_525_ = (_e371.member_1 == 4294967295u);
+                                    phi_533_ = (_e371.member_1 == 4294967295u);
                                 }
-                                let _e382 = phi_525_;
+                                let _e382 = phi_533_;
                                 let _e383 = select(1u, _e375, _e382);
                                 phi_5120_ = _e329;
-                                phi_532_ = type_8(0u, _e383);
-                                phi_535_ = 340282350000000000000000000000000000000f;
-                                phi_537_ = 0f;
-                                phi_539_ = 0f;
+                                phi_540_ = type_8(0u, _e383);
+                                phi_543_ = 340282350000000000000000000000000000000f;
+                                phi_545_ = 0f;
+                                phi_547_ = 0f;
                                 loop {
                                     let _e386 = phi_5120_;
-                                    let _e388 = phi_532_;
-                                    let _e390 = phi_535_;
-                                    let _e392 = phi_537_;
-                                    let _e394 = phi_539_;
+                                    let _e388 = phi_540_;
+                                    let _e390 = phi_543_;
+                                    let _e392 = phi_545_;
+                                    let _e394 = phi_547_;
                                     local_5 = _e392;
                                     local_6 = _e392;
                                     local_14 = _e392;
@@ -598,14 +598,14 @@ fn function_() {
                                     local_9 = _e394;
                                     local_10 = _e392;
                                     if (_e388.member < _e388.member_1) {
-                                        phi_533_ = type_8((_e388.member + 1u), _e388.member_1);
-                                        phi_562_ = type_8(1u, _e388.member);
+                                        phi_541_ = type_8((_e388.member + 1u), _e388.member_1);
+                                        phi_570_ = type_8(1u, _e388.member);
                                     } else {
-                                        phi_533_ = _e388;
-                                        phi_562_ = type_8(0u, type_8().member_1);
+                                        phi_541_ = _e388;
+                                        phi_570_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e407 = phi_533_;
-                                    let _e409 = phi_562_;
+                                    let _e407 = phi_541_;
+                                    let _e409 = phi_570_;
                                     let _e413 = (bitcast<i32>(_e409.member) != 0i);
                                     if _e413 {
                                         let _e423 = (_e371.member[0] - _e143.member[0]);
@@ -633,19 +633,19 @@ fn function_() {
                                                     let _e770 = (_e756 / _e766);
                                                     let _e771 = (_e759 / _e766);
                                                     let _e777 = sqrt((((_e769 * _e769) + (_e770 * _e770)) + (_e771 * _e771)));
-                                                    phi_641_ = vec3<f32>((_e769 / _e777), (_e770 / _e777), (_e771 / _e777));
+                                                    phi_649_ = vec3<f32>((_e769 / _e777), (_e770 / _e777), (_e771 / _e777));
                                                 } else {
-                                                    phi_641_ = vec3<f32>();
+                                                    phi_649_ = vec3<f32>();
                                                 }
-                                                let _e783 = phi_641_;
-                                                phi_643_ = _e783;
-                                                phi_644_ = select(true, false, _e768);
+                                                let _e783 = phi_649_;
+                                                phi_651_ = _e783;
+                                                phi_652_ = select(true, false, _e768);
                                             } else {
-                                                phi_643_ = vec3<f32>();
-                                                phi_644_ = true;
+                                                phi_651_ = vec3<f32>();
+                                                phi_652_ = true;
                                             }
-                                            let _e786 = phi_643_;
-                                            let _e788 = phi_644_;
+                                            let _e786 = phi_651_;
+                                            let _e788 = phi_652_;
                                             let _e790 = select(_e786, vec3<f32>(0f, 0f, 0f), vec3(_e788));
                                             let _e801 = (((_e790.x * (_e143.member[0] - _e371.member[0])) + (_e790.y * (_e143.member[1] - _e371.member[1]))) + (_e790.z * (_e143.member[2] - _e371.member[2])));
                                             let _e807 = ((_e373 ^ (_e373 >> bitcast<u32>(16i))) * 2146121005u);
@@ -669,12 +669,12 @@ fn function_() {
                                             let _e854 = phi_3797_;
                                             if (_e848 < _e854) {
                                                 let _e859 = (0.5f * _e848);
-                                                phi_718_ = vec2<f32>(_e859, (_e854 - _e859));
+                                                phi_726_ = vec2<f32>(_e859, (_e854 - _e859));
                                             } else {
                                                 let _e856 = (0.5f * _e854);
-                                                phi_718_ = vec2<f32>((_e848 - _e856), _e856);
+                                                phi_726_ = vec2<f32>((_e848 - _e856), _e856);
                                             }
-                                            let _e863 = phi_718_;
+                                            let _e863 = phi_726_;
                                             let _e875 = ((_e371.member[0] + (_e745 * _e863.x)) + (_e748 * _e863.y));
                                             let _e876 = ((_e371.member[1] + (_e746 * _e863.x)) + (_e749 * _e863.y));
                                             let _e877 = ((_e371.member[2] + (_e747 * _e863.x)) + (_e750 * _e863.y));
@@ -692,23 +692,23 @@ fn function_() {
                                             let _e907 = (((_e900 * _e900) + (_e901 * _e901)) + (_e902 * _e902));
                                             let _e912 = (((_e143.member_2[0] * _e900) + (_e143.member_2[1] * _e901)) + (_e143.member_2[2] * _e902));
                                             let _e916 = (_e907 * _e907);
-                                            phi_1168_ = ((select(0f, _e912, (_e912 > 0f)) * select(0f, _e801, (_e801 > 0f))) / select(0.000000000000000000000000000000000000011754944f, _e916, (_e916 > 0.000000000000000000000000000000000000011754944f)));
-                                            phi_1169_ = vec3<f32>((_e892 - _e143.member[0]), (_e893 - _e143.member[1]), (_e894 - _e143.member[2]));
-                                            phi_1170_ = _e907;
-                                            phi_1171_ = vec3<f32>(_e892, _e893, _e894);
-                                            phi_1172_ = type_60();
-                                            phi_1173_ = f32();
-                                            phi_1174_ = true;
+                                            phi_1176_ = ((select(0f, _e912, (_e912 > 0f)) * select(0f, _e801, (_e801 > 0f))) / select(0.000000000000000000000000000000000000011754944f, _e916, (_e916 > 0.000000000000000000000000000000000000011754944f)));
+                                            phi_1177_ = vec3<f32>((_e892 - _e143.member[0]), (_e893 - _e143.member[1]), (_e894 - _e143.member[2]));
+                                            phi_1178_ = _e907;
+                                            phi_1179_ = vec3<f32>(_e892, _e893, _e894);
+                                            phi_1180_ = type_48();
+                                            phi_1181_ = f32();
+                                            phi_1182_ = true;
                                         } else {
                                             if (_e371.member_1 == 2u) {
                                                 let _e699 = -(_e371.member_2[0]);
                                                 let _e700 = -(_e371.member_2[1]);
                                                 let _e701 = -(_e371.member_2[2]);
                                                 let _e707 = (((_e143.member_2[0] * _e699) + (_e143.member_2[1] * _e700)) + (_e143.member_2[2] * _e701));
-                                                phi_1137_ = select(0f, _e707, (_e707 > 0f));
-                                                phi_1138_ = vec3<f32>(_e699, _e700, _e701);
-                                                phi_1139_ = f32();
-                                                phi_1140_ = true;
+                                                phi_1145_ = select(0f, _e707, (_e707 > 0f));
+                                                phi_1146_ = vec3<f32>(_e699, _e700, _e701);
+                                                phi_1147_ = f32();
+                                                phi_1148_ = true;
                                             } else {
                                                 let _e428 = (_e371.member_1 == 4294967295u);
                                                 if _e428 {
@@ -738,14 +738,14 @@ fn function_() {
                                                     let _e547 = ((2f * _e543) - 1f);
                                                     if (_e545 == 0f) {
                                                         let _e549 = (_e547 == 0f);
-                                                        phi_898_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e549));
-                                                        phi_899_ = select(true, false, _e549);
+                                                        phi_906_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e549));
+                                                        phi_907_ = select(true, false, _e549);
                                                     } else {
-                                                        phi_898_ = vec2<f32>();
-                                                        phi_899_ = true;
+                                                        phi_906_ = vec2<f32>();
+                                                        phi_907_ = true;
                                                     }
-                                                    let _e554 = phi_898_;
-                                                    let _e556 = phi_899_;
+                                                    let _e554 = phi_906_;
+                                                    let _e556 = phi_907_;
                                                     if _e556 {
                                                         if (abs(_e545) > abs(_e547)) {
                                                             let _e613 = (_e547 / _e545);
@@ -759,18 +759,18 @@ fn function_() {
                                                             let _e650 = select(_e640, _e631, _e649);
                                                             let _e651 = select(_e631, _e640, _e649);
                                                             if ((_e647 & 2i) == 0i) {
-                                                                phi_963_ = _e650;
+                                                                phi_971_ = _e650;
                                                             } else {
-                                                                phi_963_ = -(_e650);
+                                                                phi_971_ = -(_e650);
                                                             }
-                                                            let _e656 = phi_963_;
+                                                            let _e656 = phi_971_;
                                                             if (((_e647 + 1i) & 2i) == 0i) {
-                                                                phi_971_ = _e651;
+                                                                phi_979_ = _e651;
                                                             } else {
-                                                                phi_971_ = -(_e651);
+                                                                phi_979_ = -(_e651);
                                                             }
-                                                            let _e662 = phi_971_;
-                                                            phi_1041_ = vec2<f32>((_e545 * _e662), (_e545 * _e656));
+                                                            let _e662 = phi_979_;
+                                                            phi_1049_ = vec2<f32>((_e545 * _e662), (_e545 * _e656));
                                                         } else {
                                                             let _e560 = (_e545 / _e547);
                                                             let _e564 = floor(((_e560 * 0.5f) + 0.5f));
@@ -783,29 +783,29 @@ fn function_() {
                                                             let _e597 = select(_e587, _e578, _e596);
                                                             let _e598 = select(_e578, _e587, _e596);
                                                             if ((_e594 & 2i) == 0i) {
-                                                                phi_1029_ = _e597;
+                                                                phi_1037_ = _e597;
                                                             } else {
-                                                                phi_1029_ = -(_e597);
+                                                                phi_1037_ = -(_e597);
                                                             }
-                                                            let _e603 = phi_1029_;
+                                                            let _e603 = phi_1037_;
                                                             if (((_e594 + 1i) & 2i) == 0i) {
-                                                                phi_1037_ = _e598;
+                                                                phi_1045_ = _e598;
                                                             } else {
-                                                                phi_1037_ = -(_e598);
+                                                                phi_1045_ = -(_e598);
                                                             }
-                                                            let _e609 = phi_1037_;
-                                                            phi_1041_ = vec2<f32>((_e547 * _e603), (_e547 * _e609));
+                                                            let _e609 = phi_1045_;
+                                                            phi_1049_ = vec2<f32>((_e547 * _e603), (_e547 * _e609));
                                                         }
-                                                        let _e667 = phi_1041_;
-                                                        phi_1042_ = _e667;
+                                                        let _e667 = phi_1049_;
+                                                        phi_1050_ = _e667;
                                                     } else {
-                                                        phi_1042_ = _e554;
+                                                        phi_1050_ = _e554;
                                                     }
-                                                    let _e669 = phi_1042_;
+                                                    let _e669 = phi_1050_;
                                                     let _e675 = (1f - ((_e669.x * _e669.x) + (_e669.y * _e669.y)));
                                                     let _e678 = sqrt(select(0f, _e675, (_e675 > 0f)));
-                                                    phi_1135_ = vec3<f32>(((((1f + (((_e477 * _e143.member_2[0]) * _e143.member_2[0]) * _e479)) * _e669.x) + (_e481 * _e669.y)) + (_e143.member_2[0] * _e678)), ((((_e477 * _e481) * _e669.x) + ((_e477 + ((_e143.member_2[1] * _e143.member_2[1]) * _e479)) * _e669.y)) + (_e143.member_2[1] * _e678)), ((((-(_e477) * _e143.member_2[0]) * _e669.x) + (-(_e143.member_2[1]) * _e669.y)) + (_e143.member_2[2] * _e678)));
-                                                    phi_1136_ = f32();
+                                                    phi_1143_ = vec3<f32>(((((1f + (((_e477 * _e143.member_2[0]) * _e143.member_2[0]) * _e479)) * _e669.x) + (_e481 * _e669.y)) + (_e143.member_2[0] * _e678)), ((((_e477 * _e481) * _e669.x) + ((_e477 + ((_e143.member_2[1] * _e143.member_2[1]) * _e479)) * _e669.y)) + (_e143.member_2[1] * _e678)), ((((-(_e477) * _e143.member_2[0]) * _e669.x) + (-(_e143.member_2[1]) * _e669.y)) + (_e143.member_2[2] * _e678)));
+                                                    phi_1144_ = f32();
                                                 } else {
                                                     let _e434 = sqrt((((_e423 * _e423) + (_e424 * _e424)) + (_e425 * _e425)));
                                                     let _e439 = (((_e143.member_2[0] * _e423) + (_e143.member_2[1] * _e424)) + (_e143.member_2[2] * _e425));
@@ -816,65 +816,65 @@ fn function_() {
                                                         let _e465 = (((-((((_e423 * _e371.member_2[0]) + (_e424 * _e371.member_2[1])) + (_e425 * _e371.member_2[2]))) / select(0.000000000000000000000000000000000000011754944f, _e434, (_e434 > 0.000000000000000000000000000000000000011754944f))) - _e371.member_4[1]) / select(0.001f, _e462, (_e462 > 0.001f)));
                                                         let _e467 = select(0f, _e465, (_e465 > 0f));
                                                         let _e469 = select(1f, _e467, (_e467 < 1f));
-                                                        phi_1134_ = (_e446 * (_e469 * _e469));
+                                                        phi_1142_ = (_e446 * (_e469 * _e469));
                                                     } else {
-                                                        phi_1134_ = _e446;
+                                                        phi_1142_ = _e446;
                                                     }
-                                                    let _e473 = phi_1134_;
-                                                    phi_1135_ = vec3<f32>();
-                                                    phi_1136_ = _e473;
+                                                    let _e473 = phi_1142_;
+                                                    phi_1143_ = vec3<f32>();
+                                                    phi_1144_ = _e473;
                                                 }
-                                                let _e696 = phi_1135_;
-                                                let _e698 = phi_1136_;
-                                                phi_1137_ = 1f;
-                                                phi_1138_ = _e696;
-                                                phi_1139_ = _e698;
-                                                phi_1140_ = _e428;
+                                                let _e696 = phi_1143_;
+                                                let _e698 = phi_1144_;
+                                                phi_1145_ = 1f;
+                                                phi_1146_ = _e696;
+                                                phi_1147_ = _e698;
+                                                phi_1148_ = _e428;
                                             }
-                                            let _e711 = phi_1137_;
-                                            let _e713 = phi_1138_;
-                                            let _e715 = phi_1139_;
-                                            let _e717 = phi_1140_;
+                                            let _e711 = phi_1145_;
+                                            let _e713 = phi_1146_;
+                                            let _e715 = phi_1147_;
+                                            let _e717 = phi_1148_;
                                             if _e717 {
                                                 if ((((_e143.member_4[0] * _e713.x) + (_e143.member_4[1] * _e713.y)) + (_e143.member_4[2] * _e713.z)) < 0f) {
-                                                    phi_1157_ = -(_e143.member_9);
+                                                    phi_1165_ = -(_e143.member_9);
                                                 } else {
-                                                    phi_1157_ = _e143.member_9;
+                                                    phi_1165_ = _e143.member_9;
                                                 }
-                                                let _e729 = phi_1157_;
-                                                phi_1166_ = type_60(vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e729)), (_e143.member[1] + (_e143.member_4[1] * _e729)), (_e143.member[2] + (_e143.member_4[2] * _e729))), _e713, 0f, 340282350000000000000000000000000000000f);
+                                                let _e729 = phi_1165_;
+                                                phi_1174_ = type_48(vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e729)), (_e143.member[1] + (_e143.member_4[1] * _e729)), (_e143.member[2] + (_e143.member_4[2] * _e729))), _e713, 0f, 340282350000000000000000000000000000000f);
                                             } else {
-                                                phi_1166_ = type_60();
+                                                phi_1174_ = type_48();
                                             }
-                                            let _e739 = phi_1166_;
-                                            phi_1168_ = _e715;
-                                            phi_1169_ = vec3<f32>(_e423, _e424, _e425);
-                                            phi_1170_ = 340282350000000000000000000000000000000f;
-                                            phi_1171_ = vec3<f32>(_e371.member[0], _e371.member[1], _e371.member[2]);
-                                            phi_1172_ = _e739;
-                                            phi_1173_ = _e711;
-                                            phi_1174_ = select(true, false, _e717);
+                                            let _e739 = phi_1174_;
+                                            phi_1176_ = _e715;
+                                            phi_1177_ = vec3<f32>(_e423, _e424, _e425);
+                                            phi_1178_ = 340282350000000000000000000000000000000f;
+                                            phi_1179_ = vec3<f32>(_e371.member[0], _e371.member[1], _e371.member[2]);
+                                            phi_1180_ = _e739;
+                                            phi_1181_ = _e711;
+                                            phi_1182_ = select(true, false, _e717);
                                         }
-                                        let _e921 = phi_1168_;
-                                        let _e923 = phi_1169_;
-                                        let _e925 = phi_1170_;
-                                        let _e927 = phi_1171_;
-                                        let _e929 = phi_1172_;
-                                        let _e931 = phi_1173_;
-                                        let _e933 = phi_1174_;
+                                        let _e921 = phi_1176_;
+                                        let _e923 = phi_1177_;
+                                        let _e925 = phi_1178_;
+                                        let _e927 = phi_1179_;
+                                        let _e929 = phi_1180_;
+                                        let _e931 = phi_1181_;
+                                        let _e933 = phi_1182_;
                                         if _e933 {
                                             if ((((_e143.member_4[0] * _e923.x) + (_e143.member_4[1] * _e923.y)) + (_e143.member_4[2] * _e923.z)) < 0f) {
-                                                phi_1191_ = -(_e143.member_9);
+                                                phi_1199_ = -(_e143.member_9);
                                             } else {
-                                                phi_1191_ = _e143.member_9;
+                                                phi_1199_ = _e143.member_9;
                                             }
-                                            let _e945 = phi_1191_;
+                                            let _e945 = phi_1199_;
                                             let _e952 = vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e945)), (_e143.member[1] + (_e143.member_4[1] * _e945)), (_e143.member[2] + (_e143.member_4[2] * _e945)));
-                                            phi_1202_ = type_60(_e952, (_e927 - _e952), 0f, 0.9999995f);
+                                            phi_1210_ = type_48(_e952, (_e927 - _e952), 0f, 0.9999995f);
                                         } else {
-                                            phi_1202_ = _e929;
+                                            phi_1210_ = _e929;
                                         }
-                                        let _e956 = phi_1202_;
+                                        let _e956 = phi_1210_;
                                         let _e957 = select(_e931, _e921, _e933);
                                         let _e958 = select(340282350000000000000000000000000000000f, _e925, _e933);
                                         if (_e957 > 0f) {
@@ -883,31 +883,31 @@ fn function_() {
                                             let _e971 = abs(_e956.member_1.z);
                                             let _e972 = (_e965 > _e968);
                                             if _e972 {
-                                                phi_1235_ = (_e965 > _e971);
+                                                phi_1243_ = (_e965 > _e971);
                                             } else {
-                                                phi_1235_ = (_e968 > _e971);
+                                                phi_1243_ = (_e968 > _e971);
                                             }
-                                            let _e976 = phi_1235_;
+                                            let _e976 = phi_1243_;
                                             let _e977 = select(1u, 0u, _e972);
                                             if _e976 {
                                                 let _e978 = (_e977 + 1u);
-                                                phi_1245_ = _e978;
-                                                phi_1248_ = select(true, false, (_e978 == 2u));
+                                                phi_1253_ = _e978;
+                                                phi_1256_ = select(true, false, (_e978 == 2u));
                                             } else {
-                                                phi_1245_ = u32();
-                                                phi_1248_ = false;
+                                                phi_1253_ = u32();
+                                                phi_1256_ = false;
                                             }
-                                            let _e982 = phi_1245_;
-                                            let _e984 = phi_1248_;
+                                            let _e982 = phi_1253_;
+                                            let _e984 = phi_1256_;
                                             let _e985 = select(true, false, _e976);
                                             let _e986 = select(_e982, 0u, _e985);
                                             let _e988 = select(_e984, true, _e985);
                                             if _e988 {
-                                                phi_1259_ = (_e986 + 1u);
+                                                phi_1267_ = (_e986 + 1u);
                                             } else {
-                                                phi_1259_ = 0u;
+                                                phi_1267_ = 0u;
                                             }
-                                            let _e991 = phi_1259_;
+                                            let _e991 = phi_1267_;
                                             let _e992 = select(_e982, _e986, _e988);
                                             let _e993 = select(_e977, select(_e977, 2u, _e985), _e988);
                                             local_1 = array<f32, 3>(_e956.member_1.x, _e956.member_1.y, _e956.member_1.z);
@@ -981,31 +981,31 @@ fn function_() {
                                             let _e1070 = (_e956.member.y - _e1056);
                                             let _e1071 = (_e956.member.z - _e1057);
                                             if (_e965 > _e1061) {
-                                                phi_1412_ = (1f / _e956.member_1.x);
-                                            } else {
-                                                phi_1412_ = (1000000000000f / _e1060);
-                                            }
-                                            let _e1076 = phi_1412_;
-                                            if (_e968 > _e1061) {
-                                                phi_1420_ = (1f / _e956.member_1.y);
+                                                phi_1420_ = (1f / _e956.member_1.x);
                                             } else {
                                                 phi_1420_ = (1000000000000f / _e1060);
                                             }
-                                            let _e1081 = phi_1420_;
-                                            if (_e971 > _e1061) {
-                                                phi_1428_ = (1f / _e956.member_1.z);
+                                            let _e1076 = phi_1420_;
+                                            if (_e968 > _e1061) {
+                                                phi_1428_ = (1f / _e956.member_1.y);
                                             } else {
                                                 phi_1428_ = (1000000000000f / _e1060);
                                             }
-                                            let _e1086 = phi_1428_;
+                                            let _e1081 = phi_1428_;
+                                            if (_e971 > _e1061) {
+                                                phi_1436_ = (1f / _e956.member_1.z);
+                                            } else {
+                                                phi_1436_ = (1000000000000f / _e1060);
+                                            }
+                                            let _e1086 = phi_1436_;
                                             local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                                             phi_5098_ = _e386;
-                                            phi_1432_ = 0u;
-                                            phi_1435_ = 0u;
+                                            phi_1440_ = 0u;
+                                            phi_1443_ = 0u;
                                             loop {
                                                 let _e1090 = phi_5098_;
-                                                let _e1092 = phi_1432_;
-                                                let _e1094 = phi_1435_;
+                                                let _e1092 = phi_1440_;
+                                                let _e1094 = phi_1443_;
                                                 let _e1095 = (_e1092 & 15u);
                                                 let _e1097 = (_e1092 >> bitcast<u32>(4u));
                                                 if (_e1095 == 0u) {
@@ -1101,11 +1101,11 @@ fn function_() {
                                                             break;
                                                         }
                                                         local[_e1094] = _e1937;
-                                                        phi_1822_ = (_e1094 + 1u);
+                                                        phi_1830_ = (_e1094 + 1u);
                                                     } else {
-                                                        phi_1822_ = _e1094;
+                                                        phi_1830_ = _e1094;
                                                     }
-                                                    let _e1943 = phi_1822_;
+                                                    let _e1943 = phi_1830_;
                                                     if (select(340282350000000000000000000000000000000f, _e1863, (_e1863 <= select(_e956.member_3, _e1903, (_e1903 < _e956.member_3)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e1943 < 64u) {
                                                         } else {
@@ -1114,11 +1114,11 @@ fn function_() {
                                                             break;
                                                         }
                                                         local[_e1943] = _e1933;
-                                                        phi_1834_ = (_e1943 + 1u);
+                                                        phi_1842_ = (_e1943 + 1u);
                                                     } else {
-                                                        phi_1834_ = _e1943;
+                                                        phi_1842_ = _e1943;
                                                     }
-                                                    let _e1949 = phi_1834_;
+                                                    let _e1949 = phi_1842_;
                                                     if (select(340282350000000000000000000000000000000f, _e1861, (_e1861 <= select(_e956.member_3, _e1901, (_e1901 < _e956.member_3)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e1949 < 64u) {
                                                         } else {
@@ -1127,11 +1127,11 @@ fn function_() {
                                                             break;
                                                         }
                                                         local[_e1949] = _e1929;
-                                                        phi_1846_ = (_e1949 + 1u);
+                                                        phi_1854_ = (_e1949 + 1u);
                                                     } else {
-                                                        phi_1846_ = _e1949;
+                                                        phi_1854_ = _e1949;
                                                     }
-                                                    let _e1955 = phi_1846_;
+                                                    let _e1955 = phi_1854_;
                                                     if (select(340282350000000000000000000000000000000f, _e1859, (_e1859 <= select(_e956.member_3, _e1899, (_e1899 < _e956.member_3)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e1955 < 64u) {
                                                         } else {
@@ -1140,27 +1140,27 @@ fn function_() {
                                                             break;
                                                         }
                                                         local[_e1955] = _e1925;
-                                                        phi_1858_ = (_e1955 + 1u);
+                                                        phi_1866_ = (_e1955 + 1u);
                                                     } else {
-                                                        phi_1858_ = _e1955;
+                                                        phi_1866_ = _e1955;
                                                     }
-                                                    let _e1961 = phi_1858_;
+                                                    let _e1961 = phi_1866_;
                                                     phi_5205_ = _e1090;
-                                                    phi_2551_ = _e1961;
-                                                    phi_2552_ = true;
+                                                    phi_2559_ = _e1961;
+                                                    phi_2560_ = true;
                                                 } else {
-                                                    phi_1862_ = type_8(_e1097, (_e1097 + _e1095));
+                                                    phi_1870_ = type_8(_e1097, (_e1097 + _e1095));
                                                     loop {
-                                                        let _e1102 = phi_1862_;
+                                                        let _e1102 = phi_1870_;
                                                         if (_e1102.member < _e1102.member_1) {
-                                                            phi_1863_ = type_8((_e1102.member + 1u), _e1102.member_1);
-                                                            phi_1886_ = type_8(1u, _e1102.member);
+                                                            phi_1871_ = type_8((_e1102.member + 1u), _e1102.member_1);
+                                                            phi_1894_ = type_8(1u, _e1102.member);
                                                         } else {
-                                                            phi_1863_ = _e1102;
-                                                            phi_1886_ = type_8(0u, type_8().member_1);
+                                                            phi_1871_ = _e1102;
+                                                            phi_1894_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e1115 = phi_1863_;
-                                                        let _e1117 = phi_1886_;
+                                                        let _e1115 = phi_1871_;
+                                                        let _e1117 = phi_1894_;
                                                         let _e1121 = (bitcast<i32>(_e1117.member) != 0i);
                                                         if _e1121 {
                                                             let _e1122 = (_e1117.member_1 < arrayLength((&triangles.member)));
@@ -1245,7 +1245,7 @@ fn function_() {
                                                             let _e1180 = (_e1172 * _e1165);
                                                             let _e1181 = (_e1179 * _e1158);
                                                             if (_e1180 != _e1181) {
-                                                                phi_2002_ = (_e1180 - _e1181);
+                                                                phi_2010_ = (_e1180 - _e1181);
                                                             } else {
                                                                 let _e1183 = (_e1172 * 4097f);
                                                                 let _e1185 = (_e1183 - (_e1183 - _e1172));
@@ -1259,13 +1259,13 @@ fn function_() {
                                                                 let _e1204 = (_e1202 - (_e1202 - _e1158));
                                                                 let _e1205 = (_e1179 - _e1201);
                                                                 let _e1206 = (_e1158 - _e1204);
-                                                                phi_2002_ = ((((((_e1185 * _e1188) - _e1180) + (_e1185 * _e1190)) + (_e1189 * _e1188)) + (_e1189 * _e1190)) - (((((_e1201 * _e1204) - _e1181) + (_e1201 * _e1206)) + (_e1205 * _e1204)) + (_e1205 * _e1206)));
+                                                                phi_2010_ = ((((((_e1185 * _e1188) - _e1180) + (_e1185 * _e1190)) + (_e1189 * _e1188)) + (_e1189 * _e1190)) - (((((_e1201 * _e1204) - _e1181) + (_e1201 * _e1206)) + (_e1205 * _e1204)) + (_e1205 * _e1206)));
                                                             }
-                                                            let _e1218 = phi_2002_;
+                                                            let _e1218 = phi_2010_;
                                                             let _e1219 = (_e1144 * _e1179);
                                                             let _e1220 = (_e1151 * _e1172);
                                                             if (_e1219 != _e1220) {
-                                                                phi_2013_ = (_e1219 - _e1220);
+                                                                phi_2021_ = (_e1219 - _e1220);
                                                             } else {
                                                                 let _e1222 = (_e1144 * 4097f);
                                                                 let _e1224 = (_e1222 - (_e1222 - _e1144));
@@ -1279,13 +1279,13 @@ fn function_() {
                                                                 let _e1243 = (_e1241 - (_e1241 - _e1172));
                                                                 let _e1244 = (_e1151 - _e1240);
                                                                 let _e1245 = (_e1172 - _e1243);
-                                                                phi_2013_ = ((((((_e1224 * _e1227) - _e1219) + (_e1224 * _e1229)) + (_e1228 * _e1227)) + (_e1228 * _e1229)) - (((((_e1240 * _e1243) - _e1220) + (_e1240 * _e1245)) + (_e1244 * _e1243)) + (_e1244 * _e1245)));
+                                                                phi_2021_ = ((((((_e1224 * _e1227) - _e1219) + (_e1224 * _e1229)) + (_e1228 * _e1227)) + (_e1228 * _e1229)) - (((((_e1240 * _e1243) - _e1220) + (_e1240 * _e1245)) + (_e1244 * _e1243)) + (_e1244 * _e1245)));
                                                             }
-                                                            let _e1257 = phi_2013_;
+                                                            let _e1257 = phi_2021_;
                                                             let _e1258 = (_e1158 * _e1151);
                                                             let _e1259 = (_e1165 * _e1144);
                                                             if (_e1258 != _e1259) {
-                                                                phi_2024_ = (_e1258 - _e1259);
+                                                                phi_2032_ = (_e1258 - _e1259);
                                                             } else {
                                                                 let _e1261 = (_e1158 * 4097f);
                                                                 let _e1263 = (_e1261 - (_e1261 - _e1158));
@@ -1299,71 +1299,71 @@ fn function_() {
                                                                 let _e1282 = (_e1280 - (_e1280 - _e1144));
                                                                 let _e1283 = (_e1165 - _e1279);
                                                                 let _e1284 = (_e1144 - _e1282);
-                                                                phi_2024_ = ((((((_e1263 * _e1266) - _e1258) + (_e1263 * _e1268)) + (_e1267 * _e1266)) + (_e1267 * _e1268)) - (((((_e1279 * _e1282) - _e1259) + (_e1279 * _e1284)) + (_e1283 * _e1282)) + (_e1283 * _e1284)));
+                                                                phi_2032_ = ((((((_e1263 * _e1266) - _e1258) + (_e1263 * _e1268)) + (_e1267 * _e1266)) + (_e1267 * _e1268)) - (((((_e1279 * _e1282) - _e1259) + (_e1279 * _e1284)) + (_e1283 * _e1282)) + (_e1283 * _e1284)));
                                                             }
-                                                            let _e1296 = phi_2024_;
+                                                            let _e1296 = phi_2032_;
                                                             if (_e1218 < 0f) {
-                                                                phi_2042_ = f32();
-                                                                phi_2043_ = true;
+                                                                phi_2050_ = f32();
+                                                                phi_2051_ = true;
                                                             } else {
                                                                 if (_e1257 < 0f) {
-                                                                    phi_2040_ = f32();
-                                                                    phi_2041_ = true;
+                                                                    phi_2048_ = f32();
+                                                                    phi_2049_ = true;
                                                                 } else {
                                                                     let _e1299 = (_e1296 < 0f);
                                                                     if _e1299 {
-                                                                        phi_2039_ = f32();
+                                                                        phi_2047_ = f32();
                                                                     } else {
-                                                                        phi_2039_ = ((_e1218 + _e1257) + _e1296);
+                                                                        phi_2047_ = ((_e1218 + _e1257) + _e1296);
                                                                     }
-                                                                    let _e1303 = phi_2039_;
-                                                                    phi_2040_ = _e1303;
-                                                                    phi_2041_ = _e1299;
+                                                                    let _e1303 = phi_2047_;
+                                                                    phi_2048_ = _e1303;
+                                                                    phi_2049_ = _e1299;
                                                                 }
-                                                                let _e1305 = phi_2040_;
-                                                                let _e1307 = phi_2041_;
-                                                                phi_2042_ = _e1305;
-                                                                phi_2043_ = _e1307;
+                                                                let _e1305 = phi_2048_;
+                                                                let _e1307 = phi_2049_;
+                                                                phi_2050_ = _e1305;
+                                                                phi_2051_ = _e1307;
                                                             }
-                                                            let _e1309 = phi_2042_;
-                                                            let _e1311 = phi_2043_;
+                                                            let _e1309 = phi_2050_;
+                                                            let _e1311 = phi_2051_;
                                                             if _e1311 {
                                                                 if (_e1218 > 0f) {
-                                                                    phi_2064_ = f32();
-                                                                    phi_2065_ = true;
-                                                                    phi_2066_ = false;
+                                                                    phi_2072_ = f32();
+                                                                    phi_2073_ = true;
+                                                                    phi_2074_ = false;
                                                                 } else {
                                                                     let _e1313 = (_e1257 > 0f);
                                                                     if _e1313 {
-                                                                        phi_2062_ = f32();
-                                                                        phi_2063_ = false;
+                                                                        phi_2070_ = f32();
+                                                                        phi_2071_ = false;
                                                                     } else {
-                                                                        phi_2062_ = ((_e1218 + _e1257) + _e1296);
-                                                                        phi_2063_ = select(true, false, (_e1296 > 0f));
+                                                                        phi_2070_ = ((_e1218 + _e1257) + _e1296);
+                                                                        phi_2071_ = select(true, false, (_e1296 > 0f));
                                                                     }
-                                                                    let _e1319 = phi_2062_;
-                                                                    let _e1321 = phi_2063_;
-                                                                    phi_2064_ = _e1319;
-                                                                    phi_2065_ = _e1313;
-                                                                    phi_2066_ = _e1321;
+                                                                    let _e1319 = phi_2070_;
+                                                                    let _e1321 = phi_2071_;
+                                                                    phi_2072_ = _e1319;
+                                                                    phi_2073_ = _e1313;
+                                                                    phi_2074_ = _e1321;
                                                                 }
-                                                                let _e1323 = phi_2064_;
-                                                                let _e1325 = phi_2065_;
-                                                                let _e1327 = phi_2066_;
-                                                                phi_2071_ = _e1323;
-                                                                phi_2072_ = select(_e1327, false, _e1325);
+                                                                let _e1323 = phi_2072_;
+                                                                let _e1325 = phi_2073_;
+                                                                let _e1327 = phi_2074_;
+                                                                phi_2079_ = _e1323;
+                                                                phi_2080_ = select(_e1327, false, _e1325);
                                                             } else {
-                                                                phi_2071_ = _e1309;
-                                                                phi_2072_ = true;
+                                                                phi_2079_ = _e1309;
+                                                                phi_2080_ = true;
                                                             }
-                                                            let _e1330 = phi_2071_;
-                                                            let _e1332 = phi_2072_;
+                                                            let _e1330 = phi_2079_;
+                                                            let _e1332 = phi_2080_;
                                                             if _e1332 {
                                                                 let _e1333 = (_e1330 == 0f);
                                                                 if _e1333 {
-                                                                    phi_2160_ = array<f32, 3>();
-                                                                    phi_2161_ = array<f32, 3>();
-                                                                    phi_2162_ = false;
+                                                                    phi_2168_ = array<f32, 3>();
+                                                                    phi_2169_ = array<f32, 3>();
+                                                                    phi_2170_ = false;
                                                                 } else {
                                                                     let _e1334 = (_e1127 * _e1005);
                                                                     let _e1335 = (_e1132 * _e1005);
@@ -1386,8 +1386,8 @@ fn function_() {
                                                                     let _e1367 = abs(_e1336);
                                                                     let _e1374 = (((select(_e1352, _e1351, (_e1351 > _e1352)) * select(_e1359, _e1358, (_e1358 > _e1359))) * select(_e1367, _e1366, (_e1366 > _e1367))) <= (abs((_e1330 * _e1347)) * 256f));
                                                                     if _e1374 {
-                                                                        phi_2158_ = array<f32, 3>(_e1347, _e1340, _e1341);
-                                                                        phi_2159_ = array<f32, 3>();
+                                                                        phi_2166_ = array<f32, 3>(_e1347, _e1340, _e1341);
+                                                                        phi_2167_ = array<f32, 3>();
                                                                     } else {
                                                                         let _e1376 = (_e1172 * 4097f);
                                                                         let _e1378 = (_e1376 - (_e1376 - _e1172));
@@ -1413,44 +1413,44 @@ fn function_() {
                                                                         let _e1458 = (1f / ((_e1409 + _e1436) + _e1455));
                                                                         let _e1459 = (_e1436 * _e1458);
                                                                         let _e1460 = (_e1455 * _e1458);
-                                                                        phi_2158_ = array<f32, 3>();
-                                                                        phi_2159_ = array<f32, 3>(((((_e1409 * _e1458) * _e1334) + (_e1459 * _e1335)) + (_e1460 * _e1336)), _e1459, _e1460);
+                                                                        phi_2166_ = array<f32, 3>();
+                                                                        phi_2167_ = array<f32, 3>(((((_e1409 * _e1458) * _e1334) + (_e1459 * _e1335)) + (_e1460 * _e1336)), _e1459, _e1460);
                                                                     }
-                                                                    let _e1470 = phi_2158_;
-                                                                    let _e1472 = phi_2159_;
-                                                                    phi_2160_ = _e1470;
-                                                                    phi_2161_ = _e1472;
-                                                                    phi_2162_ = _e1374;
+                                                                    let _e1470 = phi_2166_;
+                                                                    let _e1472 = phi_2167_;
+                                                                    phi_2168_ = _e1470;
+                                                                    phi_2169_ = _e1472;
+                                                                    phi_2170_ = _e1374;
                                                                 }
-                                                                let _e1474 = phi_2160_;
-                                                                let _e1476 = phi_2161_;
-                                                                let _e1478 = phi_2162_;
-                                                                phi_2163_ = _e1474;
-                                                                phi_2164_ = _e1476;
-                                                                phi_2165_ = _e1333;
-                                                                phi_2166_ = _e1478;
+                                                                let _e1474 = phi_2168_;
+                                                                let _e1476 = phi_2169_;
+                                                                let _e1478 = phi_2170_;
+                                                                phi_2171_ = _e1474;
+                                                                phi_2172_ = _e1476;
+                                                                phi_2173_ = _e1333;
+                                                                phi_2174_ = _e1478;
                                                             } else {
-                                                                phi_2163_ = array<f32, 3>();
-                                                                phi_2164_ = array<f32, 3>();
-                                                                phi_2165_ = true;
-                                                                phi_2166_ = false;
+                                                                phi_2171_ = array<f32, 3>();
+                                                                phi_2172_ = array<f32, 3>();
+                                                                phi_2173_ = true;
+                                                                phi_2174_ = false;
                                                             }
-                                                            let _e1480 = phi_2163_;
-                                                            let _e1482 = phi_2164_;
-                                                            let _e1484 = phi_2165_;
-                                                            let _e1486 = phi_2166_;
+                                                            let _e1480 = phi_2171_;
+                                                            let _e1482 = phi_2172_;
+                                                            let _e1484 = phi_2173_;
+                                                            let _e1486 = phi_2174_;
                                                             if _e1484 {
-                                                                phi_2171_ = array<f32, 3>(-1f, 0f, 0f);
+                                                                phi_2179_ = array<f32, 3>(-1f, 0f, 0f);
                                                             } else {
-                                                                phi_2171_ = _e1480;
+                                                                phi_2179_ = _e1480;
                                                             }
-                                                            let _e1488 = phi_2171_;
+                                                            let _e1488 = phi_2179_;
                                                             if select(_e1486, true, _e1484) {
-                                                                phi_2176_ = _e1488;
+                                                                phi_2184_ = _e1488;
                                                             } else {
-                                                                phi_2176_ = _e1482;
+                                                                phi_2184_ = _e1482;
                                                             }
-                                                            let _e1491 = phi_2176_;
+                                                            let _e1491 = phi_2184_;
                                                             if (_e1491[0] >= _e956.member_2) {
                                                                 let _e1497 = (_e1491[0] < _e956.member_3);
                                                                 if _e1497 {
@@ -1464,7 +1464,7 @@ fn function_() {
                                                                         }
                                                                         let _e1501 = triangles.member[_e1117.member_1].member_3;
                                                                         if ((_e1501 & 1u) == 0u) {
-                                                                            phi_2509_ = true;
+                                                                            phi_2517_ = true;
                                                                         } else {
                                                                             if _e1122 {
                                                                             } else {
@@ -1557,7 +1557,7 @@ fn function_() {
                                                                                 break;
                                                                             }
                                                                             if (_e1517 == 4294967295u) {
-                                                                                phi_2504_ = (_e1532 < _e1537);
+                                                                                phi_2512_ = (_e1532 < _e1537);
                                                                             } else {
                                                                                 if (_e1117.member_1 < arrayLength((&attributes.member))) {
                                                                                 } else {
@@ -1582,36 +1582,36 @@ fn function_() {
                                                                                 let _e1591 = (_e1589 - _e1590);
                                                                                 let _e1592 = (_e1580 - 1u);
                                                                                 if (_e1590 < 0f) {
-                                                                                    phi_2387_ = _e1592;
+                                                                                    phi_2395_ = _e1592;
                                                                                 } else {
                                                                                     let _e1598 = select(select(u32(_e1590), 0u, (_e1590 < 0f)), 4294967295u, (_e1590 > 4294967000f));
-                                                                                    phi_2387_ = select(_e1598, _e1592, (_e1592 < _e1598));
+                                                                                    phi_2395_ = select(_e1598, _e1592, (_e1592 < _e1598));
                                                                                 }
-                                                                                let _e1602 = phi_2387_;
+                                                                                let _e1602 = phi_2395_;
                                                                                 if (_e1602 == _e1592) {
-                                                                                    phi_2393_ = 0u;
+                                                                                    phi_2401_ = 0u;
                                                                                 } else {
-                                                                                    phi_2393_ = (_e1602 + 1u);
+                                                                                    phi_2401_ = (_e1602 + 1u);
                                                                                 }
-                                                                                let _e1606 = phi_2393_;
+                                                                                let _e1606 = phi_2401_;
                                                                                 let _e1608 = (_e1579 - floor(_e1579));
                                                                                 let _e1613 = ((select(0f, _e1608, (_e1608 <= 1f)) * f32(_e1582)) - 0.5f);
                                                                                 let _e1614 = floor(_e1613);
                                                                                 let _e1615 = (_e1613 - _e1614);
                                                                                 let _e1616 = (_e1582 - 1u);
                                                                                 if (_e1614 < 0f) {
-                                                                                    phi_2423_ = _e1616;
+                                                                                    phi_2431_ = _e1616;
                                                                                 } else {
                                                                                     let _e1622 = select(select(u32(_e1614), 0u, (_e1614 < 0f)), 4294967295u, (_e1614 > 4294967000f));
-                                                                                    phi_2423_ = select(_e1622, _e1616, (_e1616 < _e1622));
+                                                                                    phi_2431_ = select(_e1622, _e1616, (_e1616 < _e1622));
                                                                                 }
-                                                                                let _e1626 = phi_2423_;
+                                                                                let _e1626 = phi_2431_;
                                                                                 if (_e1626 == _e1616) {
-                                                                                    phi_2429_ = 0u;
+                                                                                    phi_2437_ = 0u;
                                                                                 } else {
-                                                                                    phi_2429_ = (_e1626 + 1u);
+                                                                                    phi_2437_ = (_e1626 + 1u);
                                                                                 }
-                                                                                let _e1630 = phi_2429_;
+                                                                                let _e1630 = phi_2437_;
                                                                                 let _e1632 = (_e1517 + (_e1626 * _e1580));
                                                                                 let _e1634 = (_e1517 + (_e1630 * _e1580));
                                                                                 let _e1635 = (_e1632 + _e1602);
@@ -1647,65 +1647,65 @@ fn function_() {
                                                                                 }
                                                                                 let _e1650 = surfaces.member[_e1638];
                                                                                 let _e1667 = (1f - _e1591);
-                                                                                phi_2504_ = ((_e1532 * (((((f32((_e1641 >> bitcast<u32>(24i))) * 0.003921569f) * _e1667) + ((f32((_e1644 >> bitcast<u32>(24i))) * 0.003921569f) * _e1591)) * (1f - _e1615)) + ((((f32((_e1647 >> bitcast<u32>(24i))) * 0.003921569f) * _e1667) + ((f32((_e1650 >> bitcast<u32>(24i))) * 0.003921569f) * _e1591)) * _e1615))) < _e1537);
+                                                                                phi_2512_ = ((_e1532 * (((((f32((_e1641 >> bitcast<u32>(24i))) * 0.003921569f) * _e1667) + ((f32((_e1644 >> bitcast<u32>(24i))) * 0.003921569f) * _e1591)) * (1f - _e1615)) + ((((f32((_e1647 >> bitcast<u32>(24i))) * 0.003921569f) * _e1667) + ((f32((_e1650 >> bitcast<u32>(24i))) * 0.003921569f) * _e1591)) * _e1615))) < _e1537);
                                                                             }
-                                                                            let _e1682 = phi_2504_;
-                                                                            phi_2509_ = select(true, false, _e1682);
+                                                                            let _e1682 = phi_2512_;
+                                                                            phi_2517_ = select(true, false, _e1682);
                                                                         }
-                                                                        let _e1685 = phi_2509_;
+                                                                        let _e1685 = phi_2517_;
                                                                         if _e1685 {
-                                                                            phi_2514_ = type_44(_e1491[0], _e1117.member_1, _e1491[1], _e1491[2]);
+                                                                            phi_2522_ = type_51(_e1491[0], _e1117.member_1, _e1491[1], _e1491[2]);
                                                                         } else {
-                                                                            phi_2514_ = type_44();
+                                                                            phi_2522_ = type_51();
                                                                         }
-                                                                        let _e1688 = phi_2514_;
-                                                                        phi_2516_ = _e1688;
-                                                                        phi_2518_ = select(true, false, _e1685);
+                                                                        let _e1688 = phi_2522_;
+                                                                        phi_2524_ = _e1688;
+                                                                        phi_2526_ = select(true, false, _e1685);
                                                                     } else {
-                                                                        phi_2516_ = type_44();
-                                                                        phi_2518_ = false;
+                                                                        phi_2524_ = type_51();
+                                                                        phi_2526_ = false;
                                                                     }
-                                                                    let _e1691 = phi_2516_;
-                                                                    let _e1693 = phi_2518_;
-                                                                    phi_2519_ = _e1691;
-                                                                    phi_2521_ = select(true, false, _e1498);
-                                                                    phi_2522_ = _e1693;
+                                                                    let _e1691 = phi_2524_;
+                                                                    let _e1693 = phi_2526_;
+                                                                    phi_2527_ = _e1691;
+                                                                    phi_2529_ = select(true, false, _e1498);
+                                                                    phi_2530_ = _e1693;
                                                                 } else {
-                                                                    phi_2519_ = type_44();
-                                                                    phi_2521_ = false;
-                                                                    phi_2522_ = false;
+                                                                    phi_2527_ = type_51();
+                                                                    phi_2529_ = false;
+                                                                    phi_2530_ = false;
                                                                 }
-                                                                let _e1696 = phi_2519_;
-                                                                let _e1698 = phi_2521_;
-                                                                let _e1700 = phi_2522_;
-                                                                phi_2523_ = _e1696;
-                                                                phi_2524_ = select(true, false, _e1497);
-                                                                phi_2525_ = _e1698;
-                                                                phi_2526_ = _e1700;
+                                                                let _e1696 = phi_2527_;
+                                                                let _e1698 = phi_2529_;
+                                                                let _e1700 = phi_2530_;
+                                                                phi_2531_ = _e1696;
+                                                                phi_2532_ = select(true, false, _e1497);
+                                                                phi_2533_ = _e1698;
+                                                                phi_2534_ = _e1700;
                                                             } else {
-                                                                phi_2523_ = type_44();
-                                                                phi_2524_ = true;
-                                                                phi_2525_ = false;
-                                                                phi_2526_ = false;
+                                                                phi_2531_ = type_51();
+                                                                phi_2532_ = true;
+                                                                phi_2533_ = false;
+                                                                phi_2534_ = false;
                                                             }
-                                                            let _e1703 = phi_2523_;
-                                                            let _e1705 = phi_2524_;
-                                                            let _e1707 = phi_2525_;
-                                                            let _e1709 = phi_2526_;
+                                                            let _e1703 = phi_2531_;
+                                                            let _e1705 = phi_2532_;
+                                                            let _e1707 = phi_2533_;
+                                                            let _e1709 = phi_2534_;
                                                             if select(select(_e1709, false, _e1705), true, select(_e1707, true, _e1705)) {
-                                                                phi_2539_ = type_44(_e956.member_3, 4294967295u, 0f, 0f);
+                                                                phi_2547_ = type_51(_e956.member_3, 4294967295u, 0f, 0f);
                                                             } else {
-                                                                phi_2539_ = _e1703;
+                                                                phi_2547_ = _e1703;
                                                             }
-                                                            let _e1714 = phi_2539_;
-                                                            phi_2546_ = select(true, false, (_e1714.member_1 != 4294967295u));
+                                                            let _e1714 = phi_2547_;
+                                                            phi_2554_ = select(true, false, (_e1714.member_1 != 4294967295u));
                                                         } else {
-                                                            phi_2546_ = false;
+                                                            phi_2554_ = false;
                                                         }
-                                                        let _e1719 = phi_2546_;
+                                                        let _e1719 = phi_2554_;
                                                         continue;
                                                         continuing {
-                                                            phi_1862_ = _e1115;
+                                                            phi_1870_ = _e1115;
                                                             phi_5094_ = _e1090;
                                                             phi_3764_ = select(true, false, _e1121);
                                                             break if !(_e1719);
@@ -1719,17 +1719,17 @@ fn function_() {
                                                         break;
                                                     }
                                                     phi_5205_ = _e1723;
-                                                    phi_2551_ = _e1094;
-                                                    phi_2552_ = _e1725;
+                                                    phi_2559_ = _e1094;
+                                                    phi_2560_ = _e1725;
                                                 }
                                                 let _e1963 = phi_5205_;
-                                                let _e1965 = phi_2551_;
-                                                let _e1967 = phi_2552_;
+                                                let _e1965 = phi_2559_;
+                                                let _e1967 = phi_2560_;
                                                 if _e1967 {
                                                     let _e1968 = (_e1965 == 0u);
                                                     if _e1968 {
-                                                        phi_2568_ = u32();
-                                                        phi_2569_ = u32();
+                                                        phi_2576_ = u32();
+                                                        phi_2577_ = u32();
                                                     } else {
                                                         let _e1969 = (_e1965 - 1u);
                                                         if (_e1969 < 64u) {
@@ -1739,30 +1739,30 @@ fn function_() {
                                                             break;
                                                         }
                                                         let _e1972 = local[_e1969];
-                                                        phi_2568_ = _e1972;
-                                                        phi_2569_ = _e1969;
+                                                        phi_2576_ = _e1972;
+                                                        phi_2577_ = _e1969;
                                                     }
-                                                    let _e1974 = phi_2568_;
-                                                    let _e1976 = phi_2569_;
-                                                    phi_1433_ = _e1974;
-                                                    phi_1436_ = _e1976;
-                                                    phi_2571_ = select(true, false, _e1968);
-                                                    phi_2572_ = _e1968;
+                                                    let _e1974 = phi_2576_;
+                                                    let _e1976 = phi_2577_;
+                                                    phi_1441_ = _e1974;
+                                                    phi_1444_ = _e1976;
+                                                    phi_2579_ = select(true, false, _e1968);
+                                                    phi_2580_ = _e1968;
                                                 } else {
-                                                    phi_1433_ = u32();
-                                                    phi_1436_ = u32();
-                                                    phi_2571_ = false;
-                                                    phi_2572_ = false;
+                                                    phi_1441_ = u32();
+                                                    phi_1444_ = u32();
+                                                    phi_2579_ = false;
+                                                    phi_2580_ = false;
                                                 }
-                                                let _e1979 = phi_1433_;
-                                                let _e1981 = phi_1436_;
-                                                let _e1983 = phi_2571_;
-                                                let _e1985 = phi_2572_;
+                                                let _e1979 = phi_1441_;
+                                                let _e1981 = phi_1444_;
+                                                let _e1983 = phi_2579_;
+                                                let _e1985 = phi_2580_;
                                                 continue;
                                                 continuing {
                                                     phi_5098_ = _e1963;
-                                                    phi_1432_ = _e1979;
-                                                    phi_1435_ = _e1981;
+                                                    phi_1440_ = _e1979;
+                                                    phi_1443_ = _e1981;
                                                     phi_5203_ = _e1963;
                                                     phi_3765_ = _e1985;
                                                     break if !(_e1983);
@@ -1775,40 +1775,40 @@ fn function_() {
                                                 break;
                                             }
                                             if select(false, true, select(true, false, _e1990)) {
-                                                phi_2585_ = _e392;
+                                                phi_2593_ = _e392;
                                             } else {
-                                                phi_2585_ = (_e392 + _e957);
+                                                phi_2593_ = (_e392 + _e957);
                                             }
-                                            let _e1995 = phi_2585_;
+                                            let _e1995 = phi_2593_;
                                             phi_5265_ = _e1988;
-                                            phi_2586_ = _e1995;
+                                            phi_2594_ = _e1995;
                                         } else {
                                             phi_5265_ = _e386;
-                                            phi_2586_ = _e392;
+                                            phi_2594_ = _e392;
                                         }
                                         let _e1997 = phi_5265_;
-                                        let _e1999 = phi_2586_;
+                                        let _e1999 = phi_2594_;
                                         phi_5264_ = _e1997;
-                                        phi_536_ = select(_e958, _e390, (_e390 < _e958));
-                                        phi_538_ = _e1999;
-                                        phi_540_ = (_e394 + _e957);
+                                        phi_544_ = select(_e958, _e390, (_e390 < _e958));
+                                        phi_546_ = _e1999;
+                                        phi_548_ = (_e394 + _e957);
                                     } else {
                                         phi_5264_ = _e386;
-                                        phi_536_ = f32();
-                                        phi_538_ = f32();
-                                        phi_540_ = f32();
+                                        phi_544_ = f32();
+                                        phi_546_ = f32();
+                                        phi_548_ = f32();
                                     }
                                     let _e2001 = phi_5264_;
-                                    let _e2003 = phi_536_;
-                                    let _e2005 = phi_538_;
-                                    let _e2007 = phi_540_;
+                                    let _e2003 = phi_544_;
+                                    let _e2005 = phi_546_;
+                                    let _e2007 = phi_548_;
                                     continue;
                                     continuing {
                                         phi_5120_ = _e2001;
-                                        phi_532_ = _e407;
-                                        phi_535_ = _e2003;
-                                        phi_537_ = _e2005;
-                                        phi_539_ = _e2007;
+                                        phi_540_ = _e407;
+                                        phi_543_ = _e2003;
+                                        phi_545_ = _e2005;
+                                        phi_547_ = _e2007;
                                         phi_5263_ = _e2001;
                                         break if !(_e413);
                                     }
@@ -1820,25 +1820,25 @@ fn function_() {
                                 }
                                 let _e2012 = local_5;
                                 if (_e2012 <= 0f) {
-                                    phi_2653_ = vec3<f32>(0f, 0f, 0f);
+                                    phi_2661_ = vec3<f32>(0f, 0f, 0f);
                                 } else {
                                     if (_e371.member_1 == 4294967295u) {
                                         let _e2016 = local_6;
-                                        phi_2599_ = ((3.1415927f * _e2016) / f32(_e383));
+                                        phi_2607_ = ((3.1415927f * _e2016) / f32(_e383));
                                     } else {
                                         let _e3023 = local_14;
-                                        phi_2599_ = _e3023;
+                                        phi_2607_ = _e3023;
                                     }
-                                    let _e2021 = phi_2599_;
+                                    let _e2021 = phi_2607_;
                                     if _e379 {
                                         if (_e383 == 1u) {
-                                            phi_2634_ = f32();
-                                            phi_2635_ = true;
+                                            phi_2642_ = f32();
+                                            phi_2643_ = true;
                                         } else {
                                             let _e2025 = local_7;
                                             let _e2027 = (_e371.member_3 < (0.01f * _e2025));
                                             if _e2027 {
-                                                phi_2633_ = f32();
+                                                phi_2641_ = f32();
                                             } else {
                                                 let _e2043 = (_e371.member[0] - _e143.member[0]);
                                                 let _e2044 = (_e371.member[1] - _e143.member[1]);
@@ -2371,50 +2371,50 @@ fn function_() {
                                                 let _e2791 = phi_5082_;
                                                 let _e2797 = local_8;
                                                 let _e2799 = local_9;
-                                                phi_2633_ = ((abs((_e2642.member + _e2791)) * 0.5f) * (_e2797 / _e2799));
+                                                phi_2641_ = ((abs((_e2642.member + _e2791)) * 0.5f) * (_e2797 / _e2799));
                                             }
-                                            let _e2803 = phi_2633_;
-                                            phi_2634_ = _e2803;
-                                            phi_2635_ = _e2027;
+                                            let _e2803 = phi_2641_;
+                                            phi_2642_ = _e2803;
+                                            phi_2643_ = _e2027;
                                         }
-                                        let _e2805 = phi_2634_;
-                                        let _e2807 = phi_2635_;
+                                        let _e2805 = phi_2642_;
+                                        let _e2807 = phi_2643_;
                                         if _e2807 {
                                             let _e2810 = local_10;
-                                            phi_2643_ = ((_e2810 * _e371.member_3) / f32(_e383));
+                                            phi_2651_ = ((_e2810 * _e371.member_3) / f32(_e383));
                                         } else {
-                                            phi_2643_ = _e2805;
+                                            phi_2651_ = _e2805;
                                         }
-                                        let _e2815 = phi_2643_;
-                                        phi_2644_ = _e2815;
+                                        let _e2815 = phi_2651_;
+                                        phi_2652_ = _e2815;
                                     } else {
-                                        phi_2644_ = _e2021;
+                                        phi_2652_ = _e2021;
                                     }
-                                    let _e2817 = phi_2644_;
-                                    phi_2653_ = vec3<f32>((_e371.member_6[0] * _e2817), (_e371.member_6[1] * _e2817), (_e371.member_6[2] * _e2817));
+                                    let _e2817 = phi_2652_;
+                                    phi_2661_ = vec3<f32>((_e371.member_6[0] * _e2817), (_e371.member_6[1] * _e2817), (_e371.member_6[2] * _e2817));
                                 }
-                                let _e2827 = phi_2653_;
+                                let _e2827 = phi_2661_;
                                 phi_5271_ = _e2010;
-                                phi_2669_ = vec3<f32>((_e230.x + (_e2827.x * _e376)), (_e230.y + (_e2827.y * _e376)), (_e230.z + (_e2827.z * _e376)));
+                                phi_2677_ = vec3<f32>((_e230.x + (_e2827.x * _e376)), (_e230.y + (_e2827.y * _e376)), (_e230.z + (_e2827.z * _e376)));
                             } else {
                                 phi_5271_ = _e329;
-                                phi_2669_ = _e230;
+                                phi_2677_ = _e230;
                             }
                             let _e2842 = phi_5271_;
-                            let _e2844 = phi_2669_;
+                            let _e2844 = phi_2677_;
                             phi_5270_ = _e2842;
-                            phi_350_ = _e2844;
+                            phi_358_ = _e2844;
                         } else {
                             phi_5270_ = _e226;
-                            phi_350_ = vec3<f32>();
+                            phi_358_ = vec3<f32>();
                         }
                         let _e2846 = phi_5270_;
-                        let _e2848 = phi_350_;
+                        let _e2848 = phi_358_;
                         continue;
                         continuing {
                             phi_5091_ = _e2846;
-                            phi_346_ = _e243;
-                            phi_349_ = _e2848;
+                            phi_354_ = _e243;
+                            phi_357_ = _e2848;
                             phi_5269_ = _e2846;
                             break if !(_e249);
                         }
@@ -2426,9 +2426,9 @@ fn function_() {
                     let _e2853 = local_11;
                     let _e2856 = local_12;
                     let _e2859 = local_13;
-                    phi_2674_ = vec4<f32>(_e2853.x, _e2856.y, _e2859.z, 0f);
+                    phi_2682_ = vec4<f32>(_e2853.x, _e2856.y, _e2859.z, 0f);
                 }
-                let _e2863 = phi_2674_;
+                let _e2863 = phi_2682_;
                 if (_e138 < arrayLength((&irradiance.member))) {
                 } else {
                     break;

@@ -7,7 +7,64 @@ struct type_11 {
     member: array<u32>,
 }
 
+struct type_20 {
+    member: vec4<f32>,
+    member_1: vec4<f32>,
+    member_2: vec4<f32>,
+    member_3: vec4<f32>,
+    member_4: vec4<f32>,
+    member_5: vec4<f32>,
+    member_6: array<u32, 4>,
+    member_7: vec4<f32>,
+}
+
 struct type_22 {
+    member: array<type_20>,
+}
+
+struct type_24 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+}
+
+struct type_26 {
+    member: array<type_24>,
+}
+
+struct type_30 {
+    member: array<f32, 6>,
+    member_1: array<u32, 3>,
+    member_2: array<u32, 3>,
+}
+
+struct type_32 {
+    member: array<type_30>,
+}
+
+struct type_44 {
+    member: f32,
+    member_1: u32,
+    member_2: f32,
+    member_3: f32,
+}
+
+struct type_45 {
+    member: f32,
+    member_1: u32,
+    member_2: f32,
+    member_3: u32,
+}
+
+struct type_47 {
+    member: vec3<f32>,
+    member_1: f32,
+}
+
+struct type_48 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -20,63 +77,11 @@ struct type_22 {
     member_9: f32,
 }
 
-struct type_24 {
-    member: array<type_22>,
-}
-
-struct type_28 {
-    member: vec4<f32>,
-    member_1: vec4<f32>,
-    member_2: vec4<f32>,
-    member_3: vec4<f32>,
-    member_4: vec4<f32>,
-    member_5: vec4<f32>,
-    member_6: array<u32, 4>,
-    member_7: vec4<f32>,
-}
-
-struct type_30 {
-    member: array<type_28>,
-}
-
-struct type_32 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-}
-
-struct type_34 {
-    member: array<type_32>,
-}
-
-struct type_38 {
-    member: array<f32, 6>,
-    member_1: array<u32, 3>,
-    member_2: array<u32, 3>,
-}
-
-struct type_40 {
-    member: array<type_38>,
-}
-
-struct type_42 {
-    member: f32,
-    member_1: u32,
-    member_2: f32,
-    member_3: f32,
-}
-
 struct type_50 {
-    member: f32,
-    member_1: u32,
-    member_2: f32,
-    member_3: u32,
+    member: array<type_48>,
 }
 
-struct type_52 {
+struct type_53 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -88,28 +93,23 @@ struct type_52 {
     member_8: u32,
 }
 
-struct type_53 {
-    member: type_52,
-}
-
-struct type_55 {
-    member: vec3<f32>,
-    member_1: f32,
+struct type_54 {
+    member: type_53,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_30;
+var<storage> nodes: type_22;
 @group(0) @binding(2) 
-var<storage> triangles: type_34;
+var<storage> triangles: type_26;
 @group(0) @binding(3) 
-var<storage> attributes: type_40;
+var<storage> attributes: type_32;
 @group(0) @binding(4) 
 var<storage> surfaces: type_11;
 @group(0) @binding(0) 
-var<uniform> params: type_53;
+var<uniform> params: type_54;
 @group(0) @binding(5) 
-var<storage, read_write> surfels: type_24;
+var<storage, read_write> surfels: type_50;
 
 fn function_() {
     var local: array<u32, 64>;
@@ -129,9 +129,9 @@ fn function_() {
     var phi_2954_: bool;
     var phi_516_: u32;
     var phi_519_: u32;
-    var phi_521_: type_42;
+    var phi_521_: type_44;
     var phi_1013_: type_8;
-    var phi_1016_: type_42;
+    var phi_1016_: type_44;
     var phi_1014_: type_8;
     var phi_1039_: type_8;
     var phi_1155_: f32;
@@ -166,31 +166,31 @@ fn function_() {
     var phi_1582_: u32;
     var phi_1657_: bool;
     var phi_1662_: bool;
-    var phi_1667_: type_42;
-    var phi_1669_: type_42;
+    var phi_1667_: type_44;
+    var phi_1669_: type_44;
     var phi_1671_: bool;
-    var phi_1672_: type_42;
+    var phi_1672_: type_44;
     var phi_1674_: bool;
     var phi_1675_: bool;
-    var phi_1676_: type_42;
+    var phi_1676_: type_44;
     var phi_1677_: bool;
     var phi_1678_: bool;
     var phi_1679_: bool;
-    var phi_1692_: type_42;
-    var phi_1017_: type_42;
+    var phi_1692_: type_44;
+    var phi_1017_: type_44;
     var phi_2950_: bool;
-    var phi_902_: type_50;
-    var phi_913_: type_50;
-    var phi_924_: type_50;
-    var phi_935_: type_50;
-    var phi_946_: type_50;
+    var phi_902_: type_45;
+    var phi_913_: type_45;
+    var phi_924_: type_45;
+    var phi_935_: type_45;
+    var phi_946_: type_45;
     var phi_968_: u32;
     var phi_986_: u32;
     var phi_1004_: u32;
     var phi_3015_: bool;
     var phi_1693_: u32;
     var phi_1694_: u32;
-    var phi_522_: type_42;
+    var phi_522_: type_44;
     var phi_517_: u32;
     var phi_520_: u32;
     var phi_1729_: u32;
@@ -202,7 +202,7 @@ fn function_() {
     var phi_3012_: bool;
     var local_4: bool;
     var phi_3079_: bool;
-    var phi_2706_: type_42;
+    var phi_2706_: type_44;
     var phi_1834_: vec3<f32>;
     var phi_1836_: vec3<f32>;
     var phi_1837_: bool;
@@ -211,7 +211,7 @@ fn function_() {
     var phi_2048_: u32;
     var phi_2078_: u32;
     var phi_2084_: u32;
-    var phi_2301_: type_55;
+    var phi_2301_: type_47;
     var phi_2367_: vec3<f32>;
     var phi_2441_: vec3<f32>;
     var phi_2515_: vec3<f32>;
@@ -220,11 +220,11 @@ fn function_() {
     var phi_2563_: bool;
     var phi_2584_: vec3<f32>;
     var phi_2617_: array<f32, 3>;
-    var phi_2663_: type_22;
-    var phi_2676_: type_22;
+    var phi_2663_: type_48;
+    var phi_2676_: type_48;
     var local_5: u32;
     var local_6: u32;
-    var local_7: type_42;
+    var local_7: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -394,7 +394,7 @@ fn function_() {
                 phi_2954_ = false;
                 phi_516_ = 0u;
                 phi_519_ = 0u;
-                phi_521_ = type_42(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
+                phi_521_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                 loop {
                     let _e302 = phi_2954_;
                     let _e304 = phi_516_;
@@ -406,7 +406,7 @@ fn function_() {
                         if (_e311 < _e83) {
                         } else {
                             phi_3079_ = true;
-                            phi_2706_ = type_42();
+                            phi_2706_ = type_44();
                             break;
                         }
                         let _e939 = nodes.member[_e311].member;
@@ -492,33 +492,33 @@ fn function_() {
                         let _e1142 = nodes.member[_e311].member_6[2u];
                         let _e1146 = nodes.member[_e311].member_6[3u];
                         if (_e1126 < _e1124) {
-                            phi_902_ = type_50(_e1126, _e1138, _e1124, _e1134);
+                            phi_902_ = type_45(_e1126, _e1138, _e1124, _e1134);
                         } else {
-                            phi_902_ = type_50(_e1124, _e1134, _e1126, _e1138);
+                            phi_902_ = type_45(_e1124, _e1134, _e1126, _e1138);
                         }
                         let _e1151 = phi_902_;
                         if (_e1130 < _e1128) {
-                            phi_913_ = type_50(_e1130, _e1146, _e1128, _e1142);
+                            phi_913_ = type_45(_e1130, _e1146, _e1128, _e1142);
                         } else {
-                            phi_913_ = type_50(_e1128, _e1142, _e1130, _e1146);
+                            phi_913_ = type_45(_e1128, _e1142, _e1130, _e1146);
                         }
                         let _e1160 = phi_913_;
                         if (_e1160.member < _e1151.member) {
-                            phi_924_ = type_50(_e1160.member, _e1160.member_1, _e1151.member, _e1151.member_1);
+                            phi_924_ = type_45(_e1160.member, _e1160.member_1, _e1151.member, _e1151.member_1);
                         } else {
-                            phi_924_ = type_50(_e1151.member, _e1151.member_1, _e1160.member, _e1160.member_1);
+                            phi_924_ = type_45(_e1151.member, _e1151.member_1, _e1160.member, _e1160.member_1);
                         }
                         let _e1169 = phi_924_;
                         if (_e1160.member_2 < _e1151.member_2) {
-                            phi_935_ = type_50(_e1160.member_2, _e1160.member_3, _e1151.member_2, _e1151.member_3);
+                            phi_935_ = type_45(_e1160.member_2, _e1160.member_3, _e1151.member_2, _e1151.member_3);
                         } else {
-                            phi_935_ = type_50(_e1151.member_2, _e1151.member_3, _e1160.member_2, _e1160.member_3);
+                            phi_935_ = type_45(_e1151.member_2, _e1151.member_3, _e1160.member_2, _e1160.member_3);
                         }
                         let _e1178 = phi_935_;
                         if (_e1169.member_2 < _e1178.member) {
-                            phi_946_ = type_50(_e1169.member_2, _e1169.member_3, _e1178.member, _e1178.member_1);
+                            phi_946_ = type_45(_e1169.member_2, _e1169.member_3, _e1178.member, _e1178.member_1);
                         } else {
-                            phi_946_ = type_50(_e1178.member, _e1178.member_1, _e1169.member_2, _e1169.member_3);
+                            phi_946_ = type_45(_e1178.member, _e1178.member_1, _e1169.member_2, _e1169.member_3);
                         }
                         let _e1187 = phi_946_;
                         if (_e1178.member_2 < 340282350000000000000000000000000000000f) {
@@ -526,14 +526,14 @@ fn function_() {
                             if _e1193 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local[_e306] = _e1178.member_3;
                             if _e1193 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local_1[_e306] = _e1178.member_2;
@@ -547,14 +547,14 @@ fn function_() {
                             if _e1200 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local[_e1198] = _e1187.member_3;
                             if _e1200 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local_1[_e1198] = _e1187.member_2;
@@ -568,14 +568,14 @@ fn function_() {
                             if _e1207 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local[_e1205] = _e1187.member_1;
                             if _e1207 {
                             } else {
                                 phi_3079_ = true;
-                                phi_2706_ = type_42();
+                                phi_2706_ = type_44();
                                 break;
                             }
                             local_1[_e1205] = _e1187.member;
@@ -1068,15 +1068,15 @@ fn function_() {
                                             }
                                             let _e900 = phi_1662_;
                                             if _e900 {
-                                                phi_1667_ = type_42(_e707[0], _e333.member_1, _e707[1], _e707[2]);
+                                                phi_1667_ = type_44(_e707[0], _e333.member_1, _e707[1], _e707[2]);
                                             } else {
-                                                phi_1667_ = type_42();
+                                                phi_1667_ = type_44();
                                             }
                                             let _e903 = phi_1667_;
                                             phi_1669_ = _e903;
                                             phi_1671_ = select(true, false, _e900);
                                         } else {
-                                            phi_1669_ = type_42();
+                                            phi_1669_ = type_44();
                                             phi_1671_ = false;
                                         }
                                         let _e906 = phi_1669_;
@@ -1085,7 +1085,7 @@ fn function_() {
                                         phi_1674_ = select(true, false, _e711);
                                         phi_1675_ = _e908;
                                     } else {
-                                        phi_1672_ = type_42();
+                                        phi_1672_ = type_44();
                                         phi_1674_ = false;
                                         phi_1675_ = false;
                                     }
@@ -1097,7 +1097,7 @@ fn function_() {
                                     phi_1678_ = _e913;
                                     phi_1679_ = _e915;
                                 } else {
-                                    phi_1676_ = type_42();
+                                    phi_1676_ = type_44();
                                     phi_1677_ = true;
                                     phi_1678_ = false;
                                     phi_1679_ = false;
@@ -1114,7 +1114,7 @@ fn function_() {
                                 let _e929 = phi_1692_;
                                 phi_1017_ = _e929;
                             } else {
-                                phi_1017_ = type_42();
+                                phi_1017_ = type_44();
                             }
                             let _e931 = phi_1017_;
                             continue;
@@ -1127,7 +1127,7 @@ fn function_() {
                         }
                         let _e934 = phi_2950_;
                         phi_3079_ = _e934;
-                        phi_2706_ = type_42();
+                        phi_2706_ = type_44();
                         if _e934 {
                             break;
                         }
@@ -1202,7 +1202,7 @@ fn function_() {
                     }
                     let _e1251 = phi_3012_;
                     phi_3079_ = _e1251;
-                    phi_2706_ = type_42();
+                    phi_2706_ = type_44();
                     if _e1251 {
                         break;
                     }
@@ -1362,7 +1362,7 @@ fn function_() {
                     let _e1441 = attributes.member[_e1259.member_1].member[5u];
                     let _e1443 = (((_e1430 * _e1409) + (_e1435 * _e1259.member_2)) + (_e1441 * _e1259.member_3));
                     if (_e1376 == 4294967295u) {
-                        phi_2301_ = type_55(vec3<f32>(_e1362, _e1367, _e1372), _e1401);
+                        phi_2301_ = type_47(vec3<f32>(_e1362, _e1367, _e1372), _e1401);
                     } else {
                         let _e1446 = (_e1396 & 65535u);
                         let _e1448 = (_e1396 >> bitcast<u32>(16i));
@@ -1502,7 +1502,7 @@ fn function_() {
                         }
                         let _e1604 = surfaces.member[_e1601];
                         let _e1612 = (1f - _e1481);
-                        phi_2301_ = type_55(vec3<f32>((_e1362 * ((((bitcast<f32>(_e1520) * _e1536) + (bitcast<f32>(_e1543) * _e1457)) * _e1612) + (((bitcast<f32>(_e1568) * _e1536) + (bitcast<f32>(_e1590) * _e1457)) * _e1481))), (_e1367 * ((((bitcast<f32>(_e1527) * _e1536) + (bitcast<f32>(_e1550) * _e1457)) * _e1612) + (((bitcast<f32>(_e1575) * _e1536) + (bitcast<f32>(_e1597) * _e1457)) * _e1481))), (_e1372 * ((((bitcast<f32>(_e1534) * _e1536) + (bitcast<f32>(_e1557) * _e1457)) * _e1612) + (((bitcast<f32>(_e1582) * _e1536) + (bitcast<f32>(_e1604) * _e1457)) * _e1481)))), (_e1401 * (((((f32((_e1507 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1510 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1612) + ((((f32((_e1513 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1516 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1481))));
+                        phi_2301_ = type_47(vec3<f32>((_e1362 * ((((bitcast<f32>(_e1520) * _e1536) + (bitcast<f32>(_e1543) * _e1457)) * _e1612) + (((bitcast<f32>(_e1568) * _e1536) + (bitcast<f32>(_e1590) * _e1457)) * _e1481))), (_e1367 * ((((bitcast<f32>(_e1527) * _e1536) + (bitcast<f32>(_e1550) * _e1457)) * _e1612) + (((bitcast<f32>(_e1575) * _e1536) + (bitcast<f32>(_e1597) * _e1457)) * _e1481))), (_e1372 * ((((bitcast<f32>(_e1534) * _e1536) + (bitcast<f32>(_e1557) * _e1457)) * _e1612) + (((bitcast<f32>(_e1582) * _e1536) + (bitcast<f32>(_e1604) * _e1457)) * _e1481)))), (_e1401 * (((((f32((_e1507 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1510 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1612) + ((((f32((_e1513 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1516 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1481))));
                     }
                     let _e1655 = phi_2301_;
                     let _e1660 = attributes.member[_e1259.member_1].member_1[0u];
@@ -1612,16 +1612,16 @@ fn function_() {
                     let _e1925 = abs(_e1285);
                     let _e1927 = select(_e1925, _e1924, (_e1924 > _e1925));
                     let _e1928 = abs(_e1286);
-                    phi_2663_ = type_22(array<f32, 3>(((_e1265[0] + (_e1281 * _e1259.member_2)) + (_e1284 * _e1259.member_3)), ((_e1265[1] + (_e1282 * _e1259.member_2)) + (_e1285 * _e1259.member_3)), ((_e1265[2] + (_e1283 * _e1259.member_2)) + (_e1286 * _e1259.member_3))), _e1259.member_1, array<f32, 3>(_e1882.x, _e1882.y, _e1882.z), (_e1259.member * sqrt((((_e189.x * _e189.x) + (_e189.y * _e189.y)) + (_e189.z * _e189.z)))), array<f32, 3>(_e1352.x, _e1352.y, _e1352.z), select(0u, 1u, _e1349), array<f32, 3>(_e1655.member.x, _e1655.member.y, _e1655.member.z), _e1356, _e1908, ((select(_e1913, _e1912, (_e1912 > _e1913)) * 0.00000047683716f) + ((select(_e1921, _e1920, (_e1920 > _e1921)) + select(_e1928, _e1927, (_e1927 > _e1928))) * 0.0000010728836f)));
+                    phi_2663_ = type_48(array<f32, 3>(((_e1265[0] + (_e1281 * _e1259.member_2)) + (_e1284 * _e1259.member_3)), ((_e1265[1] + (_e1282 * _e1259.member_2)) + (_e1285 * _e1259.member_3)), ((_e1265[2] + (_e1283 * _e1259.member_2)) + (_e1286 * _e1259.member_3))), _e1259.member_1, array<f32, 3>(_e1882.x, _e1882.y, _e1882.z), (_e1259.member * sqrt((((_e189.x * _e189.x) + (_e189.y * _e189.y)) + (_e189.z * _e189.z)))), array<f32, 3>(_e1352.x, _e1352.y, _e1352.z), select(0u, 1u, _e1349), array<f32, 3>(_e1655.member.x, _e1655.member.y, _e1655.member.z), _e1356, _e1908, ((select(_e1913, _e1912, (_e1912 > _e1913)) * 0.00000047683716f) + ((select(_e1921, _e1920, (_e1920 > _e1921)) + select(_e1928, _e1927, (_e1927 > _e1928))) * 0.0000010728836f)));
                 } else {
-                    phi_2663_ = type_22(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_2663_ = type_48(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
                 let _e1936 = phi_2663_;
                 if _e1261 {
                     phi_2676_ = _e1936;
                 } else {
                     let _e1939 = params.member.member_4;
-                    phi_2676_ = type_22(_e1936.member, _e1936.member_1, _e1936.member_2, _e1936.member_3, _e1936.member_4, _e1936.member_5, _e1936.member_6, _e1936.member_7, array<f32, 3>(_e1939.x, _e1939.y, _e1939.z), _e1936.member_9);
+                    phi_2676_ = type_48(_e1936.member, _e1936.member_1, _e1936.member_2, _e1936.member_3, _e1936.member_4, _e1936.member_5, _e1936.member_6, _e1936.member_7, array<f32, 3>(_e1939.x, _e1939.y, _e1939.z), _e1936.member_9);
                 }
                 let _e1956 = phi_2676_;
                 if (_e105 < arrayLength((&surfels.member))) {

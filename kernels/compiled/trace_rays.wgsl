@@ -7,18 +7,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_20 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-}
-
-struct type_21 {
-    member: type_20,
-}
-
-struct type_24 {
+struct type_19 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -29,11 +18,11 @@ struct type_24 {
     member_7: vec4<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_28 {
+struct type_23 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -42,29 +31,18 @@ struct type_28 {
     member_5: u32,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_34 {
+struct type_29 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_36 {
-    member: array<type_34>,
-}
-
-struct type_38 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: array<f32, 3>,
-    member_3: f32,
-}
-
-struct type_40 {
-    member: array<type_38>,
+struct type_31 {
+    member: array<type_29>,
 }
 
 struct type_42 {
@@ -74,118 +52,140 @@ struct type_42 {
     member_3: f32,
 }
 
-struct type_44 {
-    member: array<type_42>,
-}
-
-struct type_53 {
+struct type_43 {
     member: f32,
     member_1: u32,
     member_2: f32,
     member_3: u32,
 }
 
+struct type_45 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+}
+
+struct type_46 {
+    member: type_45,
+}
+
+struct type_48 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: array<f32, 3>,
+    member_3: f32,
+}
+
+struct type_50 {
+    member: array<type_48>,
+}
+
+struct type_53 {
+    member: array<type_42>,
+}
+
 var<private> gid_1: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> params: type_21;
 @group(0) @binding(1) 
-var<storage> nodes: type_26;
+var<storage> nodes: type_21;
 @group(0) @binding(2) 
-var<storage> triangles: type_30;
+var<storage> triangles: type_25;
 @group(0) @binding(3) 
-var<storage> attributes: type_36;
+var<storage> attributes: type_31;
 @group(0) @binding(4) 
 var<storage> surfaces: type_11;
+@group(0) @binding(0) 
+var<uniform> params: type_46;
 @group(0) @binding(5) 
-var<storage> rays: type_40;
+var<storage> rays: type_50;
 @group(0) @binding(6) 
-var<storage, read_write> hits: type_44;
+var<storage, read_write> hits: type_53;
 
 fn function_() {
     var local: array<u32, 64>;
     var local_1: array<f32, 64>;
     var local_2: array<f32, 3>;
     var local_3: array<f32, 3>;
-    var phi_212_: bool;
-    var phi_222_: u32;
-    var phi_225_: bool;
-    var phi_236_: u32;
-    var phi_366_: f32;
-    var phi_374_: f32;
-    var phi_382_: f32;
+    var phi_244_: bool;
+    var phi_254_: u32;
+    var phi_257_: bool;
+    var phi_268_: u32;
+    var phi_398_: f32;
+    var phi_406_: f32;
+    var phi_414_: f32;
     var phi_1925_: bool;
-    var phi_385_: u32;
-    var phi_388_: u32;
-    var phi_390_: type_42;
-    var phi_882_: type_8;
-    var phi_885_: type_42;
-    var phi_883_: type_8;
-    var phi_908_: type_8;
-    var phi_1024_: f32;
-    var phi_1035_: f32;
-    var phi_1046_: f32;
-    var phi_1061_: f32;
-    var phi_1062_: f32;
-    var phi_1063_: bool;
-    var phi_1064_: f32;
-    var phi_1065_: bool;
-    var phi_1084_: f32;
-    var phi_1085_: bool;
-    var phi_1086_: f32;
-    var phi_1087_: bool;
-    var phi_1088_: bool;
+    var phi_417_: u32;
+    var phi_420_: u32;
+    var phi_422_: type_42;
+    var phi_914_: type_8;
+    var phi_917_: type_42;
+    var phi_915_: type_8;
+    var phi_940_: type_8;
+    var phi_1056_: f32;
+    var phi_1067_: f32;
+    var phi_1078_: f32;
     var phi_1093_: f32;
-    var phi_1094_: bool;
-    var phi_1180_: array<f32, 3>;
-    var phi_1181_: array<f32, 3>;
-    var phi_1182_: array<f32, 3>;
-    var phi_1183_: array<f32, 3>;
-    var phi_1184_: bool;
-    var phi_1185_: array<f32, 3>;
-    var phi_1186_: array<f32, 3>;
-    var phi_1187_: bool;
-    var phi_1188_: bool;
-    var phi_1193_: array<f32, 3>;
-    var phi_1198_: array<f32, 3>;
-    var phi_1409_: u32;
-    var phi_1415_: u32;
-    var phi_1445_: u32;
-    var phi_1451_: u32;
-    var phi_1526_: bool;
-    var phi_1531_: bool;
-    var phi_1536_: type_42;
-    var phi_1538_: type_42;
-    var phi_1540_: bool;
-    var phi_1541_: type_42;
-    var phi_1543_: bool;
-    var phi_1544_: bool;
-    var phi_1545_: type_42;
-    var phi_1546_: bool;
-    var phi_1547_: bool;
-    var phi_1548_: bool;
-    var phi_1561_: type_42;
-    var phi_886_: type_42;
+    var phi_1094_: f32;
+    var phi_1095_: bool;
+    var phi_1096_: f32;
+    var phi_1097_: bool;
+    var phi_1116_: f32;
+    var phi_1117_: bool;
+    var phi_1118_: f32;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
+    var phi_1125_: f32;
+    var phi_1126_: bool;
+    var phi_1212_: array<f32, 3>;
+    var phi_1213_: array<f32, 3>;
+    var phi_1214_: array<f32, 3>;
+    var phi_1215_: array<f32, 3>;
+    var phi_1216_: bool;
+    var phi_1217_: array<f32, 3>;
+    var phi_1218_: array<f32, 3>;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1225_: array<f32, 3>;
+    var phi_1230_: array<f32, 3>;
+    var phi_1441_: u32;
+    var phi_1447_: u32;
+    var phi_1477_: u32;
+    var phi_1483_: u32;
+    var phi_1558_: bool;
+    var phi_1563_: bool;
+    var phi_1568_: type_42;
+    var phi_1570_: type_42;
+    var phi_1572_: bool;
+    var phi_1573_: type_42;
+    var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1577_: type_42;
+    var phi_1578_: bool;
+    var phi_1579_: bool;
+    var phi_1580_: bool;
+    var phi_1593_: type_42;
+    var phi_918_: type_42;
     var phi_1921_: bool;
-    var phi_771_: type_53;
-    var phi_782_: type_53;
-    var phi_793_: type_53;
-    var phi_804_: type_53;
-    var phi_815_: type_53;
-    var phi_837_: u32;
-    var phi_855_: u32;
-    var phi_873_: u32;
+    var phi_803_: type_43;
+    var phi_814_: type_43;
+    var phi_825_: type_43;
+    var phi_836_: type_43;
+    var phi_847_: type_43;
+    var phi_869_: u32;
+    var phi_887_: u32;
+    var phi_905_: u32;
     var phi_1981_: bool;
-    var phi_1562_: u32;
-    var phi_1563_: u32;
-    var phi_391_: type_42;
-    var phi_386_: u32;
-    var phi_389_: u32;
-    var phi_1598_: u32;
+    var phi_1594_: u32;
+    var phi_1595_: u32;
+    var phi_423_: type_42;
+    var phi_418_: u32;
+    var phi_421_: u32;
+    var phi_1630_: u32;
+    var phi_1631_: u32;
+    var phi_1632_: u32;
+    var phi_1597_: u32;
     var phi_1599_: u32;
-    var phi_1600_: u32;
-    var phi_1565_: u32;
-    var phi_1567_: u32;
-    var phi_1601_: bool;
+    var phi_1633_: bool;
     var phi_1978_: bool;
     var local_4: bool;
     var phi_2045_: bool;
@@ -215,31 +215,31 @@ fn function_() {
                 let _e116 = abs(_e103[2]);
                 let _e117 = (_e114 > _e115);
                 if _e117 {
-                    phi_212_ = (_e114 > _e116);
+                    phi_244_ = (_e114 > _e116);
                 } else {
-                    phi_212_ = (_e115 > _e116);
+                    phi_244_ = (_e115 > _e116);
                 }
-                let _e121 = phi_212_;
+                let _e121 = phi_244_;
                 let _e122 = select(1u, 0u, _e117);
                 if _e121 {
                     let _e123 = (_e122 + 1u);
-                    phi_222_ = _e123;
-                    phi_225_ = select(true, false, (_e123 == 2u));
+                    phi_254_ = _e123;
+                    phi_257_ = select(true, false, (_e123 == 2u));
                 } else {
-                    phi_222_ = u32();
-                    phi_225_ = false;
+                    phi_254_ = u32();
+                    phi_257_ = false;
                 }
-                let _e127 = phi_222_;
-                let _e129 = phi_225_;
+                let _e127 = phi_254_;
+                let _e129 = phi_257_;
                 let _e130 = select(true, false, _e121);
                 let _e131 = select(_e127, 0u, _e130);
                 let _e133 = select(_e129, true, _e130);
                 if _e133 {
-                    phi_236_ = (_e131 + 1u);
+                    phi_268_ = (_e131 + 1u);
                 } else {
-                    phi_236_ = 0u;
+                    phi_268_ = 0u;
                 }
-                let _e136 = phi_236_;
+                let _e136 = phi_268_;
                 let _e137 = select(_e127, _e131, _e133);
                 let _e138 = select(_e122, select(_e122, 2u, _e130), _e133);
                 local_2 = array<f32, 3>(_e103[0], _e103[1], _e103[2]);
@@ -306,34 +306,34 @@ fn function_() {
                 let _e205 = (_e95[1] - _e195);
                 let _e206 = (_e95[2] - _e196);
                 if (_e114 > _e200) {
-                    phi_366_ = (1f / _e103[0]);
+                    phi_398_ = (1f / _e103[0]);
                 } else {
-                    phi_366_ = (1000000000000f / _e199);
+                    phi_398_ = (1000000000000f / _e199);
                 }
-                let _e211 = phi_366_;
+                let _e211 = phi_398_;
                 if (_e115 > _e200) {
-                    phi_374_ = (1f / _e103[1]);
+                    phi_406_ = (1f / _e103[1]);
                 } else {
-                    phi_374_ = (1000000000000f / _e199);
+                    phi_406_ = (1000000000000f / _e199);
                 }
-                let _e216 = phi_374_;
+                let _e216 = phi_406_;
                 if (_e116 > _e200) {
-                    phi_382_ = (1f / _e103[2]);
+                    phi_414_ = (1f / _e103[2]);
                 } else {
-                    phi_382_ = (1000000000000f / _e199);
+                    phi_414_ = (1000000000000f / _e199);
                 }
-                let _e221 = phi_382_;
+                let _e221 = phi_414_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 phi_1925_ = false;
-                phi_385_ = 0u;
-                phi_388_ = 0u;
-                phi_390_ = type_42(_e107, 4294967295u, 0f, 0f);
+                phi_417_ = 0u;
+                phi_420_ = 0u;
+                phi_422_ = type_42(_e107, 4294967295u, 0f, 0f);
                 loop {
                     let _e224 = phi_1925_;
-                    let _e226 = phi_385_;
-                    let _e228 = phi_388_;
-                    let _e230 = phi_390_;
+                    let _e226 = phi_417_;
+                    let _e228 = phi_420_;
+                    let _e230 = phi_422_;
                     let _e231 = (_e226 & 15u);
                     let _e233 = (_e226 >> bitcast<u32>(4u));
                     if (_e231 == 0u) {
@@ -426,35 +426,35 @@ fn function_() {
                         let _e1065 = nodes.member[_e233].member_6[2u];
                         let _e1069 = nodes.member[_e233].member_6[3u];
                         if (_e1049 < _e1047) {
-                            phi_771_ = type_53(_e1049, _e1061, _e1047, _e1057);
+                            phi_803_ = type_43(_e1049, _e1061, _e1047, _e1057);
                         } else {
-                            phi_771_ = type_53(_e1047, _e1057, _e1049, _e1061);
+                            phi_803_ = type_43(_e1047, _e1057, _e1049, _e1061);
                         }
-                        let _e1074 = phi_771_;
+                        let _e1074 = phi_803_;
                         if (_e1053 < _e1051) {
-                            phi_782_ = type_53(_e1053, _e1069, _e1051, _e1065);
+                            phi_814_ = type_43(_e1053, _e1069, _e1051, _e1065);
                         } else {
-                            phi_782_ = type_53(_e1051, _e1065, _e1053, _e1069);
+                            phi_814_ = type_43(_e1051, _e1065, _e1053, _e1069);
                         }
-                        let _e1083 = phi_782_;
+                        let _e1083 = phi_814_;
                         if (_e1083.member < _e1074.member) {
-                            phi_793_ = type_53(_e1083.member, _e1083.member_1, _e1074.member, _e1074.member_1);
+                            phi_825_ = type_43(_e1083.member, _e1083.member_1, _e1074.member, _e1074.member_1);
                         } else {
-                            phi_793_ = type_53(_e1074.member, _e1074.member_1, _e1083.member, _e1083.member_1);
+                            phi_825_ = type_43(_e1074.member, _e1074.member_1, _e1083.member, _e1083.member_1);
                         }
-                        let _e1092 = phi_793_;
+                        let _e1092 = phi_825_;
                         if (_e1083.member_2 < _e1074.member_2) {
-                            phi_804_ = type_53(_e1083.member_2, _e1083.member_3, _e1074.member_2, _e1074.member_3);
+                            phi_836_ = type_43(_e1083.member_2, _e1083.member_3, _e1074.member_2, _e1074.member_3);
                         } else {
-                            phi_804_ = type_53(_e1074.member_2, _e1074.member_3, _e1083.member_2, _e1083.member_3);
+                            phi_836_ = type_43(_e1074.member_2, _e1074.member_3, _e1083.member_2, _e1083.member_3);
                         }
-                        let _e1101 = phi_804_;
+                        let _e1101 = phi_836_;
                         if (_e1092.member_2 < _e1101.member) {
-                            phi_815_ = type_53(_e1092.member_2, _e1092.member_3, _e1101.member, _e1101.member_1);
+                            phi_847_ = type_43(_e1092.member_2, _e1092.member_3, _e1101.member, _e1101.member_1);
                         } else {
-                            phi_815_ = type_53(_e1101.member, _e1101.member_1, _e1092.member_2, _e1092.member_3);
+                            phi_847_ = type_43(_e1101.member, _e1101.member_1, _e1092.member_2, _e1092.member_3);
                         }
-                        let _e1110 = phi_815_;
+                        let _e1110 = phi_847_;
                         if (_e1101.member_2 < 340282350000000000000000000000000000000f) {
                             let _e1116 = (_e228 < 64u);
                             if _e1116 {
@@ -471,11 +471,11 @@ fn function_() {
                                 break;
                             }
                             local_1[_e228] = _e1101.member_2;
-                            phi_837_ = (_e228 + 1u);
+                            phi_869_ = (_e228 + 1u);
                         } else {
-                            phi_837_ = _e228;
+                            phi_869_ = _e228;
                         }
-                        let _e1121 = phi_837_;
+                        let _e1121 = phi_869_;
                         if (_e1110.member_2 < 340282350000000000000000000000000000000f) {
                             let _e1123 = (_e1121 < 64u);
                             if _e1123 {
@@ -492,11 +492,11 @@ fn function_() {
                                 break;
                             }
                             local_1[_e1121] = _e1110.member_2;
-                            phi_855_ = (_e1121 + 1u);
+                            phi_887_ = (_e1121 + 1u);
                         } else {
-                            phi_855_ = _e1121;
+                            phi_887_ = _e1121;
                         }
-                        let _e1128 = phi_855_;
+                        let _e1128 = phi_887_;
                         if (_e1110.member < 340282350000000000000000000000000000000f) {
                             let _e1130 = (_e1128 < 64u);
                             if _e1130 {
@@ -513,31 +513,31 @@ fn function_() {
                                 break;
                             }
                             local_1[_e1128] = _e1110.member;
-                            phi_873_ = (_e1128 + 1u);
+                            phi_905_ = (_e1128 + 1u);
                         } else {
-                            phi_873_ = _e1128;
+                            phi_905_ = _e1128;
                         }
-                        let _e1135 = phi_873_;
+                        let _e1135 = phi_905_;
                         phi_1981_ = _e224;
-                        phi_1562_ = select(0u, _e1092.member_1, (_e1092.member < 340282350000000000000000000000000000000f));
-                        phi_1563_ = _e1135;
-                        phi_391_ = _e230;
+                        phi_1594_ = select(0u, _e1092.member_1, (_e1092.member < 340282350000000000000000000000000000000f));
+                        phi_1595_ = _e1135;
+                        phi_423_ = _e230;
                     } else {
-                        phi_882_ = type_8(_e233, (_e233 + _e231));
-                        phi_885_ = _e230;
+                        phi_914_ = type_8(_e233, (_e233 + _e231));
+                        phi_917_ = _e230;
                         loop {
-                            let _e238 = phi_882_;
-                            let _e240 = phi_885_;
+                            let _e238 = phi_914_;
+                            let _e240 = phi_917_;
                             local_7 = _e240;
                             if (_e238.member < _e238.member_1) {
-                                phi_883_ = type_8((_e238.member + 1u), _e238.member_1);
-                                phi_908_ = type_8(1u, _e238.member);
+                                phi_915_ = type_8((_e238.member + 1u), _e238.member_1);
+                                phi_940_ = type_8(1u, _e238.member);
                             } else {
-                                phi_883_ = _e238;
-                                phi_908_ = type_8(0u, type_8().member_1);
+                                phi_915_ = _e238;
+                                phi_940_ = type_8(0u, type_8().member_1);
                             }
-                            let _e253 = phi_883_;
-                            let _e255 = phi_908_;
+                            let _e253 = phi_915_;
+                            let _e255 = phi_940_;
                             let _e259 = (bitcast<i32>(_e255.member) != 0i);
                             if _e259 {
                                 let _e260 = (_e255.member_1 < arrayLength((&triangles.member)));
@@ -612,7 +612,7 @@ fn function_() {
                                 let _e318 = (_e310 * _e303);
                                 let _e319 = (_e317 * _e296);
                                 if (_e318 != _e319) {
-                                    phi_1024_ = (_e318 - _e319);
+                                    phi_1056_ = (_e318 - _e319);
                                 } else {
                                     let _e321 = (_e310 * 4097f);
                                     let _e323 = (_e321 - (_e321 - _e310));
@@ -626,13 +626,13 @@ fn function_() {
                                     let _e342 = (_e340 - (_e340 - _e296));
                                     let _e343 = (_e317 - _e339);
                                     let _e344 = (_e296 - _e342);
-                                    phi_1024_ = ((((((_e323 * _e326) - _e318) + (_e323 * _e328)) + (_e327 * _e326)) + (_e327 * _e328)) - (((((_e339 * _e342) - _e319) + (_e339 * _e344)) + (_e343 * _e342)) + (_e343 * _e344)));
+                                    phi_1056_ = ((((((_e323 * _e326) - _e318) + (_e323 * _e328)) + (_e327 * _e326)) + (_e327 * _e328)) - (((((_e339 * _e342) - _e319) + (_e339 * _e344)) + (_e343 * _e342)) + (_e343 * _e344)));
                                 }
-                                let _e356 = phi_1024_;
+                                let _e356 = phi_1056_;
                                 let _e357 = (_e282 * _e317);
                                 let _e358 = (_e289 * _e310);
                                 if (_e357 != _e358) {
-                                    phi_1035_ = (_e357 - _e358);
+                                    phi_1067_ = (_e357 - _e358);
                                 } else {
                                     let _e360 = (_e282 * 4097f);
                                     let _e362 = (_e360 - (_e360 - _e282));
@@ -646,13 +646,13 @@ fn function_() {
                                     let _e381 = (_e379 - (_e379 - _e310));
                                     let _e382 = (_e289 - _e378);
                                     let _e383 = (_e310 - _e381);
-                                    phi_1035_ = ((((((_e362 * _e365) - _e357) + (_e362 * _e367)) + (_e366 * _e365)) + (_e366 * _e367)) - (((((_e378 * _e381) - _e358) + (_e378 * _e383)) + (_e382 * _e381)) + (_e382 * _e383)));
+                                    phi_1067_ = ((((((_e362 * _e365) - _e357) + (_e362 * _e367)) + (_e366 * _e365)) + (_e366 * _e367)) - (((((_e378 * _e381) - _e358) + (_e378 * _e383)) + (_e382 * _e381)) + (_e382 * _e383)));
                                 }
-                                let _e395 = phi_1035_;
+                                let _e395 = phi_1067_;
                                 let _e396 = (_e296 * _e289);
                                 let _e397 = (_e303 * _e282);
                                 if (_e396 != _e397) {
-                                    phi_1046_ = (_e396 - _e397);
+                                    phi_1078_ = (_e396 - _e397);
                                 } else {
                                     let _e399 = (_e296 * 4097f);
                                     let _e401 = (_e399 - (_e399 - _e296));
@@ -666,71 +666,71 @@ fn function_() {
                                     let _e420 = (_e418 - (_e418 - _e282));
                                     let _e421 = (_e303 - _e417);
                                     let _e422 = (_e282 - _e420);
-                                    phi_1046_ = ((((((_e401 * _e404) - _e396) + (_e401 * _e406)) + (_e405 * _e404)) + (_e405 * _e406)) - (((((_e417 * _e420) - _e397) + (_e417 * _e422)) + (_e421 * _e420)) + (_e421 * _e422)));
+                                    phi_1078_ = ((((((_e401 * _e404) - _e396) + (_e401 * _e406)) + (_e405 * _e404)) + (_e405 * _e406)) - (((((_e417 * _e420) - _e397) + (_e417 * _e422)) + (_e421 * _e420)) + (_e421 * _e422)));
                                 }
-                                let _e434 = phi_1046_;
+                                let _e434 = phi_1078_;
                                 if (_e356 < 0f) {
-                                    phi_1064_ = f32();
-                                    phi_1065_ = true;
+                                    phi_1096_ = f32();
+                                    phi_1097_ = true;
                                 } else {
                                     if (_e395 < 0f) {
-                                        phi_1062_ = f32();
-                                        phi_1063_ = true;
+                                        phi_1094_ = f32();
+                                        phi_1095_ = true;
                                     } else {
                                         let _e437 = (_e434 < 0f);
                                         if _e437 {
-                                            phi_1061_ = f32();
+                                            phi_1093_ = f32();
                                         } else {
-                                            phi_1061_ = ((_e356 + _e395) + _e434);
+                                            phi_1093_ = ((_e356 + _e395) + _e434);
                                         }
-                                        let _e441 = phi_1061_;
-                                        phi_1062_ = _e441;
-                                        phi_1063_ = _e437;
+                                        let _e441 = phi_1093_;
+                                        phi_1094_ = _e441;
+                                        phi_1095_ = _e437;
                                     }
-                                    let _e443 = phi_1062_;
-                                    let _e445 = phi_1063_;
-                                    phi_1064_ = _e443;
-                                    phi_1065_ = _e445;
+                                    let _e443 = phi_1094_;
+                                    let _e445 = phi_1095_;
+                                    phi_1096_ = _e443;
+                                    phi_1097_ = _e445;
                                 }
-                                let _e447 = phi_1064_;
-                                let _e449 = phi_1065_;
+                                let _e447 = phi_1096_;
+                                let _e449 = phi_1097_;
                                 if _e449 {
                                     if (_e356 > 0f) {
-                                        phi_1086_ = f32();
-                                        phi_1087_ = true;
-                                        phi_1088_ = false;
+                                        phi_1118_ = f32();
+                                        phi_1119_ = true;
+                                        phi_1120_ = false;
                                     } else {
                                         let _e451 = (_e395 > 0f);
                                         if _e451 {
-                                            phi_1084_ = f32();
-                                            phi_1085_ = false;
+                                            phi_1116_ = f32();
+                                            phi_1117_ = false;
                                         } else {
-                                            phi_1084_ = ((_e356 + _e395) + _e434);
-                                            phi_1085_ = select(true, false, (_e434 > 0f));
+                                            phi_1116_ = ((_e356 + _e395) + _e434);
+                                            phi_1117_ = select(true, false, (_e434 > 0f));
                                         }
-                                        let _e457 = phi_1084_;
-                                        let _e459 = phi_1085_;
-                                        phi_1086_ = _e457;
-                                        phi_1087_ = _e451;
-                                        phi_1088_ = _e459;
+                                        let _e457 = phi_1116_;
+                                        let _e459 = phi_1117_;
+                                        phi_1118_ = _e457;
+                                        phi_1119_ = _e451;
+                                        phi_1120_ = _e459;
                                     }
-                                    let _e461 = phi_1086_;
-                                    let _e463 = phi_1087_;
-                                    let _e465 = phi_1088_;
-                                    phi_1093_ = _e461;
-                                    phi_1094_ = select(_e465, false, _e463);
+                                    let _e461 = phi_1118_;
+                                    let _e463 = phi_1119_;
+                                    let _e465 = phi_1120_;
+                                    phi_1125_ = _e461;
+                                    phi_1126_ = select(_e465, false, _e463);
                                 } else {
-                                    phi_1093_ = _e447;
-                                    phi_1094_ = true;
+                                    phi_1125_ = _e447;
+                                    phi_1126_ = true;
                                 }
-                                let _e468 = phi_1093_;
-                                let _e470 = phi_1094_;
+                                let _e468 = phi_1125_;
+                                let _e470 = phi_1126_;
                                 if _e470 {
                                     let _e471 = (_e468 == 0f);
                                     if _e471 {
-                                        phi_1182_ = array<f32, 3>();
-                                        phi_1183_ = array<f32, 3>();
-                                        phi_1184_ = false;
+                                        phi_1214_ = array<f32, 3>();
+                                        phi_1215_ = array<f32, 3>();
+                                        phi_1216_ = false;
                                     } else {
                                         let _e472 = (_e265 * _e144);
                                         let _e473 = (_e270 * _e144);
@@ -753,8 +753,8 @@ fn function_() {
                                         let _e505 = abs(_e474);
                                         let _e512 = (((select(_e490, _e489, (_e489 > _e490)) * select(_e497, _e496, (_e496 > _e497))) * select(_e505, _e504, (_e504 > _e505))) <= (abs((_e468 * _e485)) * 256f));
                                         if _e512 {
-                                            phi_1180_ = array<f32, 3>(_e485, _e478, _e479);
-                                            phi_1181_ = array<f32, 3>();
+                                            phi_1212_ = array<f32, 3>(_e485, _e478, _e479);
+                                            phi_1213_ = array<f32, 3>();
                                         } else {
                                             let _e514 = (_e310 * 4097f);
                                             let _e516 = (_e514 - (_e514 - _e310));
@@ -780,44 +780,44 @@ fn function_() {
                                             let _e596 = (1f / ((_e547 + _e574) + _e593));
                                             let _e597 = (_e574 * _e596);
                                             let _e598 = (_e593 * _e596);
-                                            phi_1180_ = array<f32, 3>();
-                                            phi_1181_ = array<f32, 3>(((((_e547 * _e596) * _e472) + (_e597 * _e473)) + (_e598 * _e474)), _e597, _e598);
+                                            phi_1212_ = array<f32, 3>();
+                                            phi_1213_ = array<f32, 3>(((((_e547 * _e596) * _e472) + (_e597 * _e473)) + (_e598 * _e474)), _e597, _e598);
                                         }
-                                        let _e608 = phi_1180_;
-                                        let _e610 = phi_1181_;
-                                        phi_1182_ = _e608;
-                                        phi_1183_ = _e610;
-                                        phi_1184_ = _e512;
+                                        let _e608 = phi_1212_;
+                                        let _e610 = phi_1213_;
+                                        phi_1214_ = _e608;
+                                        phi_1215_ = _e610;
+                                        phi_1216_ = _e512;
                                     }
-                                    let _e612 = phi_1182_;
-                                    let _e614 = phi_1183_;
-                                    let _e616 = phi_1184_;
-                                    phi_1185_ = _e612;
-                                    phi_1186_ = _e614;
-                                    phi_1187_ = _e471;
-                                    phi_1188_ = _e616;
+                                    let _e612 = phi_1214_;
+                                    let _e614 = phi_1215_;
+                                    let _e616 = phi_1216_;
+                                    phi_1217_ = _e612;
+                                    phi_1218_ = _e614;
+                                    phi_1219_ = _e471;
+                                    phi_1220_ = _e616;
                                 } else {
-                                    phi_1185_ = array<f32, 3>();
-                                    phi_1186_ = array<f32, 3>();
-                                    phi_1187_ = true;
-                                    phi_1188_ = false;
+                                    phi_1217_ = array<f32, 3>();
+                                    phi_1218_ = array<f32, 3>();
+                                    phi_1219_ = true;
+                                    phi_1220_ = false;
                                 }
-                                let _e618 = phi_1185_;
-                                let _e620 = phi_1186_;
-                                let _e622 = phi_1187_;
-                                let _e624 = phi_1188_;
+                                let _e618 = phi_1217_;
+                                let _e620 = phi_1218_;
+                                let _e622 = phi_1219_;
+                                let _e624 = phi_1220_;
                                 if _e622 {
-                                    phi_1193_ = array<f32, 3>(-1f, 0f, 0f);
+                                    phi_1225_ = array<f32, 3>(-1f, 0f, 0f);
                                 } else {
-                                    phi_1193_ = _e618;
+                                    phi_1225_ = _e618;
                                 }
-                                let _e626 = phi_1193_;
+                                let _e626 = phi_1225_;
                                 if select(_e624, true, _e622) {
-                                    phi_1198_ = _e626;
+                                    phi_1230_ = _e626;
                                 } else {
-                                    phi_1198_ = _e620;
+                                    phi_1230_ = _e620;
                                 }
-                                let _e629 = phi_1198_;
+                                let _e629 = phi_1230_;
                                 if (_e629[0] >= _e99) {
                                     let _e635 = (_e629[0] < _e240.member);
                                     if _e635 {
@@ -830,7 +830,7 @@ fn function_() {
                                             }
                                             let _e639 = triangles.member[_e255.member_1].member_3;
                                             if ((_e639 & 1u) == 0u) {
-                                                phi_1531_ = true;
+                                                phi_1563_ = true;
                                             } else {
                                                 if _e260 {
                                                 } else {
@@ -910,7 +910,7 @@ fn function_() {
                                                     break;
                                                 }
                                                 if (_e655 == 4294967295u) {
-                                                    phi_1526_ = (_e670 < _e675);
+                                                    phi_1558_ = (_e670 < _e675);
                                                 } else {
                                                     if (_e255.member_1 < arrayLength((&attributes.member))) {
                                                     } else {
@@ -934,36 +934,36 @@ fn function_() {
                                                     let _e729 = (_e727 - _e728);
                                                     let _e730 = (_e718 - 1u);
                                                     if (_e728 < 0f) {
-                                                        phi_1409_ = _e730;
+                                                        phi_1441_ = _e730;
                                                     } else {
                                                         let _e736 = select(select(u32(_e728), 0u, (_e728 < 0f)), 4294967295u, (_e728 > 4294967000f));
-                                                        phi_1409_ = select(_e736, _e730, (_e730 < _e736));
+                                                        phi_1441_ = select(_e736, _e730, (_e730 < _e736));
                                                     }
-                                                    let _e740 = phi_1409_;
+                                                    let _e740 = phi_1441_;
                                                     if (_e740 == _e730) {
-                                                        phi_1415_ = 0u;
+                                                        phi_1447_ = 0u;
                                                     } else {
-                                                        phi_1415_ = (_e740 + 1u);
+                                                        phi_1447_ = (_e740 + 1u);
                                                     }
-                                                    let _e744 = phi_1415_;
+                                                    let _e744 = phi_1447_;
                                                     let _e746 = (_e717 - floor(_e717));
                                                     let _e751 = ((select(0f, _e746, (_e746 <= 1f)) * f32(_e720)) - 0.5f);
                                                     let _e752 = floor(_e751);
                                                     let _e753 = (_e751 - _e752);
                                                     let _e754 = (_e720 - 1u);
                                                     if (_e752 < 0f) {
-                                                        phi_1445_ = _e754;
+                                                        phi_1477_ = _e754;
                                                     } else {
                                                         let _e760 = select(select(u32(_e752), 0u, (_e752 < 0f)), 4294967295u, (_e752 > 4294967000f));
-                                                        phi_1445_ = select(_e760, _e754, (_e754 < _e760));
+                                                        phi_1477_ = select(_e760, _e754, (_e754 < _e760));
                                                     }
-                                                    let _e764 = phi_1445_;
+                                                    let _e764 = phi_1477_;
                                                     if (_e764 == _e754) {
-                                                        phi_1451_ = 0u;
+                                                        phi_1483_ = 0u;
                                                     } else {
-                                                        phi_1451_ = (_e764 + 1u);
+                                                        phi_1483_ = (_e764 + 1u);
                                                     }
-                                                    let _e768 = phi_1451_;
+                                                    let _e768 = phi_1483_;
                                                     let _e770 = (_e655 + (_e764 * _e718));
                                                     let _e772 = (_e655 + (_e768 * _e718));
                                                     let _e773 = (_e770 + _e740);
@@ -995,66 +995,66 @@ fn function_() {
                                                     }
                                                     let _e788 = surfaces.member[_e776];
                                                     let _e805 = (1f - _e729);
-                                                    phi_1526_ = ((_e670 * (((((f32((_e779 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e782 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * (1f - _e753)) + ((((f32((_e785 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e788 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * _e753))) < _e675);
+                                                    phi_1558_ = ((_e670 * (((((f32((_e779 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e782 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * (1f - _e753)) + ((((f32((_e785 >> bitcast<u32>(24i))) * 0.003921569f) * _e805) + ((f32((_e788 >> bitcast<u32>(24i))) * 0.003921569f) * _e729)) * _e753))) < _e675);
                                                 }
-                                                let _e820 = phi_1526_;
-                                                phi_1531_ = select(true, false, _e820);
+                                                let _e820 = phi_1558_;
+                                                phi_1563_ = select(true, false, _e820);
                                             }
-                                            let _e823 = phi_1531_;
+                                            let _e823 = phi_1563_;
                                             if _e823 {
-                                                phi_1536_ = type_42(_e629[0], _e255.member_1, _e629[1], _e629[2]);
+                                                phi_1568_ = type_42(_e629[0], _e255.member_1, _e629[1], _e629[2]);
                                             } else {
-                                                phi_1536_ = type_42();
+                                                phi_1568_ = type_42();
                                             }
-                                            let _e826 = phi_1536_;
-                                            phi_1538_ = _e826;
-                                            phi_1540_ = select(true, false, _e823);
+                                            let _e826 = phi_1568_;
+                                            phi_1570_ = _e826;
+                                            phi_1572_ = select(true, false, _e823);
                                         } else {
-                                            phi_1538_ = type_42();
-                                            phi_1540_ = false;
+                                            phi_1570_ = type_42();
+                                            phi_1572_ = false;
                                         }
-                                        let _e829 = phi_1538_;
-                                        let _e831 = phi_1540_;
-                                        phi_1541_ = _e829;
-                                        phi_1543_ = select(true, false, _e636);
-                                        phi_1544_ = _e831;
+                                        let _e829 = phi_1570_;
+                                        let _e831 = phi_1572_;
+                                        phi_1573_ = _e829;
+                                        phi_1575_ = select(true, false, _e636);
+                                        phi_1576_ = _e831;
                                     } else {
-                                        phi_1541_ = type_42();
-                                        phi_1543_ = false;
-                                        phi_1544_ = false;
+                                        phi_1573_ = type_42();
+                                        phi_1575_ = false;
+                                        phi_1576_ = false;
                                     }
-                                    let _e834 = phi_1541_;
-                                    let _e836 = phi_1543_;
-                                    let _e838 = phi_1544_;
-                                    phi_1545_ = _e834;
-                                    phi_1546_ = select(true, false, _e635);
-                                    phi_1547_ = _e836;
-                                    phi_1548_ = _e838;
+                                    let _e834 = phi_1573_;
+                                    let _e836 = phi_1575_;
+                                    let _e838 = phi_1576_;
+                                    phi_1577_ = _e834;
+                                    phi_1578_ = select(true, false, _e635);
+                                    phi_1579_ = _e836;
+                                    phi_1580_ = _e838;
                                 } else {
-                                    phi_1545_ = type_42();
-                                    phi_1546_ = true;
-                                    phi_1547_ = false;
-                                    phi_1548_ = false;
+                                    phi_1577_ = type_42();
+                                    phi_1578_ = true;
+                                    phi_1579_ = false;
+                                    phi_1580_ = false;
                                 }
-                                let _e841 = phi_1545_;
-                                let _e843 = phi_1546_;
-                                let _e845 = phi_1547_;
-                                let _e847 = phi_1548_;
+                                let _e841 = phi_1577_;
+                                let _e843 = phi_1578_;
+                                let _e845 = phi_1579_;
+                                let _e847 = phi_1580_;
                                 if select(select(_e847, false, _e843), true, select(_e845, true, _e843)) {
-                                    phi_1561_ = _e240;
+                                    phi_1593_ = _e240;
                                 } else {
-                                    phi_1561_ = _e841;
+                                    phi_1593_ = _e841;
                                 }
-                                let _e852 = phi_1561_;
-                                phi_886_ = _e852;
+                                let _e852 = phi_1593_;
+                                phi_918_ = _e852;
                             } else {
-                                phi_886_ = type_42();
+                                phi_918_ = type_42();
                             }
-                            let _e854 = phi_886_;
+                            let _e854 = phi_918_;
                             continue;
                             continuing {
-                                phi_882_ = _e253;
-                                phi_885_ = _e854;
+                                phi_914_ = _e253;
+                                phi_917_ = _e854;
                                 phi_1921_ = _e224;
                                 break if !(_e259);
                             }
@@ -1066,20 +1066,20 @@ fn function_() {
                             break;
                         }
                         phi_1981_ = _e857;
-                        phi_1562_ = 0u;
-                        phi_1563_ = _e228;
+                        phi_1594_ = 0u;
+                        phi_1595_ = _e228;
                         let _e1263 = local_7;
-                        phi_391_ = _e1263;
+                        phi_423_ = _e1263;
                     }
                     let _e1139 = phi_1981_;
-                    let _e1141 = phi_1562_;
-                    let _e1143 = phi_1563_;
-                    let _e1145 = phi_391_;
-                    phi_386_ = _e1141;
-                    phi_389_ = _e1143;
+                    let _e1141 = phi_1594_;
+                    let _e1143 = phi_1595_;
+                    let _e1145 = phi_423_;
+                    phi_418_ = _e1141;
+                    phi_421_ = _e1143;
                     loop {
-                        let _e1147 = phi_386_;
-                        let _e1149 = phi_389_;
+                        let _e1147 = phi_418_;
+                        let _e1149 = phi_421_;
                         local_5 = _e1147;
                         local_6 = _e1149;
                         let _e1150 = (_e1147 == 0u);
@@ -1102,34 +1102,34 @@ fn function_() {
                                         break;
                                     }
                                     let _e1159 = local[_e1152];
-                                    phi_1598_ = _e1159;
+                                    phi_1630_ = _e1159;
                                 } else {
-                                    phi_1598_ = _e1147;
+                                    phi_1630_ = _e1147;
                                 }
-                                let _e1161 = phi_1598_;
-                                phi_1599_ = _e1161;
-                                phi_1600_ = _e1152;
+                                let _e1161 = phi_1630_;
+                                phi_1631_ = _e1161;
+                                phi_1632_ = _e1152;
                             } else {
-                                phi_1599_ = u32();
-                                phi_1600_ = u32();
+                                phi_1631_ = u32();
+                                phi_1632_ = u32();
                             }
-                            let _e1163 = phi_1599_;
-                            let _e1165 = phi_1600_;
-                            phi_1565_ = _e1163;
-                            phi_1567_ = _e1165;
-                            phi_1601_ = _e1151;
+                            let _e1163 = phi_1631_;
+                            let _e1165 = phi_1632_;
+                            phi_1597_ = _e1163;
+                            phi_1599_ = _e1165;
+                            phi_1633_ = _e1151;
                         } else {
-                            phi_1565_ = u32();
-                            phi_1567_ = u32();
-                            phi_1601_ = false;
+                            phi_1597_ = u32();
+                            phi_1599_ = u32();
+                            phi_1633_ = false;
                         }
-                        let _e1167 = phi_1565_;
-                        let _e1169 = phi_1567_;
-                        let _e1171 = phi_1601_;
+                        let _e1167 = phi_1597_;
+                        let _e1169 = phi_1599_;
+                        let _e1171 = phi_1633_;
                         continue;
                         continuing {
-                            phi_386_ = _e1167;
-                            phi_389_ = _e1169;
+                            phi_418_ = _e1167;
+                            phi_421_ = _e1169;
                             phi_1978_ = _e1139;
                             break if !(_e1171);
                         }
@@ -1145,10 +1145,10 @@ fn function_() {
                     continuing {
                         phi_1925_ = _e1174;
                         let _e1196 = local_5;
-                        phi_385_ = _e1196;
+                        phi_417_ = _e1196;
                         let _e1199 = local_6;
-                        phi_388_ = _e1199;
-                        phi_390_ = _e1145;
+                        phi_420_ = _e1199;
+                        phi_422_ = _e1145;
                         phi_2045_ = _e1174;
                         phi_1677_ = _e1145;
                         break if !(select(true, false, _e1176));

@@ -7,7 +7,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_22 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -16,21 +16,21 @@ struct type_22 {
     member_5: u32,
 }
 
-struct type_24 {
-    member: array<type_22>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_28 {
+struct type_23 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_33 {
+struct type_30 {
     member: vec3<f32>,
     member_1: f32,
 }
@@ -105,9 +105,9 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> params: type_35;
 @group(0) @binding(1) 
-var<storage> triangles: type_24;
+var<storage> triangles: type_19;
 @group(0) @binding(2) 
-var<storage> attributes: type_30;
+var<storage> attributes: type_25;
 @group(0) @binding(3) 
 var<storage> surfaces: type_11;
 @group(0) @binding(4) 
@@ -461,7 +461,7 @@ fn function_() {
     var phi_3960_: u32;
     var phi_3990_: u32;
     var phi_3996_: u32;
-    var phi_4213_: type_33;
+    var phi_4213_: type_30;
     var phi_4243_: u32;
     var phi_4254_: vec3<f32>;
     var phi_4255_: vec3<f32>;
@@ -2797,7 +2797,7 @@ fn function_() {
                         let _e2618 = attributes.member[_e2614].member[5u];
                         let _e2620 = (((_e2601 * _e2568) + (_e2609 * _e2558)) + (_e2618 * _e2566));
                         if (_e396 == 4294967295u) {
-                            phi_4213_ = type_33(vec3<f32>(_e379, _e385, _e391), _e425);
+                            phi_4213_ = type_30(vec3<f32>(_e379, _e385, _e391), _e425);
                         } else {
                             let _e2623 = (_e419 & 65535u);
                             let _e2625 = (_e419 >> bitcast<u32>(16i));
@@ -2953,7 +2953,7 @@ fn function_() {
                             }
                             let _e2797 = surfaces.member[_e2793];
                             let _e2805 = (1f - _e2658);
-                            phi_4213_ = type_33(vec3<f32>((_e379 * ((((bitcast<f32>(_e2702) * _e2720) + (bitcast<f32>(_e2728) * _e2634)) * _e2805) + (((bitcast<f32>(_e2756) * _e2720) + (bitcast<f32>(_e2781) * _e2634)) * _e2658))), (_e385 * ((((bitcast<f32>(_e2710) * _e2720) + (bitcast<f32>(_e2736) * _e2634)) * _e2805) + (((bitcast<f32>(_e2764) * _e2720) + (bitcast<f32>(_e2789) * _e2634)) * _e2658))), (_e391 * ((((bitcast<f32>(_e2718) * _e2720) + (bitcast<f32>(_e2744) * _e2634)) * _e2805) + (((bitcast<f32>(_e2772) * _e2720) + (bitcast<f32>(_e2797) * _e2634)) * _e2658)))), (_e425 * (((((f32((_e2685 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2689 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2805) + ((((f32((_e2693 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2697 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2658))));
+                            phi_4213_ = type_30(vec3<f32>((_e379 * ((((bitcast<f32>(_e2702) * _e2720) + (bitcast<f32>(_e2728) * _e2634)) * _e2805) + (((bitcast<f32>(_e2756) * _e2720) + (bitcast<f32>(_e2781) * _e2634)) * _e2658))), (_e385 * ((((bitcast<f32>(_e2710) * _e2720) + (bitcast<f32>(_e2736) * _e2634)) * _e2805) + (((bitcast<f32>(_e2764) * _e2720) + (bitcast<f32>(_e2789) * _e2634)) * _e2658))), (_e391 * ((((bitcast<f32>(_e2718) * _e2720) + (bitcast<f32>(_e2744) * _e2634)) * _e2805) + (((bitcast<f32>(_e2772) * _e2720) + (bitcast<f32>(_e2797) * _e2634)) * _e2658)))), (_e425 * (((((f32((_e2685 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2689 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2805) + ((((f32((_e2693 >> bitcast<u32>(24i))) * 0.003921569f) * _e2720) + ((f32((_e2697 >> bitcast<u32>(24i))) * 0.003921569f) * _e2634)) * _e2658))));
                         }
                         let _e2848 = phi_4213_;
                         if (_e225 == 2u) {

@@ -33,10 +33,10 @@ struct type_17 {
 }
 
 var<private> gid_1: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> params: type_17;
 @group(0) @binding(2) 
 var<storage, read_write> out: type_9;
+@group(0) @binding(0) 
+var<uniform> params: type_17;
 @group(0) @binding(1) 
 var<storage> finer: type_9;
 

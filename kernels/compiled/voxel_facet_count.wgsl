@@ -33,10 +33,10 @@ struct type_16 {
 }
 
 var<private> gid_1: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> params: type_16;
 @group(0) @binding(2) 
 var<storage, read_write> out: type_9;
+@group(0) @binding(0) 
+var<uniform> params: type_16;
 @group(0) @binding(1) 
 var<storage> facet_bits: type_9;
 

@@ -7,26 +7,7 @@ struct type_12 {
     member: array<u32>,
 }
 
-struct type_22 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: array<f32, 3>,
-    member_3: u32,
-    member_4: array<f32, 3>,
-    member_5: u32,
-    member_6: array<f32, 3>,
-    member_7: u32,
-}
-
-struct type_24 {
-    member: array<type_22>,
-}
-
-struct type_27 {
-    member: array<vec4<f32>>,
-}
-
-struct type_33 {
+struct type_21 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -37,11 +18,11 @@ struct type_33 {
     member_7: vec4<f32>,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_37 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -50,28 +31,21 @@ struct type_37 {
     member_5: u32,
 }
 
-struct type_39 {
-    member: array<type_37>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_43 {
+struct type_31 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_45 {
-    member: array<type_43>,
+struct type_33 {
+    member: array<type_31>,
 }
 
-struct type_47 {
-    member: f32,
-    member_1: u32,
-    member_2: f32,
-    member_3: f32,
-}
-
-struct type_54 {
+struct type_35 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -82,15 +56,41 @@ struct type_54 {
     member_7: f32,
 }
 
-struct type_56 {
-    member: array<type_54>,
+struct type_37 {
+    member: array<type_35>,
 }
 
-struct type_60 {
+struct type_39 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: array<f32, 3>,
+    member_3: u32,
+    member_4: array<f32, 3>,
+    member_5: u32,
+    member_6: array<f32, 3>,
+    member_7: u32,
+}
+
+struct type_41 {
+    member: array<type_39>,
+}
+
+struct type_50 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: f32,
     member_3: f32,
+}
+
+struct type_53 {
+    member: f32,
+    member_1: u32,
+    member_2: f32,
+    member_3: f32,
+}
+
+struct type_58 {
+    member: array<vec4<f32>>,
 }
 
 struct type_61 {
@@ -125,22 +125,22 @@ struct type_63 {
 }
 
 var<private> gid_1: vec3<u32>;
-@group(0) @binding(7) 
-var<storage, read_write> out: type_27;
 @group(0) @binding(1) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_23;
 @group(0) @binding(2) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_27;
 @group(0) @binding(3) 
-var<storage> attributes: type_45;
+var<storage> attributes: type_33;
 @group(0) @binding(4) 
 var<storage> surfaces: type_12;
 @group(0) @binding(5) 
-var<storage> lights: type_56;
+var<storage> lights: type_37;
+@group(0) @binding(7) 
+var<storage, read_write> out: type_58;
 @group(0) @binding(0) 
 var<uniform> params: type_63;
 @group(0) @binding(6) 
-var<storage> facets: type_24;
+var<storage> facets: type_41;
 
 fn function_() {
     var local: array<u32, 64>;
@@ -163,17 +163,17 @@ fn function_() {
     var local_4: u32;
     var phi_1565_: f32;
     var phi_5215_: bool;
-    var phi_1575_: type_54;
+    var phi_1575_: type_35;
     var phi_1576_: u32;
     var phi_1577_: f32;
     var phi_5214_: bool;
-    var phi_1579_: type_54;
+    var phi_1579_: type_35;
     var phi_1580_: u32;
     var phi_1581_: f32;
     var phi_1582_: bool;
-    var phi_1614_: type_54;
+    var phi_1614_: type_35;
     var phi_1615_: u32;
-    var phi_1617_: type_54;
+    var phi_1617_: type_35;
     var phi_1618_: u32;
     var phi_1619_: u32;
     var phi_1635_: bool;
@@ -202,7 +202,7 @@ fn function_() {
     var phi_2271_: f32;
     var phi_2272_: bool;
     var phi_2292_: f32;
-    var phi_2304_: type_60;
+    var phi_2304_: type_50;
     var phi_1751_: vec3<f32>;
     var phi_1753_: vec3<f32>;
     var phi_1754_: bool;
@@ -213,11 +213,11 @@ fn function_() {
     var phi_2307_: vec3<f32>;
     var phi_2308_: f32;
     var phi_2309_: vec3<f32>;
-    var phi_2310_: type_60;
+    var phi_2310_: type_50;
     var phi_2311_: f32;
     var phi_2312_: bool;
     var phi_2332_: f32;
-    var phi_2346_: type_60;
+    var phi_2346_: type_50;
     var phi_2379_: bool;
     var phi_2389_: u32;
     var phi_2392_: bool;
@@ -263,17 +263,17 @@ fn function_() {
     var phi_3573_: u32;
     var phi_3648_: bool;
     var phi_3653_: bool;
-    var phi_3658_: type_47;
-    var phi_3660_: type_47;
+    var phi_3658_: type_53;
+    var phi_3660_: type_53;
     var phi_3662_: bool;
-    var phi_3663_: type_47;
+    var phi_3663_: type_53;
     var phi_3665_: bool;
     var phi_3666_: bool;
-    var phi_3667_: type_47;
+    var phi_3667_: type_53;
     var phi_3668_: bool;
     var phi_3669_: bool;
     var phi_3670_: bool;
-    var phi_3683_: type_47;
+    var phi_3683_: type_53;
     var phi_3690_: bool;
     var phi_5184_: bool;
     var phi_3849_: bool;
@@ -534,7 +534,7 @@ fn function_() {
                                 phi_1577_ = _e336;
                             } else {
                                 phi_5215_ = _e256;
-                                phi_1575_ = type_54();
+                                phi_1575_ = type_35();
                                 phi_1576_ = u32();
                                 phi_1577_ = f32();
                             }
@@ -549,7 +549,7 @@ fn function_() {
                             phi_1582_ = select(true, false, _e234);
                         } else {
                             phi_5214_ = _e256;
-                            phi_1579_ = type_54();
+                            phi_1579_ = type_35();
                             phi_1580_ = u32();
                             phi_1581_ = f32();
                             phi_1582_ = true;
@@ -575,7 +575,7 @@ fn function_() {
                                 phi_1614_ = _e371;
                                 phi_1615_ = (_e391 ^ (_e391 >> bitcast<u32>(16i)));
                             } else {
-                                phi_1614_ = type_54(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e199.x, _e199.y, _e199.z), 1f);
+                                phi_1614_ = type_35(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e199.x, _e199.y, _e199.z), 1f);
                                 phi_1615_ = (_e289 ^ (_e289 >> bitcast<u32>(16i)));
                             }
                             let _e396 = phi_1614_;
@@ -718,7 +718,7 @@ fn function_() {
                                         phi_2307_ = vec3<f32>((_e934 - _e144.member[0]), (_e935 - _e144.member[1]), (_e936 - _e144.member[2]));
                                         phi_2308_ = _e949;
                                         phi_2309_ = vec3<f32>(_e934, _e935, _e936);
-                                        phi_2310_ = type_60();
+                                        phi_2310_ = type_50();
                                         phi_2311_ = f32();
                                         phi_2312_ = true;
                                     } else {
@@ -864,9 +864,9 @@ fn function_() {
                                                 phi_2292_ = _e188;
                                             }
                                             let _e771 = phi_2292_;
-                                            phi_2304_ = type_60(vec3<f32>((_e144.member[0] + (_e166.x * _e771)), (_e144.member[1] + (_e166.y * _e771)), (_e144.member[2] + (_e166.z * _e771))), _e752, 0f, 340282350000000000000000000000000000000f);
+                                            phi_2304_ = type_50(vec3<f32>((_e144.member[0] + (_e166.x * _e771)), (_e144.member[1] + (_e166.y * _e771)), (_e144.member[2] + (_e166.z * _e771))), _e752, 0f, 340282350000000000000000000000000000000f);
                                         } else {
-                                            phi_2304_ = type_60();
+                                            phi_2304_ = type_50();
                                         }
                                         let _e781 = phi_2304_;
                                         phi_2306_ = _e754;
@@ -892,7 +892,7 @@ fn function_() {
                                         }
                                         let _e993 = phi_2332_;
                                         let _e1000 = vec3<f32>((_e144.member[0] + (_e166.x * _e993)), (_e144.member[1] + (_e166.y * _e993)), (_e144.member[2] + (_e166.z * _e993)));
-                                        phi_2346_ = type_60(_e1000, (_e972 - _e1000), 0f, 0.9999995f);
+                                        phi_2346_ = type_50(_e1000, (_e972 - _e1000), 0f, 0.9999995f);
                                     } else {
                                         phi_2346_ = _e974;
                                     }
@@ -1676,15 +1676,15 @@ fn function_() {
                                                                     }
                                                                     let _e1733 = phi_3653_;
                                                                     if _e1733 {
-                                                                        phi_3658_ = type_47(_e1539[0], _e1165.member_1, _e1539[1], _e1539[2]);
+                                                                        phi_3658_ = type_53(_e1539[0], _e1165.member_1, _e1539[1], _e1539[2]);
                                                                     } else {
-                                                                        phi_3658_ = type_47();
+                                                                        phi_3658_ = type_53();
                                                                     }
                                                                     let _e1736 = phi_3658_;
                                                                     phi_3660_ = _e1736;
                                                                     phi_3662_ = select(true, false, _e1733);
                                                                 } else {
-                                                                    phi_3660_ = type_47();
+                                                                    phi_3660_ = type_53();
                                                                     phi_3662_ = false;
                                                                 }
                                                                 let _e1739 = phi_3660_;
@@ -1693,7 +1693,7 @@ fn function_() {
                                                                 phi_3665_ = select(true, false, _e1546);
                                                                 phi_3666_ = _e1741;
                                                             } else {
-                                                                phi_3663_ = type_47();
+                                                                phi_3663_ = type_53();
                                                                 phi_3665_ = false;
                                                                 phi_3666_ = false;
                                                             }
@@ -1705,7 +1705,7 @@ fn function_() {
                                                             phi_3669_ = _e1746;
                                                             phi_3670_ = _e1748;
                                                         } else {
-                                                            phi_3667_ = type_47();
+                                                            phi_3667_ = type_53();
                                                             phi_3668_ = true;
                                                             phi_3669_ = false;
                                                             phi_3670_ = false;
@@ -1715,7 +1715,7 @@ fn function_() {
                                                         let _e1755 = phi_3669_;
                                                         let _e1757 = phi_3670_;
                                                         if select(select(_e1757, false, _e1753), true, select(_e1755, true, _e1753)) {
-                                                            phi_3683_ = type_47(_e1004.member_3, 4294967295u, 0f, 0f);
+                                                            phi_3683_ = type_53(_e1004.member_3, 4294967295u, 0f, 0f);
                                                         } else {
                                                             phi_3683_ = _e1751;
                                                         }

@@ -2,7 +2,7 @@ struct type_8 {
     member: array<u32>,
 }
 
-struct type_19 {
+struct type_14 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -11,8 +11,8 @@ struct type_19 {
     member_5: u32,
 }
 
-struct type_21 {
-    member: array<type_19>,
+struct type_16 {
+    member: array<type_14>,
 }
 
 struct type_23 {
@@ -80,7 +80,7 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> params: type_24;
 @group(0) @binding(1) 
-var<storage> triangles: type_21;
+var<storage> triangles: type_16;
 @group(0) @binding(2) 
 var<storage> tile_first: type_8;
 @group(0) @binding(3) 

@@ -32,6 +32,8 @@ struct type_19 {
 }
 
 var<private> gid_1: vec3<u32>;
+@group(0) @binding(4) 
+var<storage, read_write> out: type_15;
 @group(0) @binding(1) 
 var<storage> cells: type_8;
 @group(0) @binding(0) 
@@ -40,8 +42,6 @@ var<uniform> params: type_19;
 var<storage> children: type_8;
 @group(0) @binding(3) 
 var<storage> finer: type_15;
-@group(0) @binding(4) 
-var<storage, read_write> out: type_15;
 
 fn function_() {
     var local: array<vec4<f32>, 8>;

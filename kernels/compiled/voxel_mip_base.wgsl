@@ -7,7 +7,7 @@ struct type_10 {
     member: array<u32>,
 }
 
-struct type_17 {
+struct type_15 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -18,11 +18,11 @@ struct type_17 {
     member_7: u32,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_17 {
+    member: array<type_15>,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<vec4<f32>>,
 }
 
@@ -57,15 +57,15 @@ var<storage> cells: type_10;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_10;
 @group(0) @binding(3) 
-var<storage> facets: type_19;
+var<storage> facets: type_17;
 @group(0) @binding(4) 
-var<storage> radiance: type_22;
+var<storage> radiance: type_23;
 @group(0) @binding(0) 
 var<uniform> params: type_27;
 @group(0) @binding(5) 
 var<storage> children: type_10;
 @group(0) @binding(6) 
-var<storage, read_write> out: type_22;
+var<storage, read_write> out: type_23;
 
 fn function_() {
     var local: array<vec4<f32>, 8>;

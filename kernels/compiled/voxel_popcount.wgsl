@@ -28,10 +28,10 @@ struct type_14 {
 }
 
 var<private> gid_1: vec3<u32>;
-@group(0) @binding(0) 
-var<uniform> params: type_14;
 @group(0) @binding(2) 
 var<storage, read_write> out: type_7;
+@group(0) @binding(0) 
+var<uniform> params: type_14;
 @group(0) @binding(1) 
 var<storage> bits: type_7;
 

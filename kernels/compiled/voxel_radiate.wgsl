@@ -1,4 +1,4 @@
-struct type_11 {
+struct type_9 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -9,11 +9,11 @@ struct type_11 {
     member_7: u32,
 }
 
-struct type_13 {
-    member: array<type_11>,
+struct type_11 {
+    member: array<type_9>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<vec4<f32>>,
 }
 
@@ -43,16 +43,16 @@ struct type_21 {
 }
 
 var<private> gid_1: vec3<u32>;
+@group(0) @binding(1) 
+var<storage> facets: type_11;
+@group(0) @binding(4) 
+var<storage, read_write> out: type_17;
 @group(0) @binding(2) 
-var<storage> direct: type_16;
+var<storage> direct: type_17;
 @group(0) @binding(0) 
 var<uniform> params: type_21;
-@group(0) @binding(4) 
-var<storage, read_write> out: type_16;
-@group(0) @binding(1) 
-var<storage> facets: type_13;
 @group(0) @binding(3) 
-var<storage> bounced: type_16;
+var<storage> bounced: type_17;
 
 fn function_() {
     var phi_127_: f32;

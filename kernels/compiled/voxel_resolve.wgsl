@@ -2,7 +2,7 @@ struct type_9 {
     member: array<u32>,
 }
 
-struct type_17 {
+struct type_15 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -13,8 +13,8 @@ struct type_17 {
     member_7: u32,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_17 {
+    member: array<type_15>,
 }
 
 struct type_23 {
@@ -52,7 +52,7 @@ var<uniform> params: type_24;
 @group(0) @binding(3) 
 var<storage> sums: type_9;
 @group(0) @binding(4) 
-var<storage, read_write> out: type_19;
+var<storage, read_write> out: type_17;
 
 fn function_() {
     var phi_89_: u32;
@@ -395,7 +395,7 @@ fn function_() {
                 } else {
                     break;
                 }
-                out.member[_e43] = type_17(array<f32, 3>((_e292.x + ((f32(_e239) + (f32(bitcast<i32>(_e270)) / _e265)) * _e305)), (_e292.y + ((f32(_e253) + (f32(bitcast<i32>(_e277)) / _e265)) * _e305)), (_e292.z + ((f32(_e257) + (f32(bitcast<i32>(_e284)) / _e265)) * _e305))), (_e265 / _e318), array<f32, 3>((f32(bitcast<i32>(_e324)) / _e318), (f32(bitcast<i32>(_e331)) / _e318), (f32(bitcast<i32>(_e338)) / _e318)), (_e239 + (_e314.x * (_e253 + (_e314.y * _e257)))), array<f32, 3>((f32(bitcast<i32>(_e355)) / _e265), (f32(bitcast<i32>(_e362)) / _e265), (f32(bitcast<i32>(_e369)) / _e265)), 0u, array<f32, 3>((f32(bitcast<i32>(_e380)) * _e400), (f32(bitcast<i32>(_e387)) * _e400), (f32(bitcast<i32>(_e394)) * _e400)), 0u);
+                out.member[_e43] = type_15(array<f32, 3>((_e292.x + ((f32(_e239) + (f32(bitcast<i32>(_e270)) / _e265)) * _e305)), (_e292.y + ((f32(_e253) + (f32(bitcast<i32>(_e277)) / _e265)) * _e305)), (_e292.z + ((f32(_e257) + (f32(bitcast<i32>(_e284)) / _e265)) * _e305))), (_e265 / _e318), array<f32, 3>((f32(bitcast<i32>(_e324)) / _e318), (f32(bitcast<i32>(_e331)) / _e318), (f32(bitcast<i32>(_e338)) / _e318)), (_e239 + (_e314.x * (_e253 + (_e314.y * _e257)))), array<f32, 3>((f32(bitcast<i32>(_e355)) / _e265), (f32(bitcast<i32>(_e362)) / _e265), (f32(bitcast<i32>(_e369)) / _e265)), 0u, array<f32, 3>((f32(bitcast<i32>(_e380)) * _e400), (f32(bitcast<i32>(_e387)) * _e400), (f32(bitcast<i32>(_e394)) * _e400)), 0u);
             }
             break;
         }

@@ -2,7 +2,7 @@ struct type_7 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_13 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -11,8 +11,8 @@ struct type_18 {
     member_5: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_15 {
+    member: array<type_13>,
 }
 
 struct type_22 {
@@ -41,12 +41,12 @@ struct type_23 {
 }
 
 var<private> gid_1: vec3<u32>;
+@group(0) @binding(2) 
+var<storage, read_write> out: type_7;
 @group(0) @binding(0) 
 var<uniform> params: type_23;
 @group(0) @binding(1) 
-var<storage> triangles: type_20;
-@group(0) @binding(2) 
-var<storage, read_write> out: type_7;
+var<storage> triangles: type_15;
 
 fn function_() {
     var phi_159_: bool;
