@@ -1,7 +1,7 @@
 //! Parameters of the run-time kernels of sparse radiance probes (`kernels/src/srp`) and the layout of their buffers.
 //!
 //! A **slot** is a receiver's place in run time's buffers: receivers in the order of clusters, each cluster padded to
-//! whole [`SRP_LANES`]. After the receivers' slots come special ones: [`SrpLayout::black`], the environment, and one for
+//! whole [`SRP_LANES`]. After the receivers' slots come special ones: one that is black, the environment, and one for
 //! each dynamic occluder's own light.
 
 use glam::Vec4;

@@ -65,8 +65,8 @@ fn facets(input: &mut CaseInput) -> (LpvParams, alloc::vec::Vec<VoxelFacet>, all
         anchor_size: grid.truncate().extend(grid.w * 2.0),
         voxel_size: grid.w,
         count: 2 * pyramid.facets.len() as u32,
-        // Tiny voxels have areas that are no normal number.
-        flux_scale: if grid.w > 1e-15 { 1e3 / (grid.w * grid.w) } else { 1.0 },
+        // A facet reflects about what its cell holds, whatever the size of voxels: area times flux per area.
+        flux_scale: 1e3,
         ..p
     };
     let value = LpvLayout::new(p.dims).value() as usize;
