@@ -5,7 +5,7 @@
 //! "Extracting dominant light sources"), seen through Cook–Torrance with the GGX distribution and Smith's masking
 //! (Walter et al. 2007; the height-correlated form of Heitz 2014) and Schlick's Fresnel factor. Good for rough surfaces
 //! under one dominant light; a mirror sees one blurred light and nothing of the scene. Before:
-//! [`super::reconstruct`] (`srp_reconstruct4`).
+//! [`super::reconstruct`] (`srp_reconstruct_directional`).
 
 use super::normals::blended;
 use crate::kernel::Rows;

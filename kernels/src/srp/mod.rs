@@ -51,7 +51,7 @@ pub const KERNELS: &[&Kernel] = &[
     &cluster::srp_cluster::KERNEL,
     &light_basis::srp_light_basis::KERNEL,
     &reconstruct::srp_reconstruct::KERNEL,
-    &reconstruct::srp_reconstruct4::KERNEL,
+    &reconstruct::srp_reconstruct_directional::KERNEL,
     &normals::srp_receiver_irradiance::KERNEL,
     &normals::srp_normal_mapped::KERNEL,
     &resolve::srp_atlas::KERNEL,

@@ -4,7 +4,7 @@
 //! `srp_normal_mapped`: one invocation, one point with the shading normal of a normal map. Silvennoinen & Lehtinen 2017,
 //! §5.1: the order-1 version of Ramamoorthi & Hanrahan 2001. Good for bumps; an order-1 expansion of a sharp light is too
 //! smooth, and negative away from it: the result is clamped at the point, never in the loop of bounces. Before:
-//! [`super::reconstruct`] (`srp_reconstruct4`).
+//! [`super::reconstruct`] (`srp_reconstruct_directional`).
 
 use crate::kernel::{At, Rows};
 #[cfg(not(target_arch = "spirv"))]

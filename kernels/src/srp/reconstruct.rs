@@ -1,6 +1,6 @@
 //! Receiver reconstruction: `U` times the light basis of the receiver's cluster.
 //!
-//! One invocation: one receiver, three channels; `srp_reconstruct` one row of `U` (irradiance, W/m²), `srp_reconstruct4`
+//! One invocation: one receiver, three channels; `srp_reconstruct` one row of `U` (irradiance, W/m²), `srp_reconstruct_directional`
 //! four (order-1 coefficients of incident radiance, for normal mapping). Grid: blocks of 16 receivers × 16. Silvennoinen
 //! & Timonen 2017, §4.2. The light basis is the same for all receivers of a block, so that each half float of `U` is read
 //! once, next to its neighbours': bound by bandwidth. Before: [`super::light_basis`]; after: [`super::relight`] of the
@@ -120,7 +120,7 @@ kernel! {
 
 kernel! {
     /// Light bases to order-1 radiance at receivers.
-    lanes mod srp_reconstruct4 = super::radiance; entry "srp_reconstruct4" threads(64);
+    lanes mod srp_reconstruct_directional = super::radiance; entry "srp_reconstruct_directional" threads(64);
     uniform 0 params: SrpTransportParams;
     read 1 blocks: SrpReceiverBlock;
     read 2 words: u32;

@@ -20,7 +20,7 @@ use interreflect_kernels::srp::normals::{srp_normal_mapped, srp_receiver_irradia
 use interreflect_kernels::srp::probe_light::srp_probe_light;
 use interreflect_kernels::srp::probe_sum::srp_probe_sum;
 use interreflect_kernels::srp::project::srp_project;
-use interreflect_kernels::srp::reconstruct::{srp_reconstruct, srp_reconstruct4};
+use interreflect_kernels::srp::reconstruct::{srp_reconstruct, srp_reconstruct_directional};
 use interreflect_kernels::srp::relight::srp_relight;
 use interreflect_kernels::srp::resolve::{srp_atlas, srp_resolve};
 use interreflect_kernels::trace::direct::trace_direct;
@@ -446,7 +446,7 @@ impl SrpRuntime {
 
     fn reconstruct(&self, exec: &mut dyn Executor) -> Result<(), ExecError> {
         let (kernel, out) = if self.rows == 4 {
-            (&srp_reconstruct4::KERNEL, self.radiance4)
+            (&srp_reconstruct_directional::KERNEL, self.radiance4)
         } else {
             (&srp_reconstruct::KERNEL, self.irradiance)
         };

@@ -412,7 +412,7 @@ fn function_() {
 }
 
 @compute @workgroup_size(64, 1, 1) 
-fn srp_reconstruct4_(@builtin(global_invocation_id) gid: vec3<u32>) {
+fn srp_reconstruct_directional(@builtin(global_invocation_id) gid: vec3<u32>) {
     gid_1 = gid;
     function_();
 }
