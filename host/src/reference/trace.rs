@@ -1,4 +1,4 @@
-//! Ray queries: a walk over the eight-wide tree of [`super::tree`], with a watertight triangle test.
+//! Ray queries: a walk over the eight-wide tree of `tree.rs`, with a watertight triangle test.
 //!
 //! Children are visited by distance, and what lies behind a hit found meanwhile is left out when its turn comes. Boxes are
 //! grown by the rounding error of the triangle test, which is that of Woop, Benthin & Wald, "Watertight Ray/Triangle

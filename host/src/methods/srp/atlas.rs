@@ -2,7 +2,7 @@
 //!
 //! The lightmap has two layers of the same charts: fronts on top, and below them backs, where any can be reached. Coverage is
 //! conservative: a texel that a chart touches at all is a receiver, at its centre where that lies on the chart, otherwise
-//! at the middle of the largest piece inside it. Charts of less than [`SMALLEST_CHART`] texels have no receivers: points
+//! at the middle of the largest piece inside it. Charts of less than `SMALLEST_CHART` texels have no receivers: points
 //! on them take the nearest ones of similar orientation.
 
 use super::charts::{Charts, Patches, barycentric, doubled_area};

@@ -35,7 +35,7 @@ pub struct Transport<'a> {
     pub order: u32,
     /// 1 or 4.
     pub rows: u32,
-    /// Exponent of [`resolution`] in the probes' weights.
+    /// Exponent of `resolution` in the probes' weights.
     pub sharpness: f32,
     /// Directions about +Z.
     pub directions: Vec<Vec3>,
