@@ -162,16 +162,22 @@ pub fn luminance(rgb: Vec3) -> f32 {
 /// # Errors
 /// [`ImageError::Io`] with the path; nothing is left behind.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
-    let error = |source| ImageError::io("write", path, source);
+    replace_file(path, bytes).map_err(|source| ImageError::io("write", path, source))
+}
+
+/// [`write_whole`] for modules with an error of their own.
+pub(crate) fn replace_file(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".interreflect-").suffix(".partial");
     // Temporary files are private by default; a report is as readable as any other file of the user's.
     #[cfg(unix)]
     let builder = builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder).map_err(error)?;
-    file.write_all(bytes).and_then(|()| file.flush()).map_err(error)?;
-    file.persist(path).map(drop).map_err(|e| error(e.error))
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.flush()?;
+    file.persist(path)?;
+    Ok(())
 }
 
 /// Writes an 8-bit sRGB picture as PNG, whole or not at all.

@@ -63,6 +63,12 @@ pub enum MethodError {
     /// A bake file cannot be used.
     #[error(transparent)]
     BakeFile(#[from] srp::file::BakeFileError),
+    /// A later phase was asked for before the first.
+    #[error("method `{method}` has nothing computed yet: call precompute first")]
+    NotPrecomputed {
+        /// Method.
+        method: &'static str,
+    },
     /// The method's buffers would not fit.
     #[error("method `{method}` needs {needed_bytes} bytes with these settings, more than {limit_bytes}: {hint}")]
     TooLarge {

@@ -220,14 +220,7 @@ impl Vct {
     }
 
     fn state(&mut self) -> Result<&mut State, MethodError> {
-        self.state.as_mut().ok_or_else(|| {
-            MethodError::Exec(ExecError::Binding {
-                kernel: "cone_gather",
-                binding: "cells",
-                expected: "a voxelized scene: call precompute first".into(),
-                got: "none".into(),
-            })
-        })
+        self.state.as_mut().ok_or(MethodError::NotPrecomputed { method: NAME })
     }
 }
 

@@ -9,7 +9,7 @@ pub mod volume;
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Unit};
-use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
+use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::scene::{Camera, Scene};
 use glam::{IVec4, UVec4, Vec3, Vec4};
 use interreflect_kernels::cone::glossy::cone_glossy;
@@ -298,14 +298,7 @@ impl Lpv {
     }
 
     fn state(&mut self) -> Result<&mut State, MethodError> {
-        self.state.as_mut().ok_or_else(|| {
-            MethodError::Exec(ExecError::Binding {
-                kernel: "lpv_gather",
-                binding: "a",
-                expected: "a grid of light: call precompute first".into(),
-                got: "none".into(),
-            })
-        })
+        self.state.as_mut().ok_or(MethodError::NotPrecomputed { method: NAME })
     }
 
     /// Coefficients of the light that has passed, of every grid, finest first: four planes per channel in the layout of

@@ -12,6 +12,7 @@ use super::charts::Charts;
 use super::model::{Blend, Cluster, FREE, NO_RECEIVER, RAY_INVALID, Receiver, SrpBake};
 use super::plan::{BakeOptions, ClusterOutput};
 use super::transport::Rays;
+use crate::image_io::replace_file;
 use crate::scene::Scene;
 use glam::{Vec2, Vec3};
 use half::f16;
@@ -149,11 +150,7 @@ pub fn save(path: &Path, bake: &SrpBake, atlas: &Atlas, scene: &Scene) -> Result
         views.push((name.as_str(), TensorView::new(*dtype, shape.clone(), data).map_err(format)?));
     }
     let bytes = safetensors::serialize(views, Some(metadata)).map_err(format)?;
-    let io = |source| BakeFileError::Io { path: path.into(), source };
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(io)?;
-    file.write_all(&bytes).map_err(io)?;
-    file.persist(path).map(drop).map_err(|e| io(e.error))
+    replace_file(path, &bytes).map_err(|source| BakeFileError::Io { path: path.into(), source })
 }
 
 fn tensors(bake: &SrpBake, atlas: &Atlas) -> Tensors {

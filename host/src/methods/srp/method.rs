@@ -5,7 +5,7 @@ use super::feedback::Feedback;
 use super::model::{Blend, SrpBake};
 use super::runtime::{Points, RuntimeOptions, SrpRuntime};
 use super::{BakeOptions, Compression, NAME, Placement, Plan, file};
-use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
+use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::methods::settings::parse;
 use crate::methods::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock, Unit};
 use glam::Vec3;
@@ -288,14 +288,7 @@ impl Method for Srp {
 
 impl Srp {
     fn state(&mut self) -> Result<&mut State, MethodError> {
-        self.state.as_mut().ok_or_else(|| {
-            MethodError::Exec(ExecError::Binding {
-                kernel: "trace_direct",
-                binding: "surfels",
-                expected: "baked receivers: call precompute first".into(),
-                got: "none".into(),
-            })
-        })
+        self.state.as_mut().ok_or(MethodError::NotPrecomputed { method: NAME })
     }
 
     /// The bake of the scene, from its file or made now, and what is said of it.
