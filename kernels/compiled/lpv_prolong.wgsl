@@ -20,7 +20,11 @@ struct type_15 {
     member_14: f32,
     member_15: u32,
     member_16: u32,
-    member_17: vec4<f32>,
+    member_17: u32,
+    member_18: u32,
+    member_19: u32,
+    member_20: u32,
+    member_21: vec4<f32>,
 }
 
 struct type_16 {

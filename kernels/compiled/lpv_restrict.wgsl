@@ -2,12 +2,12 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
+struct type_10 {
     member: u32,
     member_1: u32,
 }
 
-struct type_18 {
+struct type_17 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -25,39 +25,43 @@ struct type_18 {
     member_14: f32,
     member_15: u32,
     member_16: u32,
-    member_17: vec4<f32>,
+    member_17: u32,
+    member_18: u32,
+    member_19: u32,
+    member_20: u32,
+    member_21: vec4<f32>,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_18 {
+    member: type_17,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
 var<storage, read_write> out: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_19;
+var<uniform> params: type_18;
 @group(0) @binding(1) 
 var<storage> state: type_5;
 
 fn function_() {
     var local: array<f32, 4>;
-    var phi_88_: u32;
-    var phi_182_: bool;
-    var phi_184_: bool;
-    var phi_185_: bool;
-    var phi_206_: type_11;
-    var phi_209_: array<f32, 4>;
-    var phi_207_: type_11;
-    var phi_232_: type_11;
-    var phi_210_: array<f32, 4>;
-    var phi_622_: bool;
-    var phi_667_: bool;
-    var phi_559_: array<f32, 4>;
-    var phi_567_: type_11;
-    var phi_568_: type_11;
-    var phi_591_: type_11;
-    var phi_663_: bool;
+    var phi_84_: u32;
+    var phi_178_: bool;
+    var phi_180_: bool;
+    var phi_181_: bool;
+    var phi_202_: type_10;
+    var phi_205_: array<f32, 4>;
+    var phi_203_: type_10;
+    var phi_228_: type_10;
+    var phi_206_: array<f32, 4>;
+    var phi_670_: bool;
+    var phi_713_: bool;
+    var phi_607_: array<f32, 4>;
+    var phi_615_: type_10;
+    var phi_616_: type_10;
+    var phi_639_: type_10;
+    var phi_709_: bool;
     var local_1: array<f32, 4>;
 
     switch bitcast<i32>(0u) {
@@ -73,11 +77,11 @@ fn function_() {
                 if (_e43 == 0u) {
                     break;
                 }
-                phi_88_ = (3u * (_e51 / _e43));
+                phi_84_ = (3u * (_e51 / _e43));
             } else {
-                phi_88_ = 0u;
+                phi_84_ = 0u;
             }
-            let _e57 = phi_88_;
+            let _e57 = phi_84_;
             let _e62 = (_e34.x + (_e34.y * 2097152u));
             if (_e62 < (_e57 * _e41.x)) {
                 if (_e41.x == 0u) {
@@ -113,172 +117,211 @@ fn function_() {
                 if (_e90 >= _e91) {
                     let _e100 = (_e98 < _e41.y);
                     if _e100 {
-                        phi_182_ = (_e96 < _e41.z);
+                        phi_178_ = (_e96 < _e41.z);
                     } else {
-                        phi_182_ = bool();
+                        phi_178_ = bool();
                     }
-                    let _e103 = phi_182_;
-                    phi_184_ = _e103;
-                    phi_185_ = select(true, false, _e100);
+                    let _e103 = phi_178_;
+                    phi_180_ = _e103;
+                    phi_181_ = select(true, false, _e100);
                 } else {
-                    phi_184_ = bool();
-                    phi_185_ = true;
+                    phi_180_ = bool();
+                    phi_181_ = true;
                 }
-                let _e106 = phi_184_;
-                let _e108 = phi_185_;
+                let _e106 = phi_180_;
+                let _e108 = phi_181_;
                 if select(_e106, false, _e108) {
-                    phi_206_ = type_11(0u, 8u);
-                    phi_209_ = array<f32, 4>(0f, 0f, 0f, 0f);
+                    phi_202_ = type_10(0u, 8u);
+                    phi_205_ = array<f32, 4>(0f, 0f, 0f, 0f);
                     loop {
-                        let _e121 = phi_206_;
-                        let _e123 = phi_209_;
+                        let _e121 = phi_202_;
+                        let _e123 = phi_205_;
                         local_1 = _e123;
                         if (_e121.member < _e121.member_1) {
-                            phi_207_ = type_11((_e121.member + 1u), _e121.member_1);
-                            phi_232_ = type_11(1u, _e121.member);
+                            phi_203_ = type_10((_e121.member + 1u), _e121.member_1);
+                            phi_228_ = type_10(1u, _e121.member);
                         } else {
-                            phi_207_ = _e121;
-                            phi_232_ = type_11(0u, type_11().member_1);
+                            phi_203_ = _e121;
+                            phi_228_ = type_10(0u, type_10().member_1);
                         }
-                        let _e136 = phi_207_;
-                        let _e138 = phi_232_;
+                        let _e136 = phi_203_;
+                        let _e138 = phi_228_;
                         let _e142 = (bitcast<i32>(_e138.member) != 0i);
                         if _e142 {
                             let _e153 = (((((_e88 * _e83) + (((_e79 + (2u * _e68)) + ((2u * _e98) * _e75)) + ((2u * _e96) * _e78))) + (_e138.member_1 & 1u)) + (((_e138.member_1 >> bitcast<u32>(1i)) & 1u) * _e75)) + ((_e138.member_1 >> bitcast<u32>(2i)) * _e78));
                             if (_e153 < _e36) {
                             } else {
-                                phi_622_ = true;
+                                phi_670_ = true;
                                 break;
                             }
                             let _e157 = state.member[_e153];
                             let _e158 = ((3u * _e83) + _e153);
                             if (_e158 < _e36) {
                             } else {
-                                phi_622_ = true;
+                                phi_670_ = true;
                                 break;
                             }
                             let _e162 = state.member[_e158];
                             let _e164 = ((_e83 * 6u) + _e153);
                             if (_e164 < _e36) {
                             } else {
-                                phi_622_ = true;
+                                phi_670_ = true;
                                 break;
                             }
                             let _e168 = state.member[_e164];
                             let _e170 = ((_e83 * 9u) + _e153);
                             if (_e170 < _e36) {
                             } else {
-                                phi_622_ = true;
+                                phi_670_ = true;
                                 break;
                             }
                             let _e174 = state.member[_e170];
-                            let _e175 = (0f < _e157);
-                            let _e177 = (_e157 + (_e162 * 0.8944272f));
-                            let _e178 = (_e168 * 0.4472136f);
-                            let _e179 = (_e174 * 0.4472136f);
-                            let _e180 = (_e177 + _e178);
-                            let _e183 = (_e177 - _e178);
-                            let _e186 = (_e177 + _e179);
-                            let _e189 = (_e177 - _e179);
-                            let _e192 = (_e157 + _e162);
-                            let _e202 = (_e157 + (_e162 * -0.8944272f));
-                            let _e203 = (_e202 + _e178);
-                            let _e206 = (_e202 - _e178);
-                            let _e209 = (_e202 + _e179);
-                            let _e212 = (_e202 - _e179);
-                            let _e215 = (_e157 + -(_e162));
-                            let _e226 = (_e157 + (_e168 * 0.8944272f));
-                            let _e227 = (_e162 * 0.4472136f);
-                            let _e228 = (_e226 + _e179);
-                            let _e231 = (_e226 - _e179);
-                            let _e234 = (_e226 + _e227);
-                            let _e237 = (_e226 - _e227);
-                            let _e240 = (_e157 + _e168);
-                            let _e250 = (_e157 + (_e168 * -0.8944272f));
-                            let _e251 = (_e250 + _e179);
-                            let _e254 = (_e250 - _e179);
-                            let _e257 = (_e250 + _e227);
-                            let _e260 = (_e250 - _e227);
-                            let _e263 = (_e157 + -(_e168));
-                            let _e274 = (_e157 + (_e174 * 0.8944272f));
-                            let _e275 = (_e274 + _e227);
-                            let _e278 = (_e274 - _e227);
-                            let _e281 = (_e274 + _e178);
-                            let _e284 = (_e274 - _e178);
-                            let _e287 = (_e157 + _e174);
-                            let _e297 = (_e157 + (_e174 * -0.8944272f));
-                            let _e298 = (_e297 + _e227);
-                            let _e301 = (_e297 - _e227);
-                            let _e304 = (_e297 + _e178);
-                            let _e307 = (_e297 - _e178);
-                            let _e310 = (_e157 + -(_e174));
-                            let _e325 = select(0f, (((((select(0f, _e192, (0f < _e192)) * 0.4006697f) + (((select(0f, _e180, (0f < _e180)) + select(0f, _e183, (0f < _e183))) + (select(0f, _e186, (0f < _e186)) + select(0f, _e189, (0f < _e189)))) * 0.42343134f)) + ((select(0f, _e215, (0f < _e215)) * 0.4006697f) + (((select(0f, _e203, (0f < _e203)) + select(0f, _e206, (0f < _e206))) + (select(0f, _e209, (0f < _e209)) + select(0f, _e212, (0f < _e212)))) * 0.42343134f))) + (((select(0f, _e240, (0f < _e240)) * 0.4006697f) + (((select(0f, _e228, (0f < _e228)) + select(0f, _e231, (0f < _e231))) + (select(0f, _e234, (0f < _e234)) + select(0f, _e237, (0f < _e237)))) * 0.42343134f)) + ((select(0f, _e263, (0f < _e263)) * 0.4006697f) + (((select(0f, _e251, (0f < _e251)) + select(0f, _e254, (0f < _e254))) + (select(0f, _e257, (0f < _e257)) + select(0f, _e260, (0f < _e260)))) * 0.42343134f)))) + (((select(0f, _e287, (0f < _e287)) * 0.4006697f) + (((select(0f, _e275, (0f < _e275)) + select(0f, _e278, (0f < _e278))) + (select(0f, _e281, (0f < _e281)) + select(0f, _e284, (0f < _e284)))) * 0.42343134f)) + ((select(0f, _e310, (0f < _e310)) * 0.4006697f) + (((select(0f, _e298, (0f < _e298)) + select(0f, _e301, (0f < _e301))) + (select(0f, _e304, (0f < _e304)) + select(0f, _e307, (0f < _e307)))) * 0.42343134f)))), _e175);
-                            let _e329 = params.member.member_6;
-                            let _e332 = (_e325 / (select(1f, _e157, _e175) * (3f * _e329)));
-                            phi_210_ = array<f32, 4>((_e123[0] + _e325), (_e123[1] + (_e162 * _e332)), (_e123[2] + (_e168 * _e332)), (_e123[3] + (_e174 * _e332)));
+                            let _e176 = (_e157 + (_e162 * 0.8944272f));
+                            let _e177 = (_e168 * 0.4472136f);
+                            let _e178 = (_e174 * 0.4472136f);
+                            let _e179 = (_e176 + _e177);
+                            let _e181 = select(0f, _e179, (0f < _e179));
+                            let _e182 = (_e176 - _e177);
+                            let _e184 = select(0f, _e182, (0f < _e182));
+                            let _e185 = (_e176 + _e178);
+                            let _e187 = select(0f, _e185, (0f < _e185));
+                            let _e188 = (_e176 - _e178);
+                            let _e190 = select(0f, _e188, (0f < _e188));
+                            let _e191 = (_e157 + _e162);
+                            let _e194 = (select(0f, _e191, (0f < _e191)) * 0.4006697f);
+                            let _e198 = (((_e181 + _e184) + (_e187 + _e190)) * 0.42343134f);
+                            let _e203 = (_e157 + (_e162 * -0.8944272f));
+                            let _e204 = (_e203 + _e177);
+                            let _e206 = select(0f, _e204, (0f < _e204));
+                            let _e207 = (_e203 - _e177);
+                            let _e209 = select(0f, _e207, (0f < _e207));
+                            let _e210 = (_e203 + _e178);
+                            let _e212 = select(0f, _e210, (0f < _e210));
+                            let _e213 = (_e203 - _e178);
+                            let _e215 = select(0f, _e213, (0f < _e213));
+                            let _e216 = (_e157 + -(_e162));
+                            let _e219 = (select(0f, _e216, (0f < _e216)) * 0.4006697f);
+                            let _e223 = (((_e206 + _e209) + (_e212 + _e215)) * 0.42343134f);
+                            let _e236 = (_e157 + (_e168 * 0.8944272f));
+                            let _e237 = (_e162 * 0.4472136f);
+                            let _e238 = (_e236 + _e178);
+                            let _e240 = select(0f, _e238, (0f < _e238));
+                            let _e241 = (_e236 - _e178);
+                            let _e243 = select(0f, _e241, (0f < _e241));
+                            let _e244 = (_e236 + _e237);
+                            let _e246 = select(0f, _e244, (0f < _e244));
+                            let _e247 = (_e236 - _e237);
+                            let _e249 = select(0f, _e247, (0f < _e247));
+                            let _e250 = (_e157 + _e168);
+                            let _e253 = (select(0f, _e250, (0f < _e250)) * 0.4006697f);
+                            let _e257 = (((_e240 + _e243) + (_e246 + _e249)) * 0.42343134f);
+                            let _e262 = (_e157 + (_e168 * -0.8944272f));
+                            let _e263 = (_e262 + _e178);
+                            let _e265 = select(0f, _e263, (0f < _e263));
+                            let _e266 = (_e262 - _e178);
+                            let _e268 = select(0f, _e266, (0f < _e266));
+                            let _e269 = (_e262 + _e237);
+                            let _e271 = select(0f, _e269, (0f < _e269));
+                            let _e272 = (_e262 - _e237);
+                            let _e274 = select(0f, _e272, (0f < _e272));
+                            let _e275 = (_e157 + -(_e168));
+                            let _e278 = (select(0f, _e275, (0f < _e275)) * 0.4006697f);
+                            let _e282 = (((_e265 + _e268) + (_e271 + _e274)) * 0.42343134f);
+                            let _e299 = (_e157 + (_e174 * 0.8944272f));
+                            let _e300 = (_e299 + _e237);
+                            let _e302 = select(0f, _e300, (0f < _e300));
+                            let _e303 = (_e299 - _e237);
+                            let _e305 = select(0f, _e303, (0f < _e303));
+                            let _e306 = (_e299 + _e177);
+                            let _e308 = select(0f, _e306, (0f < _e306));
+                            let _e309 = (_e299 - _e177);
+                            let _e311 = select(0f, _e309, (0f < _e309));
+                            let _e312 = (_e157 + _e174);
+                            let _e315 = (select(0f, _e312, (0f < _e312)) * 0.4006697f);
+                            let _e319 = (((_e302 + _e305) + (_e308 + _e311)) * 0.42343134f);
+                            let _e324 = (_e157 + (_e174 * -0.8944272f));
+                            let _e325 = (_e324 + _e237);
+                            let _e327 = select(0f, _e325, (0f < _e325));
+                            let _e328 = (_e324 - _e237);
+                            let _e330 = select(0f, _e328, (0f < _e328));
+                            let _e331 = (_e324 + _e177);
+                            let _e333 = select(0f, _e331, (0f < _e331));
+                            let _e334 = (_e324 - _e177);
+                            let _e336 = select(0f, _e334, (0f < _e334));
+                            let _e337 = (_e157 + -(_e174));
+                            let _e340 = (select(0f, _e337, (0f < _e337)) * 0.4006697f);
+                            let _e344 = (((_e327 + _e330) + (_e333 + _e336)) * 0.42343134f);
+                            let _e366 = ((_e83 * 12u) + _e153);
+                            if (_e366 < _e36) {
+                            } else {
+                                phi_670_ = true;
+                                break;
+                            }
+                            let _e370 = state.member[_e366];
+                            phi_206_ = array<f32, 4>((_e123[0] + ((((_e194 + _e198) + (_e219 + _e223)) + ((_e253 + _e257) + (_e278 + _e282))) + ((_e315 + _e319) + (_e340 + _e344)))), (_e123[1] + (((((_e194 - _e219) + ((_e198 - _e223) * 0.8944272f)) + (((_e246 - _e249) + (_e271 - _e274)) * 0.18936425f)) + (((_e302 - _e305) + (_e327 - _e330)) * 0.18936425f)) * _e370)), (_e123[2] + (((((((_e181 - _e184) + (_e206 - _e209)) * 0.18936425f) + (_e253 - _e278)) + ((_e257 - _e282) * 0.8944272f)) + (((_e308 - _e311) + (_e333 - _e336)) * 0.18936425f)) * _e370)), (_e123[3] + ((((0.18936425f * (((_e187 - _e190) + (_e212 - _e215)) + ((_e240 - _e243) + (_e265 - _e268)))) + (_e315 - _e340)) + ((_e319 - _e344) * 0.8944272f)) * _e370)));
                         } else {
-                            phi_210_ = array<f32, 4>();
+                            phi_206_ = array<f32, 4>();
                         }
-                        let _e346 = phi_210_;
+                        let _e384 = phi_206_;
                         continue;
                         continuing {
-                            phi_206_ = _e136;
-                            phi_209_ = _e346;
-                            phi_622_ = false;
+                            phi_202_ = _e136;
+                            phi_205_ = _e384;
+                            phi_670_ = false;
                             break if !(_e142);
                         }
                     }
-                    let _e349 = phi_622_;
-                    if _e349 {
+                    let _e387 = phi_670_;
+                    if _e387 {
                         break;
                     }
-                    phi_667_ = _e349;
-                    let _e404 = local_1;
-                    phi_559_ = _e404;
+                    phi_713_ = _e387;
+                    let _e442 = local_1;
+                    phi_607_ = _e442;
                 } else {
-                    phi_667_ = false;
-                    phi_559_ = array<f32, 4>(0f, 0f, 0f, 0f);
+                    phi_713_ = false;
+                    phi_607_ = array<f32, 4>(0f, 0f, 0f, 0f);
                 }
-                let _e351 = phi_667_;
-                let _e353 = phi_559_;
-                local = array<f32, 4>(_e353[0], _e353[1], _e353[2], _e353[3]);
-                phi_567_ = type_11(0u, 4u);
+                let _e389 = phi_713_;
+                let _e391 = phi_607_;
+                local = array<f32, 4>(_e391[0], _e391[1], _e391[2], _e391[3]);
+                phi_615_ = type_10(0u, 4u);
                 loop {
-                    let _e360 = phi_567_;
-                    if (_e360.member < _e360.member_1) {
-                        phi_568_ = type_11((_e360.member + 1u), _e360.member_1);
-                        phi_591_ = type_11(1u, _e360.member);
+                    let _e398 = phi_615_;
+                    if (_e398.member < _e398.member_1) {
+                        phi_616_ = type_10((_e398.member + 1u), _e398.member_1);
+                        phi_639_ = type_10(1u, _e398.member);
                     } else {
-                        phi_568_ = _e360;
-                        phi_591_ = type_11(0u, type_11().member_1);
+                        phi_616_ = _e398;
+                        phi_639_ = type_10(0u, type_10().member_1);
                     }
-                    let _e373 = phi_568_;
-                    let _e375 = phi_591_;
-                    let _e379 = (bitcast<i32>(_e375.member) != 0i);
-                    if _e379 {
-                        if (_e375.member_1 < 4u) {
+                    let _e411 = phi_616_;
+                    let _e413 = phi_639_;
+                    let _e417 = (bitcast<i32>(_e413.member) != 0i);
+                    if _e417 {
+                        if (_e413.member_1 < 4u) {
                         } else {
-                            phi_663_ = true;
+                            phi_709_ = true;
                             break;
                         }
-                        let _e382 = local[_e375.member_1];
-                        let _e384 = ((_e375.member_1 * (3u * _e51)) + ((_e66 * _e43) + _e68));
-                        if (_e384 < arrayLength((&out.member))) {
+                        let _e420 = local[_e413.member_1];
+                        let _e422 = ((_e413.member_1 * (3u * _e51)) + ((_e66 * _e43) + _e68));
+                        if (_e422 < arrayLength((&out.member))) {
                         } else {
-                            phi_663_ = true;
+                            phi_709_ = true;
                             break;
                         }
-                        out.member[_e384] = _e382;
+                        out.member[_e422] = _e420;
                     }
                     continue;
                     continuing {
-                        phi_567_ = _e373;
-                        phi_663_ = _e351;
-                        break if !(_e379);
+                        phi_615_ = _e411;
+                        phi_709_ = _e389;
+                        break if !(_e417);
                     }
                 }
-                let _e390 = phi_663_;
-                if _e390 {
+                let _e428 = phi_709_;
+                if _e428 {
                     break;
                 }
             }

@@ -4,10 +4,13 @@ use glam::{IVec4, UVec4, Vec4};
 
 /// Values of what travels: a constant and a vector of the intensity, and the moment's factor.
 pub const FRONT_VALUES: u32 = 5;
-/// Values of flux and first moment, or of spherical-harmonics coefficients of order 1.
+/// Values of what is injected: flux and first moment.
 pub const FLUX_VALUES: u32 = 4;
+/// Values of what has passed: spherical-harmonics coefficients of order 1, then the two of band 2 that tell the axes
+/// apart (3z² − 1 and x² − y²).
+pub const PASSED_VALUES: u32 = 6;
 /// Values of a grid's state: what travels, then what has passed.
-pub const STATE_VALUES: u32 = FRONT_VALUES + FLUX_VALUES;
+pub const STATE_VALUES: u32 = FRONT_VALUES + PASSED_VALUES;
 /// Sums of a column of the ledger.
 pub const LEDGER_VALUES: u32 = 5;
 /// Planes of opacity: one per axis.
@@ -23,7 +26,7 @@ pub const AREA_MOST: f32 = 16.0;
 
 crate::record! {
     /// A grid of cubic cells and one pass over it.
-    pub struct LpvParams: 144 {
+    pub struct LpvParams: 160 {
         /// Point that cell corners are counted from (m); w: side of a cell (m).
         pub anchor_size: Vec4,
         /// Cell, counted from the anchor, that is cell 0 of the grid; w: zero.
@@ -37,8 +40,8 @@ crate::record! {
         pub lobe: Vec4,
         /// Texels, facet sides or elements.
         pub count: u32,
-        /// Slope of lobes over that of order-1 spherical harmonics.
-        pub sharpness: f32,
+        /// Largest mean cosine of lobes; up to a third: order-1 spherical harmonics.
+        pub focus: f32,
         /// Fixed-point units per watt.
         pub flux_scale: f32,
         /// Strength of occlusion: 0 none, 1 full.
@@ -57,8 +60,16 @@ crate::record! {
         pub half_scale: f32,
         /// Which opacities count: bit 0 facets, bit 1 texels.
         pub opacity_sources: u32,
+        /// Streams of light that are kept apart: 1, or 6 by the way that the surface that it comes from faces.
+        pub streams: u32,
+        /// Stream of this pass.
+        pub stream: u32,
         /// Zero.
-        pub _pad: u32,
+        pub _pad0: u32,
+        /// Zero.
+        pub _pad1: u32,
+        /// Zero.
+        pub _pad2: u32,
         /// Centre of the fade of reflected light (m) and, in w, its radius (m).
         pub fade: Vec4,
     }

@@ -166,21 +166,22 @@ fn maps_carry_the_flux_that_hits_the_scene() {
     check("environment", mapped_flux(&sky, 256), 4.0 * pi * pi);
 }
 
-/// A volume of one level with a scene's light in it, one step not yet made.
+/// A volume of one level with a scene's light in it as one stream, one step not yet made.
 fn lit_volume(exec: &mut CpuExecutor, scene: &Scene, changes: &[(&str, &str)]) -> Volume {
     let buffers = SceneBuffers::upload(exec, scene).unwrap();
     let input = Input { scene, buffers: &buffers, seed: 1, true_mean: None };
-    let options = Options::parse(&settings(changes)).unwrap();
+    let all: Vec<_> = changes.iter().copied().chain([("streams", "1")]).collect();
+    let options = Options::parse(&settings(&all)).unwrap();
     let at = Placement::around(scene.bounds(), 20, 1);
     let mut maps = Maps::new(exec, &input, 64).unwrap();
-    let mut volume = Volume::new(exec, &options, &at, 1).unwrap();
+    let mut volume = Volume::new(exec, &options, &at).unwrap();
     let count = maps.trace(exec, &input, 0).unwrap();
     volume.begin_injection(exec, lpv::maps::flux_bound(scene)).unwrap();
     volume.inject(exec, maps.texels, count).unwrap();
     assert!(volume.injection_fits(exec).unwrap());
     volume.block_texels(exec, maps.texels, count).unwrap();
     volume.make_opacity(exec).unwrap();
-    volume.start(exec, 1.0).unwrap();
+    volume.start(exec, 1.0, 0, false).unwrap();
     volume
 }
 
@@ -216,9 +217,33 @@ fn stored_and_left_flux_is_what_was_injected() {
         }
         let without = ledgers(&scene, &[("scheme", scheme), ("geometry", "none"), ("gain_correction", "0")], 48);
         let made: DVec3 = without.iter().map(|l| l.leaving).sum::<DVec3>() + without[47].stored;
-        println!("{scheme}: without the correction {:.4} of the flux leaves or stays", made.x / injected.x);
-        assert!(made.x / injected.x > 1.05, "the clamp must show: {}", made.x / injected.x);
+        let ratio = made.x / injected.x;
+        println!("{scheme}: without the correction {ratio:.4} of the flux leaves or stays");
+        // The clamp of order 1 makes flux; thirty directions miss some of a narrower lobe.
+        assert!(if scheme == "paper" { ratio > 1.05 } else { ratio < 0.95 }, "{scheme}: the error must show: {ratio}");
     }
+}
+
+#[test]
+fn streams_share_the_flux_out() {
+    let scene = lamp_in_room();
+    let mut exec = CpuExecutor::new();
+    let buffers = SceneBuffers::upload(&mut exec, &scene).unwrap();
+    let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
+    let mut flux = |streams: &str| {
+        let options = Options::parse(&settings(&[("streams", streams)])).unwrap();
+        let mut maps = Maps::new(&mut exec, &input, 64).unwrap();
+        let mut volume = Volume::new(&mut exec, &options, &Placement::around(scene.bounds(), 20, 1)).unwrap();
+        let count = maps.trace(&mut exec, &input, 0).unwrap();
+        volume.begin_injection(&mut exec, lpv::maps::flux_bound(&scene)).unwrap();
+        volume.inject(&mut exec, maps.texels, count).unwrap();
+        assert!(volume.injection_fits(&mut exec).unwrap());
+        volume.injected.clone()
+    };
+    let (one, six) = (flux("1"), flux("6"));
+    assert_eq!((one.len(), six.len()), (1, 6));
+    assert!(six.iter().all(|f| *f > 0.02 * one[0]), "every wall is lit: {six:?}");
+    assert!((six.iter().sum::<f64>() / one[0] - 1.0).abs() < 1e-4, "{one:?} {six:?}");
 }
 
 #[test]
@@ -259,20 +284,26 @@ fn cornell_box_one_bounce() {
     );
     let [(e16, _), (e32, bias), (e64, _)] = errors[..] else { unreachable!() };
     assert!(e32 <= 0.45 && (0.7..=1.3).contains(&bias), "nrmse_block {e32}, bias {bias}");
-    // The paper's scheme gets worse with every cell that light crosses; ours must stay at its own error.
+    assert!(e16 > e32 && e32 > e64, "the error must fall: {e16} {e32} {e64}");
+    // The paper's scheme gets worse with every cell that light crosses.
     let papers = judge(&paper.irradiance, &one).0;
-    assert!(e16 < 0.5 * papers && e64 < 0.5 * papers, "{e16} {e32} {e64}, paper's {papers}");
+    assert!(e16 < 0.5 * papers, "{e16}, paper's {papers}");
+    // Crossing beams in one lobe per cell.
+    let merged = run(&scene, &receivers, &[("streams", "1"), ("bounces", "1")]);
+    let (block, bias) = judge(&merged.irradiance, &one);
+    println!("one stream: nrmse_block {block:.3}, bias {bias:.3}");
+    assert!(block > 1.2 * e32, "streams must help: {block} {e32}");
 }
 
 #[test]
 fn a_furnace_keeps_its_energy() {
     let scene = furnace(0.5, 1.0);
     let receivers = picture_surfels(&scene, &scene.cameras[0]);
-    let result = run(&scene, &receivers, &[("resolution", "16"), ("bounces", "6"), ("steps", "4"), ("sharpness", "2")]);
+    let result = run(&scene, &receivers, &[]);
     let expected = vec![Vec3::splat(PI); receivers.len()];
     let (nrmse, ratio) = error(&result.irradiance, &expected);
     println!("furnace: {ratio:.4} of the closed form, nrmse {nrmse:.4}, {}", result.needs["bounce_ratio"]);
-    assert!((ratio - 1.0).abs() < 0.25, "{ratio}");
+    assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
 }
 
 /// Mean irradiance in the dark room over that in the lit one, for a wall of so many cells.

@@ -18,7 +18,7 @@ use core::f32::consts::FRAC_1_PI;
 use glam::{Vec3, Vec4};
 use interreflect_shared::lpv::LpvParams;
 #[cfg(not(target_arch = "spirv"))]
-use interreflect_shared::lpv::{FLUX_VALUES, LpvLayout};
+use interreflect_shared::lpv::{LpvLayout, PASSED_VALUES};
 use interreflect_shared::voxel::VoxelFacet;
 
 /// Height above a facet at which light is fetched, in cells.
@@ -70,14 +70,14 @@ fn facets(input: &mut CaseInput) -> (LpvParams, alloc::vec::Vec<VoxelFacet>, all
         ..p
     };
     let value = LpvLayout::new(p.dims).value() as usize;
-    let coefs = (0..value * FLUX_VALUES as usize).map(|i| if i < value { input.unit() } else { 0.0 }).collect();
+    let coefs = (0..value * PASSED_VALUES as usize).map(|i| if i < value { input.unit() } else { 0.0 }).collect();
     (p, pyramid.facets, coefs)
 }
 
 #[cfg(not(target_arch = "spirv"))]
 fn bounce_case(input: &mut CaseInput) -> Case {
     let (p, facets, coefs) = facets(input);
-    let words = FLUX_VALUES * LpvLayout::new(p.dims).value() + 1;
+    let words = super::inject::word_count(&p) + 1;
     Case::default().uniform(&p).read(&facets).read(&coefs).zeroed::<u32>(words as usize)
 }
 

@@ -31,7 +31,7 @@ pub fn params(input: &mut CaseInput, side: u32) -> LpvParams {
             Vec4::new(LOBE_MOMENT, 0.0, LOBE_MOMENT, 0.0)
         },
         count: input.count as u32,
-        sharpness: if moments { 2.0 } else { 1.0 },
+        focus: if moments { 0.85 } else { 0.0 },
         flux_scale: 1e4,
         occlusion: 0.75,
         gain: (input.bits() & 1) as f32,
@@ -41,7 +41,11 @@ pub fn params(input: &mut CaseInput, side: u32) -> LpvParams {
         voxel_size: 0.125,
         half_scale: 64.0,
         opacity_sources: 3,
-        _pad: 0,
+        streams: if moments { 6 } else { 1 },
+        stream: 0,
+        _pad0: 0,
+        _pad1: 0,
+        _pad2: 0,
         fade: Vec4::new(0.0, 0.0, 0.0, 3.0),
     }
 }
@@ -104,8 +108,8 @@ pub fn state(input: &mut CaseInput, p: &LpvParams) -> Vec<f32> {
     for i in (0..value).filter(|&i| source[i] > 0.0) {
         let flux = [source[i], source[i + value], source[i + 2 * value], source[i + 3 * value]];
         let t = travel::<f32>(flux, &Lobes::of(p));
-        let values = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.passed[0], t.passed[1], t.passed[2], t.passed[3]];
-        values.iter().enumerate().for_each(|(k, v)| state[k * value + i] = *v);
+        let front = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor];
+        front.iter().chain(&t.passed).enumerate().for_each(|(k, v)| state[k * value + i] = *v);
     }
     state
 }

@@ -60,7 +60,7 @@ pub fn gather_half(i: u32, p: &LpvQuery, a: &[u32], b: &[u32], c: &[u32], d: &[u
     sum.truncate().extend(0.0)
 }
 
-/// Word `i`: coefficients 0 and 1, or 2 and 3, of one channel of one cell.
+/// Word `i`: coefficients 0 and 1, 2 and 3, or 4 and 5, of one channel of one cell.
 pub fn pack(i: u32, p: &LpvParams, coefs: &[f32]) -> u32 {
     let value = LpvLayout::new(p.dims).value();
     let pair = i / value;
@@ -73,7 +73,7 @@ mod cases {
     use super::*;
     use crate::kernel::Flavour;
     use alloc::vec::Vec;
-    use interreflect_shared::lpv::FLUX_VALUES;
+    use interreflect_shared::lpv::PASSED_VALUES;
 
     fn query(input: &mut CaseInput) -> (LpvQuery, Vec<Surfel>) {
         let p = super::super::case::params(input, 6);
@@ -110,7 +110,7 @@ mod cases {
     /// Coefficients of one element: huge ones are isotropic, since sums of huge numbers of both signs differ everywhere.
     fn coefficients(input: &mut CaseInput, q: &LpvQuery) -> Vec<f32> {
         let value = LpvLayout::new(q.dims[0]).value() as usize;
-        (0..value * FLUX_VALUES as usize)
+        (0..value * PASSED_VALUES as usize)
             .map(|i| match input.flavour {
                 Flavour::Huge if i >= value => 0.0,
                 _ if i < value => input.float().abs(),
@@ -140,8 +140,8 @@ mod cases {
     pub fn pack(input: &mut CaseInput) -> Case {
         let p = super::super::case::params(input, super::super::case::side(input));
         let value = LpvLayout::new(p.dims).value() as usize;
-        let coefs: Vec<f32> = (0..value * 4).map(|_| input.float().clamp(-900.0, 900.0)).collect();
-        Case::default().uniform(&p).read(&coefs).zeroed::<u32>(value * 2)
+        let coefs: Vec<f32> = (0..value * PASSED_VALUES as usize).map(|_| input.float().clamp(-900.0, 900.0)).collect();
+        Case::default().uniform(&p).read(&coefs).zeroed::<u32>(value * 3)
     }
 }
 

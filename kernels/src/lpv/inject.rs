@@ -36,10 +36,29 @@ pub fn add_lobe(p: &LpvParams, position: Vec3, normal: Vec3, flux: Vec3, words: 
     if inside(p.dims, cell) {
         let layout = LpvLayout::new(p.dims);
         let i = element(&layout, cell);
-        add_channel(p, &layout, i, 0, flux.x, normal, words);
-        add_channel(p, &layout, i, 1, flux.y, normal, words);
-        add_channel(p, &layout, i, 2, flux.z, normal, words);
+        if p.streams <= 1 {
+            add_colour(p, &layout, i, flux, normal, words);
+        } else {
+            let per_stream = FLUX_VALUES * layout.value();
+            unroll!(AXIS in 0, 1, 2 => {
+                let way = normal.to_array()[AXIS];
+                let stream = 2 * AXIS as u32 + (way < 0.0) as u32;
+                add_colour(p, &layout, stream * per_stream + i, flux * (way * way), normal, words);
+            });
+        }
     }
+}
+
+#[inline(always)]
+fn add_colour(p: &LpvParams, layout: &LpvLayout, i: u32, flux: Vec3, normal: Vec3, words: &mut impl AtomicWords) {
+    add_channel(p, layout, i, 0, flux.x, normal, words);
+    add_channel(p, layout, i, 1, flux.y, normal, words);
+    add_channel(p, layout, i, 2, flux.z, normal, words);
+}
+
+/// Words of all streams; the one after them tells of an overflow.
+pub fn word_count(p: &LpvParams) -> u32 {
+    FLUX_VALUES * LpvLayout::new(p.dims).value() * p.streams.max(1)
 }
 
 #[inline(always)]
@@ -59,7 +78,7 @@ fn add_channel(
         return;
     }
     if words.add(first, word) >= FLUX_LIMIT - word.min(FLUX_LIMIT) {
-        words.or(FLUX_VALUES * value, 1);
+        words.or(word_count(p), 1);
     }
     let moment = normal * (units * LOBE_MOMENT);
     words.add(first + value, floor(moment.x + 0.5) as i32 as u32);
@@ -76,24 +95,26 @@ pub fn inject(i: u32, p: &LpvParams, texels: &[RsmTexel], words: &mut impl Atomi
     }
 }
 
-/// Flux or moment (W) of word `i`.
+/// Flux or moment (W) of word `i` of the pass's stream.
 pub fn resolve(i: u32, p: &LpvParams, words: &[u32]) -> f32 {
-    words[i as usize] as i32 as f32 / p.flux_scale
+    let first = p.stream * FLUX_VALUES * LpvLayout::new(p.dims).value();
+    words[(first + i) as usize] as i32 as f32 / p.flux_scale
 }
 
 #[cfg(not(target_arch = "spirv"))]
 fn inject_case(input: &mut CaseInput) -> Case {
     let p = super::case::params(input, 8);
     let texels = super::case::texels(input, &p);
-    let words = FLUX_VALUES * LpvLayout::new(p.dims).value() + 1;
+    let words = word_count(&p) + 1;
     Case::default().uniform(&LpvParams { count: texels.len() as u32, ..p }).read(&texels).zeroed::<u32>(words as usize)
 }
 
 #[cfg(not(target_arch = "spirv"))]
 fn resolve_case(input: &mut CaseInput) -> Case {
-    let p = super::case::params(input, 4);
-    let words: alloc::vec::Vec<u32> = (0..input.count + 1).map(|_| input.bits()).collect();
-    Case::default().uniform(&p).read(&words).zeroed::<f32>(input.count)
+    let p = super::case::params(input, super::case::side(input));
+    let p = LpvParams { stream: p.streams / 2, ..p };
+    let words: alloc::vec::Vec<u32> = (0..word_count(&p) + 1).map(|_| input.bits()).collect();
+    Case::default().uniform(&p).read(&words).zeroed::<f32>((FLUX_VALUES * LpvLayout::new(p.dims).value()) as usize)
 }
 
 scatter! {

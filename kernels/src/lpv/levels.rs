@@ -18,7 +18,7 @@ use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
 use glam::{UVec3, UVec4, Vec3};
 #[cfg(not(target_arch = "spirv"))]
-use interreflect_shared::lpv::{FLUX_VALUES, STATE_VALUES};
+use interreflect_shared::lpv::{FLUX_VALUES, PASSED_VALUES, STATE_VALUES};
 use interreflect_shared::lpv::{FRONT_VALUES, LpvLayout, LpvParams};
 
 /// Flux and first moment of what travels in the eight cells below a coarse cell, in one channel.
@@ -38,15 +38,10 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
                 R::load_strided(state, 2 * value + i, 2),
                 R::load_strided(state, 3 * value + i, 2),
             ];
-            let lit = R::splat(0.0).lt(a);
-            // The faces receive the cell's flux; vector over constant is three times the mean direction,
-            // times the sharpness.
-            let flux = R::select(lit, outflow(a, b).flux, R::splat(0.0));
-            let per_constant = flux / (R::select(lit, a, R::splat(1.0)) * R::splat(3.0 * p.sharpness));
-            out[0] = out[0] + flux;
-            out[1] = out[1] + b[0] * per_constant;
-            out[2] = out[2] + b[1] * per_constant;
-            out[3] = out[3] + b[2] * per_constant;
+            let sent = outflow(a, b);
+            let factor = R::load_strided(state, 4 * value + i, 2);
+            out[0] = out[0] + sent.flux;
+            unroll!(K in 0, 1, 2 => { out[1 + K] = out[1 + K] + sent.moment[K] * factor; });
         }
     }
     out
@@ -161,9 +156,9 @@ fn prolong_case(input: &mut CaseInput) -> Case {
     let p = super::case::params(input, super::case::side(input));
     let (fine, coarse) = (LpvLayout::new(p.dims).value(), LpvLayout::new(p.coarse_dims).value());
     let mut numbers = |n: u32| -> alloc::vec::Vec<f32> { (0..n).map(|_| input.float().abs()).collect() };
-    let before = numbers(fine * FLUX_VALUES);
+    let before = numbers(fine * PASSED_VALUES);
     let state = numbers(fine * STATE_VALUES);
-    let passed = numbers(coarse * FLUX_VALUES);
+    let passed = numbers(coarse * PASSED_VALUES);
     let opacity = super::case::opacity(input, &p);
     let coarse_opacity = super::case::opacity(input, &LpvParams { dims: p.coarse_dims, ..p });
     Case::default()

@@ -92,9 +92,9 @@ pub struct Travelling<R> {
     pub b: [R; 3],
     /// Factor of the moment of whatever arrives from here.
     pub moment_factor: R,
-    /// Spherical-harmonics coefficients (order y, z, x after the constant) of the intensity whose clamped cosine gives
-    /// the flux through the cell's faces.
-    pub passed: [R; 4],
+    /// Spherical-harmonics coefficients (1; y, z, x; 3z² − 1, x² − y²) of the intensity whose clamped cosine gives the
+    /// flux through each of the cell's six faces.
+    pub passed: [R; 6],
 }
 
 /// Square of the moment per flux below which its factor is not told from 1.
@@ -107,6 +107,10 @@ const Y0: f32 = 0.282_094_8;
 /// `√(4π/3)·9/(8π)`: from net flux through opposite faces to a coefficient of band 1. A clamped cosine over the radiance
 /// `I / (3/2 s²)` then gives half the net flux per face; the constant gives a sixth of the flux.
 const BAND1_PER_NET: f32 = 0.732_903_8;
+/// `6/√(5π)`: from the flux through both faces of the z axis, beyond a third of all, to the coefficient of 3z² − 1.
+const BAND2_PER_EXCESS: f32 = 1.513_880_5;
+/// `6/√(15π)`: from the flux through the x faces beyond that through the y faces to the coefficient of x² − y².
+const BAND2_PER_DIFFERENCE: f32 = 0.874_039_3;
 
 /// How lobes are made of flux and moment.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -115,16 +119,27 @@ pub struct Lobes {
     pub gain: f32,
     /// 1: the first moment is kept; 0: what the clamp leaves of it.
     pub restore: f32,
-    /// Slope of a lobe over that of order-1 spherical harmonics.
-    pub sharpness: f32,
+    /// Largest mean cosine of a lobe; up to a third: lobes are order-1 spherical harmonics.
+    pub focus: f32,
 }
 
 impl Lobes {
     /// Those of a pass.
     #[inline(always)]
     pub fn of(p: &LpvParams) -> Self {
-        Self { gain: p.gain, restore: p.lobe.w, sharpness: p.sharpness }
+        Self { gain: p.gain, restore: p.lobe.w, focus: p.focus }
     }
+}
+
+/// Constant of a lobe of unit flux, and its vector over the mean direction, for a mean cosine `f`.
+#[inline(always)]
+fn lobe<R: Real>(f: R, focus: f32) -> [R; 2] {
+    let wide = [R::splat(INV_4_PI), R::splat(3.0 * INV_4_PI)];
+    let t = R::splat(2.0) - R::splat(3.0) * f.min(R::splat(focus.max(1.0 / 3.0)));
+    let per_flux = R::splat(4.0 * INV_4_PI) / ((t + R::splat(1.0)) * (t + R::splat(1.0)));
+    let is_wide = f.lt(R::splat(if focus > 1.0 / 3.0 { 1.0 / 3.0 } else { 2.0 }));
+    let slope = per_flux / f.max(R::splat(1.0 / 3.0));
+    [R::select(is_wide, wide[0], t * per_flux), R::select(is_wide, wide[1], slope)]
 }
 
 /// Makes flux and first moment (`[Φ, Mx, My, Mz]`) travel.
@@ -132,8 +147,11 @@ impl Lobes {
 /// `gain` 1: the intensity is scaled so that the 30 faces receive exactly Φ. The clamp alone would make more of it: a
 /// clamped-cosine lobe along an axis, kept to order 1, sends 1.1382 times its flux. `restore` 1: moments of what arrives
 /// are scaled so that the first moment is kept as well, as in free flight; the clamp would turn light away from its
-/// direction at every step. `sharpness` 1: the slope of order 1, `(1 + 3f cos θ)/4π` for a mean cosine f; more: narrower: order 1 rounds lobes off,
-/// and the sum of many keeps light that no surface sent that way.
+/// direction at every step.
+///
+/// Up to a mean cosine f of a third the lobe is order 1, `(1 + 3f cos θ)/4π`. Beyond, order 1 would be negative behind, and the clamp
+/// would leave less than f; with `focus` the lobe is the clamped line that has it: `max(0, t + cos θ)` with t = 2 − 3f, which is the
+/// clamped cosine of a diffuse surface at f = ⅔, and narrower for light from a small source.
 #[inline(always)]
 pub fn travel<R: Real>(flux: [R; 4], lobes: &Lobes) -> Travelling<R> {
     let (gain, restore) = (lobes.gain, lobes.restore);
@@ -148,37 +166,44 @@ pub fn travel<R: Real>(flux: [R; 4], lobes: &Lobes) -> Travelling<R> {
     let limit = R::splat(1.0) / square.max(R::splat(1.0)).sqrt();
     unroll!(K in 0, 1, 2 => { f[K] = f[K] * limit; });
     let square = square * limit * limit;
-    let slope = R::splat(3.0 * INV_4_PI * lobes.sharpness);
-    let sent = outflow(R::splat(INV_4_PI), [f[0] * slope, f[1] * slope, f[2] * slope]);
+    let [line, slope] = lobe(square.sqrt(), lobes.focus);
+    let sent = outflow(line, [f[0] * slope, f[1] * slope, f[2] * slope]);
     let exact = R::splat(1.0) / sent.flux;
     let g = exact * R::splat(gain) + R::splat(1.0 - gain);
     let m = sent.moment;
     let kept = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * g * g;
     let small = R::splat(SMALL_MOMENT);
     let factor = ((square + small) / (kept + small)).sqrt();
-    let a = phi * g * R::splat(INV_4_PI);
+    let a = phi * g * line;
     let b = phi * g * slope;
     let net = phi * exact * R::splat(BAND1_PER_NET);
     let t = sent.to;
+    let [x, y, z] = [t[0] + t[1], t[2] + t[3], t[4] + t[5]];
+    let (excess, difference) = (R::splat(BAND2_PER_EXCESS), R::splat(BAND2_PER_DIFFERENCE));
     Travelling {
         a,
         b: [f[0] * b, f[1] * b, f[2] * b],
         moment_factor: R::select(lit, factor * R::splat(restore) + R::splat(1.0 - restore), R::splat(1.0)),
-        passed: [phi * R::splat(Y0), (t[2] - t[3]) * net, (t[4] - t[5]) * net, (t[0] - t[1]) * net],
+        passed: [
+            phi * R::splat(Y0),
+            (t[2] - t[3]) * net,
+            (t[4] - t[5]) * net,
+            (t[0] - t[1]) * net,
+            (z * exact - R::splat(1.0 / 3.0)) * phi * excess,
+            (x - y) * exact * phi * difference,
+        ],
     }
 }
 
-/// Largest band-1 coefficient per constant coefficient at which no face of the cell receives a negative flux.
-pub const NO_BACK_FLUX: f32 = BAND1_PER_NET / (3.0 * Y0);
-
 #[cfg(test)]
 mod tests {
+    use super::super::query::expansion;
     use super::*;
     use crate::math::sampling::spherical_fibonacci;
     use core::f64::consts::PI;
 
-    const PAPER: Lobes = Lobes { gain: 0.0, restore: 0.0, sharpness: 1.0 };
-    const KEPT: Lobes = Lobes { gain: 1.0, restore: 1.0, sharpness: 2.0 };
+    const PAPER: Lobes = Lobes { gain: 0.0, restore: 0.0, focus: 0.0 };
+    const KEPT: Lobes = Lobes { gain: 1.0, restore: 1.0, focus: 0.85 };
 
     /// Solid angle of a rectangle from (0, 0) to (x, y) in a plane at height h.
     fn corner(x: f64, y: f64, h: f64) -> f64 {
@@ -243,13 +268,16 @@ mod tests {
                 let m = sent.moment.map(|m| m * t.moment_factor / 3.0);
                 let length = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]).sqrt();
                 assert!((length - f).abs() < 2e-3, "{d:?} {f}: {length}");
-                // Net fluxes come back from the coefficients through a clamped cosine over the cell's cross-section.
-                let net = sent.to[0] - sent.to[1];
-                let e = |x: f32| crate::math::sh::irradiance(&t.passed, [x, 0.0, 0.0]) / 1.5;
-                assert!((e(1.0) - e(-1.0) - net).abs() < 1e-5 && (e(1.0) + e(-1.0) - 1.0).abs() < 1e-5, "{d:?} {f}");
+                // The flux through each face comes back from the coefficients by a clamped cosine over the cell's cross-section.
+                for (k, &to) in sent.to.iter().enumerate() {
+                    let mut way = [0.0; 3];
+                    way[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
+                    let e = crate::math::sh::irradiance(&expansion(&t.passed), way) / 1.5;
+                    assert!((e - to).abs() < 1e-5, "{d:?} {f}, face {k}: {e} {to}");
+                }
             }
         }
         let dark = travel::<f32>([0.0; 4], &KEPT);
-        assert_eq!((dark.a, dark.b, dark.passed, dark.moment_factor), (0.0, [0.0; 3], [0.0; 4], 1.0));
+        assert_eq!((dark.a, dark.b, dark.passed, dark.moment_factor), (0.0, [0.0; 3], [0.0; 6], 1.0));
     }
 }

@@ -5,8 +5,9 @@
 //! to what has passed. `lpv_begin`: one invocation makes injected flux travel. Grid: cells of each colour channel, lanes along x;
 //! values in planes with a halo of zeros.
 //!
-//! **State.** What travels (constant and vector of the intensity, factor of the moment: [`super::lobe`]), then the order-1
-//! spherical harmonics of all that has passed.
+//! **State.** What travels (constant and vector of the intensity, factor of the moment: [`super::lobe`]), then the spherical
+//! harmonics of all that has passed: order 1, and of band 2 what tells the axes apart. With order 1 alone strong light upwards
+//! would take light downwards away: six coefficients hold the flux through the six faces, none of which is negative.
 //!
 //! **Energy.** Solid angles of the 30 faces add up to 4π exactly, so an intensity that is nowhere negative sends exactly its flux. An order-1 lobe that is
 //! narrower is clamped at zero and sends more: up to 1.1382 times for a clamped cosine along an axis. With `gain` = 1 each
@@ -23,7 +24,7 @@
 //! Good when light is smooth; fails when walls are thinner than a cell, and far from small sources: order 1 merges crossing beams. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
 
 use super::grid::{cell_row, rows};
-use super::lobe::{Lobes, NO_BACK_FLUX, Sent, travel};
+use super::lobe::{Lobes, Sent, Travelling, travel};
 use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -79,46 +80,43 @@ pub fn open_ways<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, opacity: &[f32
     open
 }
 
+/// What travels, and what passed times `weight`.
+#[inline(always)]
+fn values<R: Real>(t: &Travelling<R>, weight: R) -> [R; 11] {
+    let mut out = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.a, t.a, t.a, t.a, t.a, t.a];
+    unroll!(J in 0, 1, 2, 3, 4, 5 => { out[5 + J] = t.passed[J] * weight; });
+    out
+}
+
 /// The state of one channel of one cell after a step.
 #[inline(always)]
-pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) -> [R; 9] {
+pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) -> [R; 11] {
     let l = LpvLayout::new(p.dims);
     let value = l.value() as usize;
     let row = cell_row(at, p.dims, &l);
-    let mut out = [R::splat(0.0); 9];
+    let mut out = [R::splat(0.0); 11];
     if row.real {
         let open = open_ways::<R>(at.i - (row.channel * l.plane) as usize, &l, p, opacity);
         let t = travel(arriving(at.i, &l, p, state, &open), &Lobes::of(p));
-        out = [t.a, t.b[0], t.b[1], t.b[2], t.moment_factor, t.passed[0], t.passed[1], t.passed[2], t.passed[3]];
-        unroll!(J in 5, 6, 7, 8 => { out[J] = out[J] + R::load(state, J * value + at.i); });
+        out = values(&t, R::splat(1.0));
+        unroll!(J in 5, 6, 7, 8, 9, 10 => { out[J] = out[J] + R::load(state, J * value + at.i); });
     }
     out
 }
 
-/// The state of one channel of one cell that holds injected flux and moment (`source`: four values).
+/// The state of one channel of one cell that holds injected flux and moment (`source`: four values); what had passed in
+/// `before` is kept, times `keep`.
 #[inline(always)]
-pub fn begin<R: Real>(at: At, p: &LpvParams, source: &[f32]) -> [R; 9] {
+pub fn begin<R: Real>(at: At, p: &LpvParams, source: &[f32], before: &[f32]) -> [R; 11] {
     let l = LpvLayout::new(p.dims);
     let (i, value) = (at.i, l.value() as usize);
-    let mut out = [R::splat(0.0); 9];
+    let mut out = [R::splat(0.0); 11];
     if cell_row(at, p.dims, &l).real {
         let moment = [R::load(source, i + value), R::load(source, i + 2 * value), R::load(source, i + 3 * value)];
         let t = travel([R::load(source, i), moment[0], moment[1], moment[2]], &Lobes::of(p));
-        // Light that leaves a surface lights what stands beside it, and takes nothing from the surface itself.
-        let weight = R::splat(p.weight);
-        let most = t.passed[0] * R::splat(NO_BACK_FLUX);
-        let kept = |c: R| c.min(most).max(-most) * weight;
-        out = [
-            t.a,
-            t.b[0],
-            t.b[1],
-            t.b[2],
-            t.moment_factor,
-            t.passed[0] * weight,
-            kept(t.passed[1]),
-            kept(t.passed[2]),
-            kept(t.passed[3]),
-        ];
+        out = values(&t, R::splat(p.weight));
+        let keep = R::splat(p.keep);
+        unroll!(J in 5, 6, 7, 8, 9, 10 => { out[J] = out[J] + keep * R::load(before, J * value + i); });
     }
     out
 }
@@ -135,8 +133,9 @@ fn propagate_case(input: &mut CaseInput) -> Case {
 fn begin_case(input: &mut CaseInput) -> Case {
     let p = super::case::params(input, super::case::side(input));
     let source = super::case::source(input, &p);
-    let len = source.len() / FLUX_VALUES as usize * STATE_VALUES as usize;
-    Case::default().uniform(&p).read(&source).zeroed::<f32>(len)
+    let before = super::case::state(input, &p);
+    debug_assert_eq!(before.len(), source.len() / FLUX_VALUES as usize * STATE_VALUES as usize);
+    Case::default().uniform(&p).read(&source).read(&before).zeroed::<f32>(before.len())
 }
 
 kernel! {
@@ -145,7 +144,7 @@ kernel! {
     uniform 0 params: LpvParams;
     read 1 state: f32;
     read 2 opacity: f32;
-    write 3 out: f32 x 9;
+    write 3 out: f32 x 11;
     over super::rows;
     case super::propagate_case; tolerance Tolerance::RelAbs(1e-4, 2e-5), "moments and net fluxes are sums of some hundred terms up to 3 of both signs; roots and divisions of devices";
 }
@@ -155,7 +154,8 @@ kernel! {
     lanes mod lpv_begin = super::begin; entry "lpv_begin" threads(64);
     uniform 0 params: LpvParams;
     read 1 source: f32;
-    write 2 out: f32 x 9;
+    read 2 before: f32;
+    write 3 out: f32 x 11;
     over super::rows;
     case super::begin_case; tolerance Tolerance::RelAbs(1e-4, 1e-5), "net fluxes are differences of sums of 60 terms; roots and divisions of devices";
 }

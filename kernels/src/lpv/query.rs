@@ -16,7 +16,7 @@ pub const CROSS_SECTION: f32 = 1.5;
 /// Height above the receiver's plane, in cells, from which on a cell counts fully.
 const CLEAR: f32 = 0.5;
 
-/// Four coefficients of each colour channel of each cell: value by value, and in each channel by channel.
+/// Six coefficients of each colour channel of each cell: value by value, and in each channel by channel.
 pub trait Coefficients {
     /// Coefficient `index` of an element (channel and cell) of a grid whose values have `value` elements.
     fn coefficient(&self, value: u32, index: u32, element: u32) -> f32;
@@ -31,7 +31,7 @@ impl Coefficients for Floats<'_> {
     }
 }
 
-/// Stored as pairs of half floats: coefficients 0 and 1, then 2 and 3, the first in the low half; all times the inverse of the scale.
+/// Stored as pairs of half floats: coefficients 0 and 1, then 2 and 3, then 4 and 5, the first in the low half; all times the inverse of the scale.
 pub struct Halves<'a>(pub &'a [u32], pub f32);
 impl Coefficients for Halves<'_> {
     #[inline(always)]
@@ -92,7 +92,7 @@ pub fn coverage(grid: &Grid, position: Vec3, blend: f32) -> f32 {
 
 /// Coefficients of the intensity that passes around a receiver; zero outside the grid.
 #[inline(always)]
-pub fn intensity<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: Vec3, offset: f32) -> [[f32; 4]; 3] {
+pub fn intensity<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: Vec3, offset: f32) -> [[f32; 6]; 3] {
     let layout = LpvLayout::new(grid.dims);
     let q = cells_from_world(grid.anchor_size, position);
     let at = q + normal * offset;
@@ -100,7 +100,7 @@ pub fn intensity<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: Ve
     let x = tap(at.x, f.x, grid.dims.x);
     let y = tap(at.y, f.y, grid.dims.y);
     let z = tap(at.z, f.z, grid.dims.z);
-    let mut sum = [[0.0; 4]; 3];
+    let mut sum = [[0.0; 6]; 3];
     let mut total = 0.0;
     for corner in 0..8u32 {
         let (hx, hy, hz) = (corner & 1 == 1, corner & 2 == 2, corner & 4 == 4);
@@ -121,7 +121,7 @@ pub fn intensity<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: Ve
             );
             total += weight;
             unroll!(CHANNEL in 0, 1, 2 => {
-                unroll!(K in 0, 1, 2, 3 => {
+                unroll!(K in 0, 1, 2, 3, 4, 5 => {
                     sum[CHANNEL][K] += c.coefficient(layout.value(), K as u32, CHANNEL as u32 * layout.plane + i) * weight;
                 });
             });
@@ -129,9 +129,15 @@ pub fn intensity<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: Ve
     }
     let scale = if total > 0.0 { 1.0 / total } else { 0.0 };
     unroll!(CHANNEL in 0, 1, 2 => {
-        unroll!(K in 0, 1, 2, 3 => { sum[CHANNEL][K] *= scale; });
+        unroll!(K in 0, 1, 2, 3, 4, 5 => { sum[CHANNEL][K] *= scale; });
     });
     sum
+}
+
+/// All nine coefficients of order 2.
+#[inline(always)]
+pub fn expansion(c: &[f32; 6]) -> [f32; 9] {
+    [c[0], c[1], c[2], c[3], 0.0, 0.0, c[4], 0.0, c[5]]
 }
 
 /// Indirect irradiance (W/m²) at a receiver with a unit normal, from one grid. `offset`: height above the surface at which light is fetched, in cells.
@@ -143,8 +149,8 @@ pub fn irradiance<C: Coefficients>(grid: &Grid, c: &C, position: Vec3, normal: V
     // Light that arrives travels against the normal.
     let against = [-normal.x, -normal.y, -normal.z];
     Vec3::new(
-        max(sh::irradiance(&i[0], against), 0.0),
-        max(sh::irradiance(&i[1], against), 0.0),
-        max(sh::irradiance(&i[2], against), 0.0),
+        max(sh::irradiance(&expansion(&i[0]), against), 0.0),
+        max(sh::irradiance(&expansion(&i[1]), against), 0.0),
+        max(sh::irradiance(&expansion(&i[2]), against), 0.0),
     ) * per_area
 }

@@ -17,7 +17,7 @@ use interreflect_kernels::cone::set::{cone_parts, diffuse_cones};
 use interreflect_kernels::lpv::{bounce, gather};
 use interreflect_kernels::math::pack::unpack_f16x2;
 use interreflect_shared::cone::ConeParams;
-use interreflect_shared::lpv::{FLUX_VALUES, LpvLayout, LpvParams, LpvQuery, MAX_CASCADES};
+use interreflect_shared::lpv::{LpvLayout, LpvParams, LpvQuery, MAX_CASCADES, PASSED_VALUES};
 use maps::{Maps, flux_bound};
 use serde_json::json;
 use volume::{Ledger, Placement, Volume};
@@ -53,11 +53,18 @@ pub const ROW: MethodRow = MethodRow {
                    around the face's axis, which throws most light back within a few cells.",
         },
         Setting {
-            key: "sharpness",
-            default: "4",
-            allowed: "a number from 1 to 4",
-            help: "Slope of lobes over that of order 1 (scheme moment). Higher: less light falls back on the surface that it \
-                   comes from, and beams stay too narrow.",
+            key: "focus",
+            default: "0.69",
+            allowed: "a number from 0 to 0.9",
+            help: "Largest mean cosine of a cell's lobe. Up to a third: lobes are order-1 spherical harmonics as in the papers; \
+                   two thirds: light of a diffuse surface leaves it as it should. Much more: beams draw together.",
+        },
+        Setting {
+            key: "streams",
+            default: "6",
+            allowed: "1 or 6",
+            help: "1 lets all light of a cell travel as one lobe, as in the papers; 6 keeps light apart by the way that the \
+                   surface that it comes from faces, so that crossing beams do not merge. Propagation takes six times as long.",
         },
         Setting {
             key: "gain_correction",
@@ -76,7 +83,7 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "steps",
-            default: "2",
+            default: "1",
             allowed: "a whole number from 1 to 64",
             help: "Steps on each grid but the coarsest before light moves to the next.",
         },
@@ -100,7 +107,7 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "bounces",
-            default: "4",
+            default: "2",
             allowed: "a whole number from 1 to 16",
             help: "Reflections that light may make before it reaches a pixel. Each after the first propagates once more.",
         },
@@ -160,7 +167,8 @@ pub struct Options {
     resolution: u32,
     rsm: u32,
     paper_scheme: bool,
-    sharpness: f32,
+    focus: f32,
+    streams: u32,
     gain_correction: bool,
     levels: u32,
     steps: u32,
@@ -179,6 +187,8 @@ pub struct Options {
 
 /// Cells along the longest side below which no coarser level is added.
 const COARSEST: u32 = 8;
+/// The same along the shortest: cells as large as a corridor is wide lead light around its walls.
+const COARSEST_ACROSS: u32 = 4;
 /// Cells over which a cascade fades into the next.
 const BLEND: f32 = 2.0;
 /// Largest storage buffer that every device allows: WebGPU's default limit.
@@ -204,7 +214,8 @@ impl Options {
             resolution,
             rsm: parse(&ROW, settings, "rsm", |n| *n <= 1024 && n % 2 == 0)?,
             paper_scheme: word("scheme", &["moment", "paper"])? == 1,
-            sharpness: parse(&ROW, settings, "sharpness", |x| (1.0..=4.0).contains(x))?,
+            focus: parse(&ROW, settings, "focus", |x| (0.0..=0.9).contains(x))?,
+            streams: [1, 6][word("streams", &["1", "6"])?],
             gain_correction: flag("gain_correction")?,
             levels: parse(&ROW, settings, "levels", |n| *n <= 5)?,
             steps: parse(&ROW, settings, "steps", |n| (1..=64).contains(n))?,
@@ -226,19 +237,17 @@ impl Options {
         self.opacity_sources > 0
     }
 
-    /// Levels of each grid: around the camera one, so that cells stay where they are when it moves.
-    fn level_count(&self) -> u32 {
-        if self.cascades > 1 {
-            return 1;
-        }
-        let most = (self.resolution / COARSEST).max(1).ilog2() + 1;
+    /// Levels of a grid around a scene of this extent (m).
+    fn level_count(&self, extent: Vec3) -> u32 {
+        let shortest = self.resolution as f32 * extent.min_element() / extent.max_element().max(f32::MIN_POSITIVE);
+        let most = (self.resolution / COARSEST).min(shortest as u32 / COARSEST_ACROSS).max(1).ilog2() + 1;
         if self.levels == 0 { most } else { self.levels.min((self.resolution / 2).max(1).ilog2() + 1) }
     }
 
     fn placements(&self, scene: &Scene) -> Vec<Placement> {
         let bounds = scene.bounds();
         if self.cascades == 1 {
-            return vec![Placement::around(bounds, self.resolution, 1 << (self.level_count() - 1))];
+            return vec![Placement::around(bounds, self.resolution, self.level_count(bounds.1 - bounds.0))];
         }
         let extent = (bounds.1 - bounds.0).max_element().max(f32::MIN_POSITIVE.sqrt());
         let centre = self.centre.or(scene.cameras.first().map(|c| c.position));
@@ -301,7 +310,7 @@ impl Lpv {
         self.state.as_mut().ok_or(MethodError::NotPrecomputed { method: NAME })
     }
 
-    /// Coefficients of the light that has passed, of every grid, finest first: four planes per channel in the layout of
+    /// Coefficients of the light that has passed, of every grid, finest first: six planes per channel in the layout of
     /// [`LpvLayout`]; and the grid's parameters.
     pub fn light(&self) -> Vec<(BufferId, LpvParams)> {
         let volumes = self.state.iter().flat_map(|s| &s.volumes);
@@ -390,7 +399,7 @@ impl Method for Lpv {
         check_memory(&o, &placements)?;
         let mut volumes = Vec::new();
         for at in &placements {
-            volumes.push(Volume::new(exec, &o, at, o.level_count())?);
+            volumes.push(Volume::new(exec, &o, at)?);
         }
         let voxels = if o.opacity_sources & 1 == 1 || o.bounces > 1 {
             Some(voxelize(exec, input, &o, &placements, clock)?)
@@ -409,7 +418,7 @@ impl Method for Lpv {
         if o.half {
             for volume in &volumes {
                 let value = LpvLayout::new(volume.finest().params.dims).value();
-                packed.push(exec.zeroed_slice::<u32>("lpv packed", (FLUX_VALUES / 2 * value) as usize)?);
+                packed.push(exec.zeroed_slice::<u32>("lpv packed", (PASSED_VALUES / 2 * value) as usize)?);
             }
         }
         let dummies = (volumes.len()..MAX_CASCADES)
@@ -438,12 +447,8 @@ impl Method for Lpv {
             if bounce > 1 {
                 state.reinject(exec, clock, bounce)?;
             }
-            state.start(exec, &o, clock, bounce)?;
-            clock.stage(exec, "propagate", |exec| state.volumes.iter_mut().try_for_each(|v| v.propagate(exec, &o)))?;
-            clock.stage(exec, "sum levels", |exec| {
-                let keep = if bounce > 1 { 1.0 } else { 0.0 };
-                state.volumes.iter_mut().try_for_each(|v| v.sum_levels(exec, keep, bounce < o.bounces))
-            })?;
+            let gain = state.gain(&o, bounce);
+            state.spread(exec, &o, clock, gain, bounce)?;
         }
         state.report.steps = state.volumes[0].levels.iter().map(|l| l.steps).collect();
         state.report.scale_tries = state.volumes.iter().map(|v| v.scale_tries).max().unwrap_or(0);
@@ -492,6 +497,8 @@ impl Method for Lpv {
             "shadow_map_resolution": state.maps.resolution,
             "shadow_maps_traced": report.traced_maps,
             "bounces": self.options.bounces,
+            "streams": self.options.streams,
+            "streams_with_light": state.volumes[0].injected.iter().filter(|f| **f > 0.0).count(),
             "reflected_flux_per_bounce_w": report.bounce_flux,
             "bounce_ratio": report.ratio,
             "fixed_point_tries": report.scale_tries,
@@ -512,9 +519,10 @@ impl Method for Lpv {
 
     fn search(&self) -> &'static [SearchAxis] {
         const AXES: &[SearchAxis] = &[
-            SearchAxis { key: "resolution", values: &["8", "12", "16", "24", "32", "48", "64", "96"] },
+            SearchAxis { key: "resolution", values: &["8", "12", "16", "24", "32", "48", "64"] },
             SearchAxis { key: "bounces", values: &["1", "2", "3", "4", "6"] },
             SearchAxis { key: "rsm", values: &["32", "64", "128", "256", "512"] },
+            SearchAxis { key: "streams", values: &["1", "6"] },
             SearchAxis { key: "steps", values: &["1", "2", "4"] },
             SearchAxis { key: "storage", values: &["f16", "f32"] },
         ];
@@ -591,36 +599,46 @@ impl State {
         })
     }
 
-    /// Makes what was injected travel; the last bounce stands for all that follow it.
-    fn start(
+    /// Factor of what was injected: the last bounce stands for all that follow it.
+    fn gain(&mut self, o: &Options, bounce: u32) -> f32 {
+        // The largest grid sees all of the scene: its flux tells the ratio.
+        let flux: f64 = self.volumes.last().map_or(0.0, |v| v.injected.iter().sum());
+        let report = &mut self.report;
+        if let Some(before) = report.bounce_flux.last().filter(|f| **f > 0.0) {
+            report.ratio = Some(flux / before);
+        }
+        report.bounce_flux.push(flux);
+        match report.ratio {
+            Some(ratio) if o.tail && bounce == o.bounces => (1.0 / (1.0 - ratio.min(MAX_RATIO))) as f32,
+            _ => 1.0,
+        }
+    }
+
+    /// Makes what was injected travel, stream by stream, and adds it to the total; what a further bounce needs is kept
+    /// apart as well.
+    fn spread(
         &mut self,
         exec: &mut dyn Executor,
         o: &Options,
         clock: &mut StageClock,
+        gain: f32,
         bounce: u32,
     ) -> Result<(), MethodError> {
-        let (volumes, report) = (&mut self.volumes, &mut self.report);
-        clock.stage(exec, "begin", |exec| {
-            for (k, volume) in volumes.iter_mut().enumerate() {
-                volume.start(exec, 1.0)?;
-                if o.bounces == 1 {
-                    continue;
-                }
-                let last = k + 1 == o.cascades as usize;
-                // The largest grid sees all of the scene: its flux tells the ratio.
-                if last {
-                    let flux = volume.finest().ledger(exec)?.stored.element_sum();
-                    if let Some(before) = report.bounce_flux.last().filter(|f| **f > 0.0) {
-                        report.ratio = Some(flux / before);
-                    }
-                    report.bounce_flux.push(flux);
-                }
+        let volumes = &mut self.volumes;
+        let mut keep = false;
+        for stream in 0..o.streams {
+            // A stream without light costs nothing.
+            if stream > 0 && volumes.iter().all(|v| v.injected[stream as usize] == 0.0) {
+                continue;
             }
-            if let (true, true, Some(ratio)) = (o.tail, bounce == o.bounces, report.ratio) {
-                let gain = 1.0 / (1.0 - ratio.min(MAX_RATIO));
-                volumes.iter_mut().try_for_each(|v| v.start(exec, gain as f32))?;
-            }
-            Ok(())
+            clock
+                .stage(exec, "begin", |exec| volumes.iter_mut().try_for_each(|v| v.start(exec, gain, stream, keep)))?;
+            clock.stage(exec, "propagate", |exec| volumes.iter_mut().try_for_each(|v| v.propagate(exec, o, keep)))?;
+            keep = true;
+        }
+        clock.stage(exec, "sum levels", |exec| {
+            let keep = if bounce > 1 { 1.0 } else { 0.0 };
+            Ok(volumes.iter_mut().try_for_each(|v| v.sum_levels(exec, keep, bounce < o.bounces))?)
         })
     }
 
@@ -691,13 +709,21 @@ fn check_memory(o: &Options, placements: &[Placement]) -> Result<(), MethodError
     let too_large = |needed_bytes, limit_bytes, hint: &str| {
         Err(MethodError::TooLarge { method: NAME, needed_bytes, limit_bytes, hint: hint.into() })
     };
-    let largest = placements.iter().map(volume::largest_buffer).max().unwrap_or(0);
+    let largest = placements.iter().map(|at| volume::largest_buffer(at, o.streams)).max().unwrap_or(0);
     if largest > MAX_BINDING_BYTES {
-        return too_large(largest, MAX_BINDING_BYTES, "one grid exceeds what a binding may hold; lower `resolution`");
+        return too_large(
+            largest,
+            MAX_BINDING_BYTES,
+            "one grid exceeds what a binding may hold; lower `resolution` or `streams`",
+        );
     }
-    let all: u64 = placements.iter().map(|at| volume::bytes(at, o.level_count())).sum();
+    let all: u64 = placements.iter().map(|at| volume::bytes(at, o.streams)).sum();
     if all > o.memory_limit_bytes {
-        return too_large(all, o.memory_limit_bytes, "lower `resolution` or `cascades`, or raise `memory_limit_mb`");
+        return too_large(
+            all,
+            o.memory_limit_bytes,
+            "lower `resolution`, `streams` or `cascades`, or raise `memory_limit_mb`",
+        );
     }
     Ok(())
 }
@@ -732,13 +758,16 @@ mod tests {
 
     #[test]
     fn levels_halve_whole_cells() {
-        for (resolution, expected) in [(4, 1), (8, 1), (16, 2), (24, 2), (32, 3), (64, 4), (96, 4)] {
+        for (resolution, cube, flat) in
+            [(4, 1, 1), (8, 1, 1), (16, 2, 1), (24, 2, 2), (32, 3, 2), (64, 4, 3), (96, 4, 4)]
+        {
             let settings = Settings::from([("resolution".to_string(), resolution.to_string())]);
             let o = Options::parse(&settings).unwrap();
-            assert_eq!(o.level_count(), expected, "{resolution}");
-            let multiple = 1 << (expected - 1);
-            let at = Placement::around((Vec3::ZERO, Vec3::new(3.0, 1.0, 2.2)), resolution, multiple);
-            assert_eq!(at.dims % multiple, glam::UVec3::ZERO);
+            assert_eq!(o.level_count(Vec3::ONE), cube, "{resolution}");
+            let extent = Vec3::new(3.0, 1.0, 2.2);
+            assert_eq!(o.level_count(extent), flat, "{resolution}");
+            let at = Placement::around((Vec3::ZERO, extent), resolution, flat);
+            assert_eq!(at.dims % (1 << (flat - 1)), glam::UVec3::ZERO);
             let high = at.anchor_size.truncate() + at.dims.as_vec3() * at.anchor_size.w;
             assert!(high.cmpge(Vec3::new(3.0, 1.0, 2.2)).all() && at.anchor_size.truncate().cmplt(Vec3::ZERO).all());
         }

@@ -7,7 +7,7 @@ use glam::{DVec3, IVec4, UVec3, UVec4, Vec3, Vec4};
 use interreflect_kernels::lpv::lobe::{ACROSS, ALONG};
 use interreflect_kernels::lpv::{block, bounce, gather, inject, ledger, levels, propagate};
 use interreflect_shared::lpv::{
-    FLUX_LIMIT, FLUX_VALUES, LEDGER_VALUES, LpvLayout, LpvParams, OPACITY_PLANES, STATE_VALUES,
+    FLUX_LIMIT, FLUX_VALUES, LEDGER_VALUES, LpvLayout, LpvParams, OPACITY_PLANES, PASSED_VALUES, STATE_VALUES,
 };
 
 /// Cells' sides below and above the scene along the longest side: walls then lie between the centres of two cells, in
@@ -33,11 +33,14 @@ pub struct Placement {
     pub first_cell: IVec4,
     /// Cells along each axis.
     pub dims: UVec3,
+    /// Grids: this one, and those that are each twice as coarse.
+    pub levels: u32,
 }
 
 impl Placement {
-    /// A grid around a box, `resolution` cells along its longest side; every side a multiple of `multiple`.
-    pub fn around((low, high): (Vec3, Vec3), resolution: u32, multiple: u32) -> Self {
+    /// A grid around a box, `resolution` cells along its longest side, with whole coarser cells in as many `levels`.
+    pub fn around((low, high): (Vec3, Vec3), resolution: u32, levels: u32) -> Self {
+        let multiple = 1 << (levels - 1);
         let extent = high - low;
         let size = extent.max_element().max(f32::MIN_POSITIVE.sqrt()) / (resolution as f32 - 2.0 * PADDING);
         let needed = (extent / size + 2.0 * PADDING - 1e-3).ceil().as_uvec3().max(UVec3::ONE);
@@ -46,14 +49,19 @@ impl Placement {
             needed.y.next_multiple_of(multiple),
             needed.z.next_multiple_of(multiple),
         );
-        Self { anchor_size: (low - PADDING * size).extend(size), first_cell: IVec4::ZERO, dims: whole }
+        Self { anchor_size: (low - PADDING * size).extend(size), first_cell: IVec4::ZERO, dims: whole, levels }
     }
 
     /// A cube of cells of side `size` around a point, snapped to whole cells counted from the world's origin: it moves by
     /// whole cells only.
     pub fn snapped(centre: Vec3, size: f32, resolution: u32) -> Self {
         let first = (centre / size).floor().as_ivec3() - resolution as i32 / 2;
-        Self { anchor_size: Vec3::ZERO.extend(size), first_cell: first.extend(0), dims: UVec3::splat(resolution) }
+        Self {
+            anchor_size: Vec3::ZERO.extend(size),
+            first_cell: first.extend(0),
+            dims: UVec3::splat(resolution),
+            levels: 1,
+        }
     }
 }
 
@@ -119,7 +127,7 @@ impl Level {
             texel_area: per_axis(exec, "lpv texel area")?,
             ledger: exec
                 .zeroed_slice::<f32>("lpv ledger", (LEDGER_VALUES * 3 * params.dims.x * params.dims.y) as usize)?,
-            totals: [values(exec, "lpv total", FLUX_VALUES)?, values(exec, "lpv total", FLUX_VALUES)?],
+            totals: [values(exec, "lpv total", PASSED_VALUES)?, values(exec, "lpv total", PASSED_VALUES)?],
             total: 0,
             params,
             steps: 0,
@@ -139,6 +147,13 @@ impl Level {
         self.totals[self.total]
     }
 
+    /// The total before and the one to write, which then is the total.
+    fn totals_in_turn(&mut self) -> [BufferId; 2] {
+        let before = self.total();
+        self.total = 1 - self.total;
+        [before, self.total()]
+    }
+
     fn run_with(
         &self,
         exec: &mut dyn Executor,
@@ -151,11 +166,13 @@ impl Level {
         exec.run(kernel, &all)
     }
 
-    /// Makes the source travel.
-    fn begin(&mut self, exec: &mut dyn Executor, weight: f32) -> Result<(), ExecError> {
+    /// Makes the source travel, beside what has passed before if that is to be kept.
+    fn begin(&mut self, exec: &mut dyn Executor, weight: f32, keep: bool) -> Result<(), ExecError> {
         self.steps = 0;
-        let params = LpvParams { weight, ..self.params };
-        self.run_with(exec, &propagate::lpv_begin::KERNEL, &params, &[self.source, self.state()])
+        let params = LpvParams { weight, keep: if keep { 1.0 } else { 0.0 }, ..self.params };
+        let [before, after] = [self.state(), self.states[1 - self.current]];
+        self.current = 1 - self.current;
+        self.run_with(exec, &propagate::lpv_begin::KERNEL, &params, &[self.source, before, after])
     }
 
     /// One step; the first one after injection without occlusion.
@@ -200,6 +217,8 @@ pub struct Volume {
     pub levels: Vec<Level>,
     words: BufferId,
     light: BufferId,
+    /// Flux (W, all channels) of each stream of the last injection.
+    pub injected: Vec<f64>,
     /// Tries of the fixed-point scale in the last injection: 1 where the first fit.
     pub scale_tries: u32,
     /// Fixed-point units per watt.
@@ -211,20 +230,15 @@ impl Volume {
     ///
     /// # Errors
     /// What the executor returns.
-    pub fn new(
-        exec: &mut dyn Executor,
-        options: &Options,
-        at: &Placement,
-        level_count: u32,
-    ) -> Result<Self, ExecError> {
+    pub fn new(exec: &mut dyn Executor, options: &Options, at: &Placement) -> Result<Self, ExecError> {
         let mut levels = Vec::new();
-        for k in 0..level_count {
-            levels.push(Level::new(exec, params(options, at, k, k + 1 < level_count))?);
+        for k in 0..at.levels {
+            levels.push(Level::new(exec, params(options, at, k))?);
         }
         let value = LpvLayout::new(levels[0].params.dims).value();
-        let words = exec.zeroed_slice::<u32>("lpv injection", (FLUX_VALUES * value + 1) as usize)?;
-        let light = exec.zeroed_slice::<f32>("lpv light", (FLUX_VALUES * value) as usize)?;
-        Ok(Self { levels, words, light, scale_tries: 0, flux_scale: 1.0 })
+        let words = exec.zeroed_slice::<u32>("lpv injection", inject::word_count(&levels[0].params) as usize + 1)?;
+        let light = exec.zeroed_slice::<f32>("lpv light", (PASSED_VALUES * value) as usize)?;
+        Ok(Self { levels, words, light, injected: Vec::new(), scale_tries: 0, flux_scale: 1.0 })
     }
 
     /// The finest level.
@@ -319,7 +333,7 @@ impl Volume {
     ) -> Result<(), ExecError> {
         let params =
             LpvParams { count: 2 * facet_count, flux_scale: self.flux_scale, voxel_size, ..self.finest().params };
-        self.finest().run_with(exec, &bounce::lpv_bounce::KERNEL, &params, &[facets, self.light, self.words])
+        self.finest().run_with(exec, &bounce::lpv_bounce::KERNEL, &params, &[facets, self.light(), self.words])
     }
 
     /// Forgets what was injected, at the same scale.
@@ -348,6 +362,10 @@ impl Volume {
     pub fn injection_fits(&mut self, exec: &mut dyn Executor) -> Result<bool, MethodError> {
         let words = exec.read_slice::<u32>(self.words)?;
         if words.last() == Some(&0) {
+            let value = LpvLayout::new(self.finest().params.dims).value() as usize;
+            let flux = |stream: &[u32]| stream[..value].iter().map(|&w| f64::from(w)).sum::<f64>();
+            let streams = words.chunks_exact(FLUX_VALUES as usize * value);
+            self.injected = streams.map(|stream| flux(stream) / f64::from(self.flux_scale)).collect();
             return Ok(true);
         }
         if self.scale_tries >= SCALE_TRIES {
@@ -363,16 +381,16 @@ impl Volume {
         Ok(false)
     }
 
-    /// Makes what was injected, times `gain`, travel on the finest level.
+    /// Makes one stream of what was injected, times `gain`, travel on the finest level; `keep`s what other streams have left.
     ///
     /// # Errors
     /// What the executor returns.
-    pub fn start(&mut self, exec: &mut dyn Executor, gain: f32) -> Result<(), ExecError> {
+    pub fn start(&mut self, exec: &mut dyn Executor, gain: f32, stream: u32, keep: bool) -> Result<(), ExecError> {
         let words = self.words;
         let level = &mut self.levels[0];
-        let params = LpvParams { flux_scale: self.flux_scale / gain, ..level.params };
+        let params = LpvParams { flux_scale: self.flux_scale / gain, stream, ..level.params };
         level.run_with(exec, &inject::lpv_resolve::KERNEL, &params, &[words, level.source])?;
-        level.begin(exec, 1.0)
+        level.begin(exec, 1.0, keep)
     }
 
     /// Propagates from level to level; on the coarsest until the largest flux that travels is below `tolerance` of the
@@ -380,7 +398,7 @@ impl Volume {
     ///
     /// # Errors
     /// What the executor returns.
-    pub fn propagate(&mut self, exec: &mut dyn Executor, options: &Options) -> Result<(), ExecError> {
+    pub fn propagate(&mut self, exec: &mut dyn Executor, options: &Options, keep: bool) -> Result<(), ExecError> {
         let last = self.levels.len() - 1;
         for k in 0..last {
             for step in 0..options.steps {
@@ -389,7 +407,7 @@ impl Volume {
             let (fine, coarse) = self.levels.split_at_mut(k + 1);
             let (fine, coarse) = (&fine[k], &mut coarse[0]);
             exec.run(&levels::lpv_restrict::KERNEL, &[fine.later, fine.state(), coarse.source])?;
-            coarse.begin(exec, HALF_WAY)?;
+            coarse.begin(exec, HALF_WAY, keep)?;
         }
         let level = &mut self.levels[last];
         let longest = level.params.dims.max_element();
@@ -408,34 +426,38 @@ impl Volume {
         Ok(())
     }
 
-    /// Adds up the levels from the coarsest: the light of this propagation on the finest, added to `keep` times the total
+    /// Adds up the levels from the coarsest: the light of this bounce on the finest, added to `keep` times the total
     /// before; and, where a further bounce needs it, alone ([`Volume::light`]).
     ///
     /// # Errors
     /// What the executor returns.
     pub fn sum_levels(&mut self, exec: &mut dyn Executor, keep: f32, alone: bool) -> Result<(), ExecError> {
         for k in (1..self.levels.len()).rev() {
-            let target = self.levels[k].totals[1 - self.levels[k].total];
-            self.prolong(exec, k, 0.0, target)?;
-            self.levels[k].total = 1 - self.levels[k].total;
+            let turn = self.levels[k].totals_in_turn();
+            self.prolong(exec, k, 0.0, turn)?;
         }
         if alone {
-            self.prolong(exec, 0, 0.0, self.light)?;
+            let light = self.light;
+            self.prolong(exec, 0, 0.0, [self.levels[0].total(), light])?;
         }
-        let target = self.levels[0].totals[1 - self.levels[0].total];
-        self.prolong(exec, 0, keep, target)?;
-        self.levels[0].total = 1 - self.levels[0].total;
-        Ok(())
+        let turn = self.levels[0].totals_in_turn();
+        self.prolong(exec, 0, keep, turn)
     }
 
-    fn prolong(&self, exec: &mut dyn Executor, k: usize, keep: f32, target: BufferId) -> Result<(), ExecError> {
+    fn prolong(
+        &self,
+        exec: &mut dyn Executor,
+        k: usize,
+        keep: f32,
+        [before, target]: [BufferId; 2],
+    ) -> Result<(), ExecError> {
         let level = &self.levels[k];
         let coarse = self.levels.get(k + 1);
         let coarse_weight = if coarse.is_some() { 0.25 } else { 0.0 };
         let params = LpvParams { keep, coarse_weight, ..level.params };
         // Where there is no coarser level any buffer does: its weight is zero.
         let (total, opacity) = coarse.map_or((level.source, level.facet_area), |c| (c.total(), c.opacity));
-        let bound = [level.total(), level.state(), total, level.opacity, opacity, target];
+        let bound = [before, level.state(), total, level.opacity, opacity, target];
         level.run_with(exec, &levels::lpv_prolong::KERNEL, &params, &bound)
     }
 
@@ -446,21 +468,21 @@ impl Volume {
 }
 
 /// Parameters of level `k` of a grid.
-fn params(options: &Options, at: &Placement, k: u32, has_coarser: bool) -> LpvParams {
+fn params(options: &Options, at: &Placement, k: u32) -> LpvParams {
     let dims = |k: u32| UVec4::new(at.dims.x >> k, at.dims.y >> k, at.dims.z >> k, 0);
     let size = at.anchor_size.w * (1 << k) as f32;
     LpvParams {
         anchor_size: at.anchor_size.truncate().extend(size),
         first_cell: IVec4::new(at.first_cell.x >> k, at.first_cell.y >> k, at.first_cell.z >> k, 0),
         dims: dims(k),
-        coarse_dims: if has_coarser { dims(k + 1) } else { UVec4::ZERO },
+        coarse_dims: if k + 1 < at.levels { dims(k + 1) } else { UVec4::ZERO },
         lobe: if options.paper_scheme {
             Vec4::new(inject::LOBE_MOMENT, 0.0, inject::LOBE_MOMENT, 0.0)
         } else {
             Vec4::new(1.0, ALONG, ACROSS, 1.0)
         },
         count: 0,
-        sharpness: if options.paper_scheme { 1.0 } else { options.sharpness },
+        focus: if options.paper_scheme { 0.0 } else { options.focus },
         flux_scale: 1.0,
         occlusion: if options.occludes() { 1.0 } else { 0.0 },
         gain: if options.gain_correction { 1.0 } else { 0.0 },
@@ -470,19 +492,24 @@ fn params(options: &Options, at: &Placement, k: u32, has_coarser: bool) -> LpvPa
         voxel_size: 0.0,
         half_scale: 1.0,
         opacity_sources: options.opacity_sources,
-        _pad: 0,
+        streams: options.streams,
+        stream: 0,
+        _pad0: 0,
+        _pad1: 0,
+        _pad2: 0,
         fade: Vec4::ZERO,
     }
 }
 
 /// Bytes of a grid with its levels.
-pub fn bytes(at: &Placement, level_count: u32) -> u64 {
+pub fn bytes(at: &Placement, streams: u32) -> u64 {
     let plane = |k: u32| u64::from(LpvLayout::new(UVec4::new(at.dims.x >> k, at.dims.y >> k, at.dims.z >> k, 0)).plane);
-    let per_cell = u64::from(3 * (2 * STATE_VALUES + 3 * FLUX_VALUES) + 3 * OPACITY_PLANES);
-    4 * (0..level_count).map(|k| plane(k) * per_cell).sum::<u64>() + 8 * 3 * u64::from(FLUX_VALUES) * plane(0)
+    let per_cell = u64::from(3 * (2 * STATE_VALUES + 2 * PASSED_VALUES + FLUX_VALUES) + 3 * OPACITY_PLANES);
+    let levels: u64 = (0..at.levels).map(|k| plane(k) * per_cell).sum();
+    4 * levels + 4 * 3 * u64::from(streams * FLUX_VALUES + PASSED_VALUES) * plane(0)
 }
 
 /// Bytes of the largest buffer.
-pub fn largest_buffer(at: &Placement) -> u64 {
-    4 * u64::from(STATE_VALUES) * u64::from(LpvLayout::new(at.dims.extend(0)).value())
+pub fn largest_buffer(at: &Placement, streams: u32) -> u64 {
+    4 * u64::from(STATE_VALUES.max(streams * FLUX_VALUES)) * u64::from(LpvLayout::new(at.dims.extend(0)).value())
 }
