@@ -44,6 +44,9 @@ pub enum Error {
     /// No settings of any method keep the limits that were asked for.
     #[error("nothing fits: {0}")]
     NothingFits(String),
+    /// A method panicked where that is an answer, as in `stress`.
+    #[error("it panicked: {0}")]
+    Panic(String),
     /// The command line asks for something that does not exist.
     #[error("{0}")]
     Usage(String),

@@ -1,10 +1,9 @@
 //! The detectors of `stress` on methods made to fail in known ways, and every method's known ranges.
 
 use glam::{Vec3, Vec4};
-use interreflect::error::Error;
 use interreflect::exec::{BufferId, CpuExecutor, Executor, ExecutorExt};
 use interreflect::methods::{Input, METHODS, Method, MethodError, MethodRow, Settings, StageClock, Unit};
-use interreflect::stress::{self, Entry, FAMILIES, Lab, NOT_FINITE, Safe, State};
+use interreflect::stress::{self, Effort, Entry, FAMILIES, Lab, NOT_FINITE, Safe, State};
 use interreflect_shared::scene::Surfel;
 use std::f32::consts::PI;
 
@@ -90,12 +89,17 @@ fake!(LEAKY, Some(UNIT_M), KEEP, |_, s, input, _| {
     if s.position[0] > 0.0 { 0.01f32.powf(wall / UNIT_M / LEAK_AT) } else { 1.0 }
 });
 
-fn measure(row: &'static MethodRow, families: &[&str], rung: usize) -> Vec<Entry> {
+fn measure(row: &'static MethodRow, families: &[&str]) -> Vec<Entry> {
+    measure_with(row, families, Effort::Full)
+}
+
+/// At the cheapest rung, with what `known-ranges.txt` changes of it.
+fn measure_with(row: &'static MethodRow, families: &[&str], effort: Effort) -> Vec<Entry> {
     // Truths are kept for the next run of the tests.
     let cache = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("stress-truths");
-    let changes = row.ladder[rung.min(row.ladder.len() - 1)].1;
-    let settings = row.with(changes.iter().copied()).expect("a ladder's settings");
-    let mut lab = Lab { row, settings, seed: 1, cache, exec: Box::new(CpuExecutor::new()), not_finite: false };
+    let changes = row.ladder[0].1.iter().copied().chain(Known::changes(row.name));
+    let settings = row.with(changes).expect("a ladder's settings");
+    let mut lab = Lab { row, settings, seed: 1, cache, exec: Box::new(CpuExecutor::new()), effort, not_finite: false };
     let chosen: Vec<_> = FAMILIES.iter().filter(|f| families.contains(&f.key)).collect();
     assert_eq!(chosen.len(), families.len());
     let entries = stress::run(&mut lab, &chosen, &mut |e| println!("{}", e.sentence));
@@ -104,7 +108,7 @@ fn measure(row: &'static MethodRow, families: &[&str], rung: usize) -> Vec<Entry
 }
 
 fn only(row: &'static MethodRow, family: &str, variant: &str) -> Entry {
-    let entries = measure(row, &[family], 0);
+    let entries = measure(row, &[family]);
     entries.into_iter().find(|e| e.variant == variant).unwrap_or_else(|| panic!("{family} has no {variant}"))
 }
 
@@ -134,15 +138,15 @@ fn energy_is_held_to_the_closed_form() {
 
 #[test]
 fn loops_that_grow_are_told_from_loops_that_settle() {
-    let growing = measure(&GROWING, &["feedback"], 0);
+    let growing = measure(&GROWING, &["feedback"]);
     assert_eq!(growing[0].safe, Safe::Nowhere);
     assert!(growing[0].samples.iter().all(|s| (s.value - 1.05).abs() < 0.01), "{:?}", growing[0].samples);
-    let slow = measure(&SLOW, &["feedback"], 0);
+    let slow = measure(&SLOW, &["feedback"]);
     assert_eq!(slow[0].safe, Safe::Everywhere);
     assert!(slow[0].samples.iter().all(|s| (s.value - 0.9).abs() < 0.01), "{:?}", slow[0].samples);
     // 0.9ⁿ ≤ 0.05 first at n = 29.
     assert!(slow[1].samples.iter().all(|s| (s.value - 29.0).abs() <= 1.0), "{:?}", slow[1].samples);
-    let instant = measure(&ENERGY, &["feedback"], 0);
+    let instant = measure(&ENERGY, &["feedback"]);
     assert!(instant[0].samples.iter().all(|s| s.value == 0.0) && instant[1].samples.iter().all(|s| s.value == 1.0));
 }
 
@@ -162,7 +166,7 @@ fn what_depends_on_place_or_pixel_is_noticed() {
 #[test]
 fn impossible_values_are_noticed() {
     let families = ["leak", "flicker", "popping", "furnace", "ringing", "geometry", "scale", "lights", "degenerate"];
-    for entry in measure(&NOT_A_NUMBER, &families, 0).into_iter().filter(|e| e.state == State::Measured) {
+    for entry in measure(&NOT_A_NUMBER, &families).into_iter().filter(|e| e.state == State::Measured) {
         assert_eq!(entry.safe, Safe::Nowhere, "{}", entry.sentence);
         assert!(entry.samples.iter().all(|s| s.value == NOT_FINITE), "{:?}", entry.samples);
     }
@@ -183,6 +187,7 @@ fn a_method_that_panics_is_an_entry() {
         seed: 1,
         cache: std::env::temp_dir(),
         exec: Box::new(CpuExecutor::new()),
+        effort: Effort::Full,
         not_finite: false,
     };
     let families: Vec<_> = FAMILIES.iter().filter(|f| f.key == "leak").collect();
@@ -199,51 +204,151 @@ fn a_method_that_panics_is_an_entry() {
     assert!(entries[0].state == State::Broken && entries[0].reason.as_ref().unwrap().contains("2 bytes"));
 }
 
-/// Every line of `known-ranges.txt`: what a method is known to do at its cheapest rung. A range that was safe must stay
-/// safe; a failure must still be seen.
-#[test]
-fn known_ranges_hold_and_known_failures_are_still_seen() -> Result<(), Error> {
-    let known: Vec<Vec<&str>> = include_str!("known-ranges.txt")
-        .lines()
-        .filter(|l| !l.trim().is_empty() && !l.starts_with('#'))
-        .map(|l| l.split('|').map(str::trim).collect())
-        .collect();
-    for row in METHODS.iter().filter(|m| !m.control) {
-        let lines: Vec<_> = known.iter().filter(|l| l[0] == row.name).collect();
-        if lines.is_empty() {
-            println!("{}: nothing is known; `stress` measures it, and known-ranges.txt may hold it to that", row.name);
-            continue;
-        }
-        let mut families: Vec<&str> = lines.iter().map(|l| l[1]).collect();
-        families.dedup();
-        let entries = measure(row, &families, 0);
-        for line in lines {
-            let [_, family, variant, kind, number] = line[..] else { panic!("five columns: {line:?}") };
-            let entry = entries
-                .iter()
-                .find(|e| e.family == family && e.variant == variant)
-                .unwrap_or_else(|| panic!("no entry for {line:?}"));
-            holds(entry, kind, number.parse().unwrap_or(f64::NAN));
-        }
-    }
-    Ok(())
+const KNOWN: &str = include_str!("known-ranges.txt");
+
+/// A line of `known-ranges.txt`.
+struct Known<'a> {
+    method: &'a str,
+    family: &'a str,
+    variant: &'a str,
+    kind: &'a str,
+    argument: &'a str,
 }
 
-/// `safe-from x`, `safe-up-to x`: every measurement on that side is within the bound. `fails-below x`, `fails-above x`: one
-/// on that side is not. `safe`: all are; `fails`: one is not.
-fn holds(entry: &Entry, kind: &str, at: f64) {
-    let bad = |inside: &dyn Fn(f64) -> bool| {
-        entry.samples.iter().filter(|s| inside(s.parameter)).any(|s| s.value > entry.bound)
+impl<'a> Known<'a> {
+    fn all(text: &'a str) -> Vec<Self> {
+        let lines = text.lines().filter(|l| !l.trim().is_empty() && !l.starts_with('#'));
+        lines
+            .map(|line| {
+                let columns: Vec<&str> = line.split('|').map(str::trim).collect();
+                let [method, family, variant, kind, argument] = columns[..] else { panic!("five columns: {line}") };
+                Known { method, family, variant, kind, argument }
+            })
+            .collect()
+    }
+
+    /// Settings that a method's lines are for, beside its cheapest rung's: the argument of `with`.
+    fn changes(method: &str) -> Vec<(&'static str, &'static str)> {
+        let with = Known::all(KNOWN).into_iter().find(|l| l.method == method && l.kind == "with");
+        let pairs =
+            with.map(|l| l.argument.split_whitespace().map(|p| p.split_once('=').expect("key=value")).collect());
+        pairs.unwrap_or_default()
+    }
+
+    fn number(&self) -> f64 {
+        self.argument.parse().unwrap_or_else(|_| panic!("{} {}: no number", self.family, self.kind))
+    }
+
+    /// Whether the entry is as the line says.
+    fn holds(&self, entry: &Entry) -> bool {
+        let bad = |inside: &dyn Fn(f64) -> bool| {
+            entry.samples.iter().filter(|s| inside(s.parameter)).any(|s| s.value > entry.bound)
+        };
+        let safe = |inside: &dyn Fn(f64) -> bool| {
+            entry.samples.iter().any(|s| inside(s.parameter)) && !bad(inside) && entry.state == State::Measured
+        };
+        let case = |name: &str| {
+            let of = |s: &&stress::Sample| {
+                s.case.as_deref().is_some_and(|c| c == name || c.starts_with(&format!("{name} (")))
+            };
+            entry.samples.iter().find(of).unwrap_or_else(|| panic!("no case {name}: {entry:#?}")).parameter
+        };
+        match self.kind {
+            "safe" => safe(&|_| true),
+            "fails" => bad(&|_| true),
+            "safe-from" => safe(&|p| p >= self.number()),
+            "safe-up-to" => safe(&|p| p <= self.number()),
+            "fails-below" => bad(&|p| p <= self.number()),
+            "fails-above" => bad(&|p| p >= self.number()),
+            "safe-with" => safe(&|p| p == case(self.argument)),
+            "fails-with" => bad(&|p| p == case(self.argument)),
+            "worst" => {
+                let (low, high) = self.argument.split_once("..").unwrap_or_else(|| panic!("worst LOW..HIGH"));
+                let [low, high] = [low, high].map(|v| v.trim().parse::<f64>().expect("a number"));
+                let worst = entry.samples.iter().map(|s| s.value).fold(f64::NEG_INFINITY, f64::max);
+                (low..=high).contains(&worst)
+            }
+            "not-applicable" => entry.state == State::NotApplicable && !self.argument.is_empty(),
+            other => panic!("unknown kind {other}"),
+        }
+    }
+
+    /// Whether the line would notice if something that is safe no longer was.
+    fn guards(&self) -> bool {
+        self.kind.starts_with("safe") || self.kind == "worst"
+    }
+
+    /// Whether the line would notice if a failure was no longer seen.
+    fn detects(&self) -> bool {
+        self.kind.starts_with("fails") || self.kind == "worst"
+    }
+}
+
+/// What is wrong with an entry and the lines about it: a line that does not hold, or something that no line says. A number
+/// within this factor of its bound is neither clearly safe nor clearly failing, and needs no line.
+fn wrongs(entry: &Entry, lines: &[&Known<'_>]) -> Vec<String> {
+    const CLEAR: f64 = 1.5;
+    let name = format!("{} | {} | {}", entry.method, entry.family, entry.variant);
+    let values: Vec<String> = entry.samples.iter().map(|s| format!("{}: {:.4}", s.parameter, s.value)).collect();
+    let broken = lines.iter().filter(|l| !l.holds(entry));
+    let mut all: Vec<String> =
+        broken.map(|l| format!("{name} | {} {}: {} {values:?}", l.kind, l.argument, entry.sentence)).collect();
+    if lines.is_empty() {
+        all.push(format!("{name}: no line says what is known: {} {values:?}", entry.sentence));
+        return all;
+    }
+    let measured = entry.state == State::Measured;
+    if measured && entry.samples.iter().any(|s| s.value > CLEAR * entry.bound) && !lines.iter().any(|l| l.detects()) {
+        all.push(format!("{name}: it fails, and no line holds the detector to that: {} {values:?}", entry.sentence));
+    }
+    if measured && entry.samples.iter().any(|s| s.value * CLEAR <= entry.bound) && !lines.iter().any(|l| l.guards()) {
+        all.push(format!("{name}: it is safe somewhere, and no line holds it to that: {} {values:?}", entry.sentence));
+    }
+    all
+}
+
+/// `known-ranges.txt` says what every method is known to do at its cheapest rung, entry by entry. What was safe must stay
+/// safe, a failure must still be seen, and there is no entry that no line speaks of.
+#[test]
+fn known_ranges_hold_and_known_failures_are_still_seen() {
+    let mut known = Known::all(KNOWN);
+    known.retain(|l| l.kind != "with");
+    let families: Vec<&str> = FAMILIES.iter().map(|f| f.key).collect();
+    let mut wrong = Vec::new();
+    let mut spoken_of = 0;
+    for row in METHODS.iter().filter(|m| !m.control) {
+        for entry in measure_with(row, &families, Effort::Ends) {
+            let about =
+                |l: &&Known<'_>| l.method == entry.method && l.family == entry.family && l.variant == entry.variant;
+            let lines: Vec<&Known<'_>> = known.iter().filter(about).collect();
+            spoken_of += lines.len();
+            wrong.extend(wrongs(&entry, &lines));
+        }
+    }
+    if spoken_of != known.len() {
+        wrong.push(format!("{} of {} lines speak of an entry that there is not", known.len() - spoken_of, known.len()));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_is_known_must_be_said_and_must_hold() {
+    let entry = only(&STEPS, "rotation", "");
+    let wrong = |text: &str| {
+        let known = Known::all(text);
+        wrongs(&entry, &known.iter().collect::<Vec<_>>()).len()
     };
-    let any = |inside: &dyn Fn(f64) -> bool| entry.samples.iter().any(|s| inside(s.parameter));
-    let right = match kind {
-        "safe" => !bad(&|_| true),
-        "fails" => bad(&|_| true),
-        "safe-from" => any(&|p| p >= at) && !bad(&|p| p >= at),
-        "safe-up-to" => any(&|p| p <= at) && !bad(&|p| p <= at),
-        "fails-below" => bad(&|p| p <= at),
-        "fails-above" => bad(&|p| p >= at),
-        other => panic!("unknown kind {other}"),
-    };
-    assert!(right, "{} {} {kind} {at}: {} {:?}", entry.family, entry.variant, entry.sentence, entry.samples);
+    assert_eq!(wrong(""), 1, "no line");
+    assert_eq!(wrong("STEPS | rotation | | safe |"), 2, "a line that does not hold, and a failure not held");
+    let both = "STEPS | rotation | | fails-above | 15\nSTEPS | rotation | | safe-up-to | 5";
+    assert_eq!(wrong(both), 0, "{:?}", entry.samples);
+    assert_eq!(wrong("STEPS | rotation | | fails-above | 15"), 1, "it is safe somewhere");
+    assert_eq!(wrong("STEPS | rotation | | worst | 0.3..1"), 0, "{:?}", entry.samples);
+    assert_eq!(wrong("STEPS | rotation | | worst | 0.0..0.3"), 1, "{:?}", entry.samples);
+    assert_eq!(wrong("STEPS | rotation | | not-applicable | it has no grid"), 3);
+    let not_applicable = only(&CONSTANT, "ringing", "per order: contrast");
+    let excuse = |text: &str| wrongs(&not_applicable, &Known::all(text).iter().collect::<Vec<_>>()).len();
+    assert_eq!(excuse("CONSTANT | ringing | per order: contrast | not-applicable | no order"), 0);
+    assert_eq!(excuse("CONSTANT | ringing | per order: contrast | not-applicable |"), 1, "an excuse has a reason");
+    assert_eq!(excuse("CONSTANT | ringing | per order: contrast | safe |"), 1, "nothing was measured");
 }

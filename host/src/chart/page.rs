@@ -4,6 +4,7 @@ use super::output::chart;
 use super::{ChartReport, Charted, Row, SceneChart};
 use crate::error::Error;
 use crate::image_io::{Image, ImageError, Rgb8, ToneMap, error_map, png_bytes};
+use crate::methods::METHODS;
 use crate::metrics::{self, RELATIVE_GUARD};
 use crate::report::{
     Chart, Cost, ERROR_RANGE, PALETTE, bytes, colours, data_uri, document, escape, milliseconds, number,
@@ -44,6 +45,7 @@ pub fn page(report: &ChartReport, charted: &[Charted]) -> Result<String, Error> 
         let _ = writeln!(html, "<li><b>{name}</b> {}</li>", escape(&value));
     }
     html += "</ul>\n</header>\n";
+    methods(&mut html, report);
     for (s, (scene, made)) in report.scenes.iter().zip(charted).enumerate() {
         section(&mut html, s, scene, made)?;
     }
@@ -70,10 +72,10 @@ fn first_advice(report: &ChartReport) -> String {
                 }
             });
             return format!(
-                "On {}, {} comes closest: block NRMSE {} in {} per frame with moving lights{pt}.",
+                "On {}, {} comes closest: an error of {} in {} per frame with moving lights{pt}.",
                 scene.short_name(),
                 row.title(),
-                number(error),
+                percent(error),
                 milliseconds(ms)
             );
         }
@@ -128,15 +130,85 @@ fn section(html: &mut String, s: usize, scene: &SceneChart, made: &Charted) -> R
     Ok(())
 }
 
+/// An error for people.
+fn percent(error: f64) -> String {
+    match 100.0 * error {
+        e if e < 9.95 => format!("{e:.1} %"),
+        e => format!("{e:.0} %"),
+    }
+}
+
+/// From the least to the largest of what rows measured, each in words; one where they read the same.
+fn span(values: impl Iterator<Item = f64>, words: impl Fn(f64) -> String) -> String {
+    let (low, high) = values.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+    match (words(low), words(high)) {
+        (low, high) if low == high => low,
+        (low, high) => format!("{low} to {high}"),
+    }
+}
+
+/// A card for every candidate: what it is, in the words of the methods' table, and what it did on each scene.
+fn methods(html: &mut String, report: &ChartReport) {
+    let mut names: Vec<&str> = Vec::new();
+    for row in report.scenes.iter().flat_map(|s| &s.rows).filter(|r| !r.control) {
+        if !names.contains(&row.method.as_str()) {
+            names.push(&row.method);
+        }
+    }
+    let known: Vec<_> = names.iter().filter_map(|n| METHODS.iter().find(|m| m.name == *n)).collect();
+    if known.is_empty() {
+        return;
+    }
+    html.push_str(
+        "<section aria-labelledby=\"h-methods\">\n<h2 id=\"h-methods\">The methods in short</h2>\n<p class=\"note\">From each \
+         method's cheapest set of parameters to its best.</p>\n<div class=\"cards\">\n",
+    );
+    for method in known {
+        let _ = write!(
+            html,
+            "<div class=\"card\"><h3>{}</h3>\n<p>{}</p>\n<p class=\"note\"><b>Good when</b> {}<br><b>Fails when</b> {}</p>\n",
+            escape(method.name),
+            escape(method.summary),
+            escape(&lower_first(method.good_when)),
+            escape(&lower_first(method.fails_when))
+        );
+        for scene in &report.scenes {
+            let done = || scene.rows.iter().filter(|r| r.method == method.name && r.result.is_some());
+            let _ = match done().next() {
+                None => writeln!(html, "<p><b>{}</b>: not measured</p>", escape(scene.short_name())),
+                Some(_) => writeln!(
+                    html,
+                    "<p><b>{}</b>: error {}, {} per frame with moving lights, {} once per geometry</p>",
+                    escape(scene.short_name()),
+                    span(done().filter_map(Row::error), percent),
+                    span(done().filter_map(Row::dynamic_ms), milliseconds),
+                    span(done().filter_map(|r| Some(r.result.as_ref()?.time_ms.precompute)), milliseconds)
+                ),
+            };
+        }
+        html.push_str("</div>\n");
+    }
+    html.push_str("</div>\n</section>\n");
+}
+
+fn lower_first(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |c| c.to_lowercase().collect::<String>() + letters.as_str())
+}
+
 /// What to use for an error or for a frame time.
 fn advice(html: &mut String, scene: &SceneChart) {
     let describe = |row: &Row, ms: f64, error: f64| {
         let memory = row.result.as_ref().map_or(0, |r| r.memory_bytes.total);
+        // Whoever bakes must know that it takes its time.
+        let precompute = row.result.as_ref().map_or(0.0, |r| r.time_ms.precompute);
+        let baked =
+            if precompute > ms { format!("; {} once per geometry", milliseconds(precompute)) } else { "".into() };
         format!(
-            "<b>{}</b> {}<br><span class=\"mute\">error {}, {}, {}</span>",
+            "<b>{}</b> {}<br><span class=\"mute\">error {}, {} per frame, {}{baked}</span>",
             escape(&row.method),
             escape(&row.rung),
-            number(error),
+            percent(error),
             milliseconds(ms),
             bytes(memory)
         )
@@ -211,7 +283,10 @@ fn pictures(html: &mut String, s: usize, scene: &SceneChart, made: &Charted) -> 
     let truth =
         [Some(png(&judge.tone_map.apply(&judge.truth.full))?), Some(png(&tone.apply(&judge.truth.irradiance))?), None];
     *html += &figure(&format!("s{s}-truth"), "truth", "path traced", truth);
-    for (k, (row, irradiance)) in scene.rows.iter().zip(&made.pictures).enumerate() {
+    // What can be chosen before the yardsticks.
+    let mut rows: Vec<_> = scene.rows.iter().zip(&made.pictures).enumerate().collect();
+    rows.sort_by_key(|(_, (row, _))| row.control);
+    for (k, (row, irradiance)) in rows {
         let (Some(irradiance), Some(ms)) = (irradiance, row.dynamic_ms()) else { continue };
         let error = row.error().map_or_else(|| "no error".into(), |e| format!("block NRMSE {}", number(e)));
         let words = format!("{}: {error}, {}", escape(&row.rung), milliseconds(ms));

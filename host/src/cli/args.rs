@@ -185,6 +185,9 @@ pub struct StressArgs {
     /// Rung of each method's ladder, from 0, cheapest first: ranges are in the method's own unit, so a cheap one will do.
     #[arg(long, default_value_t = 1)]
     pub rung: usize,
+    /// Only the ends and the middle of every range, without the bisection between them.
+    #[arg(long)]
+    pub quick: bool,
     /// Seed of every random number.
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
@@ -214,14 +217,17 @@ pub struct FitArgs {
     /// Largest memory of the method's buffers, MiB.
     #[arg(long, value_name = "MIB", value_parser = mebibytes)]
     pub memory: Option<f64>,
+    /// Longest precomputation in milliseconds, once per geometry.
+    #[arg(long, value_name = "T", value_parser = milliseconds)]
+    pub precompute_ms: Option<f64>,
     /// Lights stand still: a frame does not pay for a change of light.
     #[arg(long)]
     pub still: bool,
     /// Methods, separated by commas, or `all` (which leaves the controls out).
     #[arg(long, default_value = "all")]
     pub methods: String,
-    /// Judge the search instead: on every scene its choices for errors of 0.05 to 0.5 beside an exhaustive sweep; with `--ms`, of
-    /// frames that are no longer.
+    /// Judge the search instead: on every scene its choices for five errors, at parts of those of an exhaustive sweep, beside
+    /// the sweep's best; with `--ms` and `--precompute-ms`, of what takes no longer.
     #[arg(long, conflicts_with_all = ["error", "memory", "still"])]
     pub evaluate: bool,
 }

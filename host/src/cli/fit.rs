@@ -17,9 +17,10 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
         error: args.error,
         ms: args.ms,
         memory_bytes: args.memory.map(|mib| (mib * 1048576.0) as u64),
+        precompute_ms: args.precompute_ms,
         still: args.still,
     };
-    if !args.evaluate && goal == (Goal { still: args.still, ..Goal::default() }) {
+    if !args.evaluate && goal == (Goal { still: args.still, precompute_ms: args.precompute_ms, ..Goal::default() }) {
         return Err(Error::Usage("fit needs a limit: --error E, --ms T or --memory M".into()));
     }
     let out = &args.scenes.out;
@@ -114,7 +115,7 @@ fn evaluate(
             spec,
             args.scenes.size.into(),
             truth,
-            args.ms,
+            Goal { ms: args.ms, precompute_ms: args.precompute_ms, ..Goal::default() },
             &folder,
             &open,
             methods,

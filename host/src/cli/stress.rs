@@ -7,7 +7,7 @@ use crate::image_io::write_whole;
 use crate::methods::{MethodRow, Settings};
 use crate::reference;
 use crate::report;
-use crate::stress::{self, Atlas, Entry, FAMILIES, Family, Lab, State};
+use crate::stress::{self, Atlas, Effort, Entry, FAMILIES, Family, Lab, State};
 
 /// Runs the families on the methods and writes `stress.json`, `stress.txt` and `index.html`.
 pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
@@ -25,6 +25,7 @@ pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
             seed: args.seed,
             cache: args.cache.clone().unwrap_or_else(reference::default_dir),
             exec,
+            effort: if args.quick { Effort::Ends } else { Effort::Full },
             not_finite: false,
         };
         entries.extend(stress::run(&mut lab, &families, &mut |entry| eprintln!("{}", line(entry))));

@@ -3,9 +3,10 @@
 //!
 //! 1. Climb: the cheapest rung of every method, then always the next rung of the method whose last one was cheapest, as
 //!    long as that can still win.
-//! 2. Step: from the rung below the best one, each parameter's next dearer value.
-//! 3. Descend: from the best rung, one parameter at a time, to the next cheaper value while the limit holds (or to the
+//! 2. Descend: from the best rung, one parameter at a time, to the next cheaper value while the limit holds (or to the
 //!    next dearer one while the time allows and the error falls).
+//! 3. Step: from every method's rungs that all but keep the limit and cost less than the best, each parameter's next dearer
+//!    value; and descend from what is found, and from other methods' rungs that keep the limit and cost little more.
 //! 4. Confirm: the winner's error on more blocks of the picture, until it is clear on which side of the limit it lies;
 //!    where it is the wrong one, the next best takes its place.
 //!
@@ -25,7 +26,13 @@ use std::path::Path;
 use std::time::Instant;
 
 /// Error over the limit up to which a single dearer parameter may be enough.
-const FAR_OFF: f64 = 2.0;
+const FAR_OFF: f64 = 2.5;
+/// Rungs per method, of those that all but keep the limit, from which dearer parameters are tried.
+const NEAR_MISSES: usize = 2;
+/// Cost over the best's up to which another method's rung may still become cheaper than it, parameter by parameter.
+const RIVAL: f64 = 2.0;
+/// Overrun that a step must leave of the one before, where nothing fits yet.
+const NEARER: f64 = 0.99;
 
 /// What is asked for.
 #[derive(Clone, Copy, PartialEq, Default, Debug, Serialize, Deserialize)]
@@ -39,6 +46,9 @@ pub struct Goal {
     /// Largest memory (bytes).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub memory_bytes: Option<u64>,
+    /// Longest computation once per geometry (ms).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub precompute_ms: Option<f64>,
     /// Lights stand still: a frame costs no light change.
     #[serde(default)]
     pub still: bool,
@@ -50,9 +60,11 @@ impl Goal {
         if self.still { c.frame_ms } else { c.dynamic_ms }
     }
 
-    /// Whether time and memory fit.
+    /// Whether times and memory fit.
     fn affords(&self, c: &Candidate) -> bool {
-        self.ms.is_none_or(|ms| self.cost(c) <= ms) && self.memory_bytes.is_none_or(|bytes| c.memory_bytes <= bytes)
+        self.ms.is_none_or(|ms| self.cost(c) <= ms)
+            && self.precompute_ms.is_none_or(|ms| c.precompute_ms <= ms)
+            && self.memory_bytes.is_none_or(|bytes| c.memory_bytes <= bytes)
     }
 
     /// Whether the error fits: its upper bound, because an answer in doubt is no answer.
@@ -65,7 +77,8 @@ impl Goal {
         let error = self.error.map_or(0.0, |limit| c.bounds[1] / limit);
         let time = self.ms.map_or(0.0, |ms| self.cost(c) / ms);
         let memory = self.memory_bytes.map_or(0.0, |bytes| c.memory_bytes as f64 / bytes.max(1) as f64);
-        error.max(time).max(memory)
+        let precompute = self.precompute_ms.map_or(0.0, |ms| c.precompute_ms / ms);
+        error.max(time).max(memory).max(precompute)
     }
 
     /// Whether a is the better answer of two that fit.
@@ -264,8 +277,7 @@ pub fn fit(
         chosen = search.rescue(methods, news)?;
     }
     if let Some(best) = chosen.take() {
-        let best = search.between_rungs(best, methods, news)?;
-        chosen = Some(search.descend(best, methods, news)?);
+        chosen = Some(search.refine(best, methods, news)?);
     }
     let search_s = start.elapsed().as_secs_f64();
     let found = chosen.is_some();
@@ -347,6 +359,11 @@ impl Search<'_> {
             }
             news(&candidate);
             open[next].2 = self.goal.cost(&candidate);
+            if self.goal.precompute_ms.is_some_and(|ms| candidate.precompute_ms > ms) {
+                // Its further rungs take longer to prepare.
+                open.remove(next);
+                continue;
+            }
             let fits = self.goal.affords(&candidate) && self.goal.accepts(&candidate);
             if fits && self.goal.error.is_some() {
                 best_cost = best_cost.min(self.goal.cost(&candidate));
@@ -412,7 +429,7 @@ impl Search<'_> {
                         self.settle(&mut next, limit)?;
                     }
                     news(&next);
-                    if self.goal.overrun(&next) > 0.97 * self.goal.overrun(&best) {
+                    if self.goal.overrun(&next) > NEARER * self.goal.overrun(&best) {
                         break;
                     }
                     best = next;
@@ -431,28 +448,61 @@ impl Search<'_> {
         least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
     }
 
-    /// The rung below the best may need one dearer parameter only: cheaper than the whole next rung.
-    fn between_rungs(
+    /// Something cheaper than the best rung: beside it, beside what all but fits, beside what fits and costs little more.
+    fn refine(
         &mut self,
-        mut best: Candidate,
+        best: Candidate,
         methods: &[&'static MethodRow],
         news: &mut dyn FnMut(&Candidate),
     ) -> Result<Candidate, Error> {
-        let Some(limit) = self.goal.error else { return Ok(best) };
-        let Some(row) = methods.iter().find(|m| m.name == best.row).copied() else { return Ok(best) };
-        let missed = self.tried.iter().filter(|c| c.row == row.name && !self.goal.accepts(c));
-        let Some(below) = missed.min_by(|a, b| a.error.total_cmp(&b.error)).cloned() else { return Ok(best) };
-        // A rung far off, or hardly cheaper, is not a step away.
-        if below.error > FAR_OFF * limit || self.goal.cost(&below) > 0.8 * self.goal.cost(&best) {
+        let mut best = self.descend(best, methods, news)?;
+        if self.goal.error.is_none() {
             return Ok(best);
         }
-        for axis in axes(row, &below.settings) {
-            let Some(settings) = step(&below.settings, &axis, 1) else { continue };
-            let Some(mut next) = self.run(row, &settings) else { continue };
-            self.settle(&mut next, limit)?;
-            news(&next);
-            if self.goal.accepts(&next) && self.goal.affords(&next) && self.goal.cost(&next) < self.goal.cost(&best) {
-                best = next;
+        for row in methods.iter().copied() {
+            let cost = self.goal.cost(&best);
+            let rival = self.tried.iter().filter(|c| c.row == row.name && c.row != best.row);
+            let rival =
+                rival.filter(|c| self.goal.accepts(c) && self.goal.affords(c) && self.goal.cost(c) < RIVAL * cost);
+            let rival = rival.min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b))).cloned();
+            let between = self.between_rungs(row, cost, news)?;
+            for start in rival.into_iter().chain(between) {
+                let found = self.descend(start, methods, news)?;
+                if self.goal.prefers(&found, &best) {
+                    best = found;
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// What all but keeps the limit and costs less than `bar` (ms) may need one dearer parameter only, which is cheaper than
+    /// the whole next rung: the cheapest that is found.
+    fn between_rungs(
+        &mut self,
+        row: &'static MethodRow,
+        bar: f64,
+        news: &mut dyn FnMut(&Candidate),
+    ) -> Result<Option<Candidate>, Error> {
+        let Some(limit) = self.goal.error else { return Ok(None) };
+        let missed = self.tried.iter().filter(|c| c.row == row.name && !self.goal.accepts(c) && self.goal.affords(c));
+        // Something far off, or hardly cheaper, is not a step away.
+        let near = missed.filter(|c| c.error <= FAR_OFF * limit && self.goal.cost(c) <= 0.8 * bar);
+        let mut near: Vec<Candidate> = near.cloned().collect();
+        near.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let mut best: Option<Candidate> = None;
+        for below in near.into_iter().take(NEAR_MISSES) {
+            for axis in axes(row, &below.settings) {
+                let Some(settings) = step(&below.settings, &axis, 1) else { continue };
+                let Some(mut next) = self.run(row, &settings) else { continue };
+                if self.goal.cost(&next) >= best.as_ref().map_or(bar, |b| self.goal.cost(b)) {
+                    continue;
+                }
+                self.settle(&mut next, limit)?;
+                news(&next);
+                if self.goal.accepts(&next) && self.goal.affords(&next) {
+                    best = Some(next);
+                }
             }
         }
         Ok(best)
@@ -469,22 +519,31 @@ impl Search<'_> {
         let direction: isize = if self.goal.error.is_some() { -1 } else { 1 };
         let mut changed = true;
         let mut rounds = 0;
+        // Parameters that cost nothing in a frame, such as those of the precomputation.
+        let mut idle: Vec<String> = Vec::new();
         // A second round, because a parameter that was needed may not be once another is lower.
         while changed && rounds < 2 {
             changed = false;
             rounds += 1;
             for axis in axes(row, &best.settings) {
                 while let Some(settings) = step(&best.settings, &axis, direction) {
+                    if idle.contains(&axis.key) {
+                        break;
+                    }
                     let Some(mut next) = self.run(row, &settings) else { break };
-                    if let Some(limit) = self.goal.error {
+                    // What saves less than the clock's noise is not worth an error.
+                    let saves = self.goal.cost(&next) < 0.97 * self.goal.cost(&best);
+                    if let Some(limit) = self.goal.error.filter(|_| saves) {
                         self.settle(&mut next, limit)?;
                     }
                     news(&next);
-                    // What saves less than the clock's noise is not worth an error.
                     let gain = match self.goal.error {
-                        Some(_) => self.goal.cost(&next) < 0.97 * self.goal.cost(&best),
+                        Some(_) => saves,
                         None => next.error < 0.99 * best.error,
                     };
+                    if !gain {
+                        idle.push(axis.key.clone());
+                    }
                     if !(gain && self.goal.affords(&next) && self.goal.accepts(&next)) {
                         break;
                     }

@@ -21,8 +21,11 @@ pub const MOST_TIME: f64 = 0.2;
 /// Least share of choices that keep the limit.
 pub const LEAST_WITHIN: f64 = 0.9;
 
-/// Errors that the search is asked for, where the sweep reaches them.
-const TARGETS: [f64; 6] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.5];
+/// Errors that the search is asked for, as parts of the sweep's settings that are better: wherever they lie, the sweep
+/// reaches them.
+const QUANTILES: [f64; 5] = [0.1, 0.25, 0.4, 0.6, 0.75];
+/// What is asked for over the error at such a part.
+const SLACK: f64 = 1.02;
 
 /// One target on one scene.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -58,7 +61,7 @@ impl std::fmt::Display for Case {
         let number = |v: Option<f64>| v.map_or_else(|| "-".into(), |v| format!("{v:.3}"));
         write!(
             f,
-            "{} error <= {:.2}: {} with {} {}, cost x {} of {}, time x {:.3} ({:.1} s, {} trials)",
+            "{} error <= {:.3}: {} with {} {}, cost x {} of {}, time x {:.3} ({:.1} s, {} trials)",
             self.scene,
             self.target,
             self.choice,
@@ -112,7 +115,7 @@ struct Swept {
     cost: f64,
 }
 
-/// Sweeps a scene, and searches it once for each target that the sweep reaches.
+/// Sweeps a scene within the time limits of `limits`, and searches it once for each target error.
 ///
 /// # Errors
 /// What loading and path tracing say.
@@ -120,7 +123,7 @@ pub fn evaluate_scene(
     spec: &SceneSpec,
     size: [u32; 2],
     truth: ReferenceSettings,
-    limit_ms: Option<f64>,
+    limits: Goal,
     folder: &Path,
     open: &Open<'_>,
     methods: &[&'static MethodRow],
@@ -130,13 +133,18 @@ pub fn evaluate_scene(
     let judge = Judge::new(spec, size, &plan, &mut |_| {})?;
     let mut evidence = Evidence::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?;
     let start = Instant::now();
-    let swept = sweep(&mut evidence, &judge, methods, limit_ms)?;
+    let swept = sweep(&mut evidence, &judge, methods, limits)?;
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
     news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
+    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).collect();
+    errors.sort_by(f64::total_cmp);
+    let mut targets: Vec<f64> =
+        QUANTILES.iter().filter_map(|q| errors.get((q * errors.len() as f64) as usize).map(|e| SLACK * e)).collect();
+    targets.dedup();
     let mut cases = Vec::new();
-    for target in TARGETS.into_iter().filter(|t| swept.iter().any(|s| s.error <= *t)) {
-        let goal = Goal { error: Some(target), ms: limit_ms, ..Goal::default() };
+    for target in targets {
+        let goal = Goal { error: Some(target), ..limits };
         let case = one(spec, size, goal, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
         news(&format!("  {case}"));
         cases.push(case);
@@ -145,14 +153,13 @@ pub fn evaluate_scene(
 }
 
 /// Every rung of every method, and every neighbour of every rung; only cheaper neighbours of the last rung, and no rung
-/// after one whose frames are longer than the limit.
+/// after one whose frames or precomputation are longer than the limit.
 fn sweep(
     evidence: &mut Evidence,
     judge: &Judge,
     methods: &[&'static MethodRow],
-    limit_ms: Option<f64>,
+    limits: Goal,
 ) -> Result<Vec<Swept>, Error> {
-    let within = |ms: f64| limit_ms.is_none_or(|limit| ms <= limit);
     let mut swept: Vec<Swept> = Vec::new();
     for row in methods {
         for (k, (_, changes)) in row.ladder.iter().enumerate() {
@@ -169,7 +176,7 @@ fn sweep(
                 }
                 // What a method refuses is no answer.
                 let Ok(candidate) = evidence.execute(row, &settings) else { continue };
-                if !within(candidate.dynamic_ms) {
+                if !limits.affords(&candidate) {
                     too_slow |= n == 0;
                 } else if let Some(error) = full_error(evidence, judge, &candidate)? {
                     swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });

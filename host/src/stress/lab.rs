@@ -8,7 +8,7 @@ use crate::methods::{Input, Method, MethodRow, Settings, StageClock, Unit};
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::device::SceneBuffers;
 use crate::scene::{Camera, Light, Scene};
-use glam::{Quat, Vec3, Vec4};
+use glam::{DVec3, Quat, Vec3, Vec4};
 use interreflect_shared::scene::Surfel;
 use std::path::PathBuf;
 
@@ -16,6 +16,16 @@ use std::path::PathBuf;
 pub const SIDE_PX: u32 = 32;
 /// Pixels of a block: jitter of single pixels is not what fails.
 const BLOCK_PX: u32 = 8;
+
+/// How much of an entry is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Effort {
+    /// The whole range of a parameter, and by bisection where the method begins to fail.
+    #[default]
+    Full,
+    /// The ends of the range and its middle: enough to see whether what is known still holds.
+    Ends,
+}
 
 /// Where a method is put to the test.
 pub struct Lab {
@@ -29,6 +39,8 @@ pub struct Lab {
     pub cache: PathBuf,
     /// Where kernels run.
     pub exec: Box<dyn Executor>,
+    /// How much is measured.
+    pub effort: Effort,
     /// Whether the method gave a number that is not finite since this was last set to false: whatever a family makes of
     /// such numbers, they are a failure.
     pub not_finite: bool,
@@ -107,13 +119,38 @@ impl Lab {
         Ok(result?.surfels)
     }
 
+    /// The points as surface points of another scene: each on the triangle that it lies on there. A tree of its own gives
+    /// every scene an order of triangles of its own.
+    ///
+    /// # Errors
+    /// What the executor says.
+    pub fn attach(&mut self, scene: &Scene, surfels: &[Surfel]) -> Result<Vec<Surfel>, Error> {
+        let exec = self.exec.as_mut();
+        let mark = exec.mark();
+        let triangles = SceneBuffers::upload(exec, scene)
+            .and_then(|buffers| exec.read_slice::<interreflect_shared::scene::SceneTriangle>(buffers.triangles));
+        self.exec.free_since(mark);
+        let corners: Vec<[DVec3; 3]> =
+            triangles?.iter().map(|t| [t.v0, t.v1, t.v2].map(|v| Vec3::from(v).as_dvec3())).collect();
+        let on = |s: &Surfel| Surfel { triangle: triangle_at(&corners, s).unwrap_or(s.triangle), ..*s };
+        Ok(surfels.iter().map(on).collect())
+    }
+
     /// The truth's indirect irradiance at surface points.
     ///
     /// # Errors
     /// What the path tracer says.
     pub fn truth(&self, scene: &Scene, surfels: &[Surfel], spp: u32) -> Result<Vec<Vec3>, Error> {
+        self.truth_by(scene, surfels, spp, 77)
+    }
+
+    /// The same by other random numbers.
+    ///
+    /// # Errors
+    /// What the path tracer says.
+    pub fn truth_by(&self, scene: &Scene, surfels: &[Surfel], spp: u32, seed: u32) -> Result<Vec<Vec3>, Error> {
         let receivers: Vec<Receiver> = surfels.iter().map(Receiver::from).collect();
-        let settings = ReferenceSettings { spp: Some(spp), seed: 77, ..ReferenceSettings::default() };
+        let settings = ReferenceSettings { spp: Some(spp), seed, ..ReferenceSettings::default() };
         let truth = reference::cached_irradiance(&self.cache, scene, &receivers, &settings, &mut |_| {})?.truth;
         Ok(truth.values.iter().map(|v| v.indirect).collect())
     }
@@ -190,6 +227,19 @@ impl Session<'_> {
         *self.not_finite |= values.iter().any(|v| !v.is_finite());
         Ok(values)
     }
+}
+
+/// The triangle that a surface point lies on: the nearest of those that face its way.
+fn triangle_at(corners: &[[DVec3; 3]], s: &Surfel) -> Option<u32> {
+    let (p, n) = (Vec3::from(s.position).as_dvec3(), Vec3::from(s.geometric_normal).as_dvec3());
+    let distance = |[a, b, c]: &[DVec3; 3]| {
+        let normal = (*b - *a).cross(*c - *a).normalize_or_zero();
+        let outside = |from: &DVec3, to: &DVec3| (p - *from).dot((*to - *from).cross(normal).normalize_or_zero());
+        let beside = outside(a, b).max(outside(b, c)).max(outside(c, a)).max(0.0);
+        if normal.dot(n).abs() > 0.9 { (p - *a).dot(normal).abs() + beside } else { f64::INFINITY }
+    };
+    let nearest = (0..corners.len()).min_by(|i, j| distance(&corners[*i]).total_cmp(&distance(&corners[*j])))?;
+    (distance(&corners[nearest]) < f64::INFINITY).then_some(nearest as u32)
 }
 
 /// Mean over values and channels.

@@ -10,7 +10,7 @@ mod lab;
 mod page;
 
 pub use families::{FAMILIES, Family};
-pub use lab::{Lab, Measured, Session};
+pub use lab::{Effort, Lab, Measured, Session};
 pub use page::page;
 
 use crate::error::Error;
@@ -198,8 +198,11 @@ impl Question {
             samples.push(Sample { parameter, case: None, value });
             Ok(value)
         };
+        let (mut order, halvings) = match lab.effort {
+            Effort::Full => (grid.to_vec(), halvings),
+            Effort::Ends => (ends(grid), 0),
+        };
         // From the safe end to the dangerous one.
-        let mut order = grid.to_vec();
         if self.danger == Danger::Low {
             order.reverse();
         }
@@ -229,7 +232,7 @@ impl Question {
         Ok(self.entry(lab, family, samples, safe, picture))
     }
 
-    /// Measures a list of cases; a case that cannot be measured is the worst.
+    /// Measures a list of cases; a case that cannot be measured, or in which the method panics, is the worst.
     pub fn cases(
         &self,
         lab: &mut Lab,
@@ -240,7 +243,7 @@ impl Question {
         let (mut samples, mut picture, mut worst) = (Vec::new(), None, f64::NEG_INFINITY);
         for (k, name) in names.iter().enumerate() {
             lab.not_finite = false;
-            let answer = measure(lab, k);
+            let answer = unwound(|| measure(lab, k)).unwrap_or_else(|words| Err(Error::Panic(words)));
             let said = answer.as_ref().err().map(|e| format!(" ({e})")).unwrap_or_default();
             let answer = answer.unwrap_or(Answer { value: NOT_FINITE, picture: None });
             let value = answer.value_of(lab);
@@ -347,6 +350,13 @@ impl Entry {
     }
 }
 
+/// The first, the middle and the last of a range.
+fn ends(grid: &[f64]) -> Vec<f64> {
+    let mut kept = vec![0, grid.len() / 2, grid.len().saturating_sub(1)];
+    kept.dedup();
+    kept.iter().filter_map(|k| grid.get(*k).copied()).collect()
+}
+
 /// About three digits.
 fn short(value: f64) -> String {
     match value.abs() {
@@ -364,20 +374,23 @@ fn short(value: f64) -> String {
 pub fn run(lab: &mut Lab, families: &[&Family], news: &mut dyn FnMut(&Entry)) -> Vec<Entry> {
     let mut all = Vec::new();
     for family in families {
-        let caught = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| (family.run)(lab)));
-        let entries = match caught {
+        let entries = match unwound(|| (family.run)(lab)) {
             Ok(Ok(entries)) => entries,
             Ok(Err(error)) => vec![broken(lab, family, error.to_string())],
-            Err(panic) => {
-                let words = panic.downcast_ref::<String>().cloned();
-                let words = words.or_else(|| panic.downcast_ref::<&str>().map(|s| s.to_string()));
-                vec![broken(lab, family, format!("it panicked: {}", words.unwrap_or_default()))]
-            }
+            Err(words) => vec![broken(lab, family, Error::Panic(words).to_string())],
         };
         entries.iter().for_each(&mut *news);
         all.extend(entries);
     }
     all
+}
+
+/// What `work` gives, or the words of its panic.
+fn unwound<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| {
+        let words = panic.downcast_ref::<String>().cloned();
+        words.or_else(|| panic.downcast_ref::<&str>().map(|s| s.to_string())).unwrap_or_default()
+    })
 }
 
 fn broken(lab: &Lab, family: &Family, reason: String) -> Entry {

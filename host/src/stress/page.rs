@@ -19,7 +19,7 @@ pub fn page(atlas: &Atlas) -> String {
         escape(&atlas.device.adapter),
         escape(&atlas.device.backend)
     );
-    overview(&mut html, atlas);
+    glance(&mut html, atlas);
     for family in FAMILIES {
         let entries: Vec<&Entry> = atlas.entries.iter().filter(|e| e.family == family.key).collect();
         if entries.is_empty() {
@@ -63,6 +63,7 @@ pub fn page(atlas: &Atlas) -> String {
         }
         html.push_str("</div>\n</section>\n");
     }
+    overview(&mut html, atlas);
     let _ = writeln!(
         html,
         "<footer>Made by interreflect {}. Every number here is in stress.json beside this file.</footer>",
@@ -81,10 +82,71 @@ fn is_safe(entry: &Entry) -> bool {
     entry.samples.iter().all(|s| s.value <= entry.bound)
 }
 
+/// What was tried within a family: its title, and what varies.
+fn subject(entry: &Entry) -> String {
+    let title = FAMILIES.iter().find(|f| f.key == entry.family).map_or(entry.family.as_str(), |f| f.title);
+    if entry.variant.is_empty() { sentence_case(title) } else { format!("{}: {}", sentence_case(title), entry.variant) }
+}
+
+/// One row per test, one column per method: where to look at all.
+fn glance(html: &mut String, atlas: &Atlas) {
+    let (mut methods, mut rows): (Vec<&str>, Vec<(&str, &str, String)>) = Default::default();
+    for entry in &atlas.entries {
+        if !methods.contains(&entry.method.as_str()) {
+            methods.push(&entry.method);
+        }
+        let key = (entry.family.as_str(), entry.variant.as_str(), subject(entry));
+        // What applies to none of the methods is no row.
+        if entry.state != State::NotApplicable && !rows.contains(&key) {
+            rows.push(key);
+        }
+    }
+    html.push_str(
+        "<section aria-labelledby=\"h-glance\">\n<h2 id=\"h-glance\">At a glance</h2>\n<p class=\"note\">✓ within its bound \
+         wherever it was tried; × how many times over the bound at worst; – does not apply. A click on a row leads to its \
+         curves and safe ranges.</p>\n<div class=\"card scroll\" tabindex=\"0\" role=\"region\" aria-label=\"At a glance\">\n\
+         <table class=\"sortable\">\n<thead><tr><th scope=\"col\"><button>what may fail</button></th>",
+    );
+    for method in &methods {
+        let _ = write!(html, "<th scope=\"col\"><button>{}</button></th>", escape(method));
+    }
+    html.push_str("</tr></thead>\n<tbody>\n");
+    for (family, variant, subject) in &rows {
+        let _ = write!(
+            html,
+            "<tr><th scope=\"row\" class=\"wrap\" data-v=\"{0}\"><a href=\"#f-{1}\">{0}</a></th>",
+            escape(subject),
+            escape(family)
+        );
+        for method in &methods {
+            let of = |e: &&Entry| e.family == *family && e.variant == *variant && e.method == *method;
+            let _ = match atlas.entries.iter().find(of).map(|e| (e, worst(e))) {
+                Some((e, _)) if e.state == State::Broken => {
+                    write!(html, "<td class=\"bad\" data-v=\"{NOT_FINITE}\">broken</td>")
+                }
+                Some((e, _)) if e.state == State::Measured && is_safe(e) => write!(html, "<td data-v=\"0\">✓</td>"),
+                Some((e, w)) if e.state == State::Measured => {
+                    let ratio = if e.bound > 0.0 { w / e.bound } else { NOT_FINITE };
+                    let words = if ratio < NOT_FINITE { format!("× {}", super::short(ratio)) } else { "fails".into() };
+                    write!(html, "<td class=\"bad\" data-v=\"{ratio}\">{words}</td>")
+                }
+                _ => write!(html, "<td data-v=\"-1\">–</td>"),
+            };
+        }
+        html.push_str("</tr>\n");
+    }
+    html.push_str("</tbody>\n</table>\n</div>\n</section>\n");
+}
+
+/// The largest number of an entry.
+fn worst(entry: &Entry) -> f64 {
+    entry.samples.iter().map(|s| s.value).fold(f64::NEG_INFINITY, f64::max)
+}
+
 /// One row per entry.
 fn overview(html: &mut String, atlas: &Atlas) {
     html.push_str(
-        "<section aria-labelledby=\"h-all\">\n<h2 id=\"h-all\">Safe ranges</h2>\n\
+        "<section aria-labelledby=\"h-all\">\n<h2 id=\"h-all\" class=\"scene\">All safe ranges</h2>\n\
          <p class=\"note\">Click a column to sort.</p>\n\
          <div class=\"card scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Safe ranges\">\n<table class=\"sortable\">\n\
          <thead><tr><th scope=\"col\"><button>method</button></th><th scope=\"col\" class=\"words\"><button>what fails</button></th>\
@@ -103,8 +165,7 @@ fn overview(html: &mut String, atlas: &Atlas) {
             State::Measured if is_safe(entry) => "holds",
             State::Measured => "fails",
         };
-        let worst = entry.samples.iter().map(|s| s.value).fold(f64::NEG_INFINITY, f64::max);
-        let (ratio, words) = match worst {
+        let (ratio, words) = match worst(entry) {
             w if w >= NOT_FINITE => (format!(" data-v=\"{NOT_FINITE}\""), "not finite".to_string()),
             w if w.is_finite() && entry.bound > 0.0 => {
                 (format!(" data-v=\"{}\"", w / entry.bound), format!("{:.2}", w / entry.bound))

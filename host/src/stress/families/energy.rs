@@ -150,44 +150,105 @@ fn growth(history: &[f64]) -> f64 {
     crate::evaluate::median(ratios)
 }
 
-/// Settings that hold a number of iterations or a size of steps.
-const STEPS: [&str; 4] = ["iterations", "aperture", "step", "max_iterations"];
+/// Settings that hold a number of iterations, more of them being finer.
+const COUNTS: [&str; 3] = ["iterations", "max_iterations", "steps"];
+/// Settings that hold the size of a step.
+const SIZES: [&str; 2] = ["aperture", "step"];
+/// Numbers of iterations to try, as far as the method takes them; the last are far beyond what any scene here needs,
+/// because what blows up does so late.
+const ITERATIONS: [f64; 8] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 256.0];
 
 pub fn iteration(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let mut entries = Vec::new();
     let scene = studio(Vec3::new(2.3, 2.4, 2.6), 1.1);
     let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
-    let question = Question {
-        variant: "",
+    for key in with_settings(lab, &COUNTS) {
+        entries.extend(by_count(lab, key, (&scene, &surfels))?);
+    }
+    for key in with_settings(lab, &SIZES) {
+        entries.extend(by_size(lab, key, (&scene, &surfels))?);
+    }
+    if entries.is_empty() {
+        entries.push(from_finest("").not_applicable(lab, "iteration", "the method has no iterations or steps to set"));
+    }
+    Ok(entries)
+}
+
+/// Those that the method has.
+fn with_settings(lab: &Lab, keys: &[&'static str]) -> Vec<&'static str> {
+    keys.iter().copied().filter(|key| lab.settings.contains_key(*key)).collect()
+}
+
+fn from_finest(key: &'static str) -> Question {
+    Question {
+        variant: key,
         measure: "the difference from the finest",
-        parameter: "",
+        parameter: key,
         unit: "",
         bound: 0.1,
         percent: true,
-        danger: Danger::Cases,
+        danger: Danger::Low,
+    }
+}
+
+/// The settings with a number of iterations; none of them ends early by itself.
+fn iterated(lab: &Lab, key: &str, count: f64) -> Option<crate::methods::Settings> {
+    let text = format!("{count}");
+    let stubborn: &[(&str, &str)] = if lab.settings.contains_key("tolerance") { &[("tolerance", "0")] } else { &[] };
+    lab.changed(&[stubborn, &[(key, text.as_str())]].concat())
+}
+
+/// Too few iterations, and too many: how far the picture is from that of the most, and how much light it gains on that of
+/// the method's own choice.
+fn by_count(
+    lab: &mut Lab,
+    key: &'static str,
+    (scene, surfels): (&Scene, &[interreflect_shared::scene::Surfel]),
+) -> Result<Vec<Entry>, Error> {
+    let grid: Vec<f64> = ITERATIONS.into_iter().filter(|n| iterated(lab, key, *n).is_some()).collect();
+    let own = lab.measure(scene, surfels)?.values;
+    let mut all: Vec<(f64, Vec<Vec3>)> = Vec::new();
+    for count in &grid {
+        let Some(settings) = iterated(lab, key, *count) else { continue };
+        all.push((*count, lab.measure_with(&settings, scene, surfels)?.values));
+    }
+    let Some((_, finest)) = all.last().cloned() else { return Ok(Vec::new()) };
+    let of = |count: f64| all.iter().find(|(n, _)| *n == count).map(|(_, values)| values.as_slice()).unwrap_or(&finest);
+    let few = from_finest(key).sweep(lab, "iteration", &grid, 0, |_, count| {
+        let words = format!("{key} {count}: light has not arrived everywhere yet.");
+        let got = of(count);
+        Ok(Answer { value: difference(got, &finest), picture: picture(got, &finest).map(|png| (png, words)) })
+    })?;
+    let gain = Question {
+        variant: if key == "steps" { "blow-up by steps" } else { "blow-up" },
+        measure: "light gained by more iterations than the method chooses",
+        danger: Danger::High,
+        ..from_finest(key)
     };
-    let keys: Vec<&str> = STEPS.into_iter().filter(|key| lab.settings.contains_key(*key)).collect();
-    for key in keys {
-        let axes = crate::fit::axes(lab.row, &lab.settings);
-        let mut values: Vec<String> = axes.into_iter().find(|a| a.key == key).map(|a| a.values).unwrap_or_default();
-        // Beyond what a search would try: an iteration that blows up does so late.
-        if let Some(last) = values.last().and_then(|v| v.parse::<u32>().ok()).filter(|_| key.contains("iterations")) {
-            values.extend([(4 * last).to_string(), (16 * last).to_string()]);
-        }
-        values.retain(|v| lab.changed(&[(key, v.as_str())]).is_some());
-        let Some(finest) = values.last().and_then(|v| lab.changed(&[(key, v.as_str())])) else { continue };
-        let finest = lab.measure_with(&finest, &scene, &surfels)?.values;
-        let names: Vec<String> = values.iter().map(|v| format!("{key} = {v}")).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        entries.push(question.cases(lab, "iteration", &names, |lab, k| {
-            let settings = lab.changed(&[(key, values[k].as_str())]).unwrap_or_else(|| lab.settings.clone());
-            let got = lab.measure_with(&settings, &scene, &surfels)?.values;
-            let value = difference(&got, &finest);
-            Ok(Answer { value, picture: picture(&got, &finest).map(|png| (png, names[k].to_string())) })
-        }));
-    }
-    if entries.is_empty() {
-        entries.push(question.not_applicable(lab, "iteration", "the method has no iterations or steps to set"));
-    }
-    Ok(entries)
+    let many = gain.sweep(lab, "iteration", &grid, 0, |_, count| {
+        let (got, own) = (mean(of(count)), mean(&own));
+        Ok((if own > 0.0 { (got / own - 1.0).max(0.0) } else { got.abs() }).into())
+    })?;
+    Ok(vec![few, many])
+}
+
+/// The sizes of steps that a search would try.
+fn by_size(
+    lab: &mut Lab,
+    key: &'static str,
+    (scene, surfels): (&Scene, &[interreflect_shared::scene::Surfel]),
+) -> Result<Option<Entry>, Error> {
+    let axes = crate::fit::axes(lab.row, &lab.settings);
+    let mut values: Vec<String> = axes.into_iter().find(|a| a.key == key).map(|a| a.values).unwrap_or_default();
+    values.retain(|v| lab.changed(&[(key, v.as_str())]).is_some());
+    let Some(finest) = values.last().and_then(|v| lab.changed(&[(key, v.as_str())])) else { return Ok(None) };
+    let finest = lab.measure_with(&finest, scene, surfels)?.values;
+    let names: Vec<&str> = values.iter().map(String::as_str).collect();
+    let question = Question { parameter: "", danger: Danger::Cases, ..from_finest(key) };
+    Ok(Some(question.cases(lab, "iteration", &names, |lab, k| {
+        let settings = lab.changed(&[(key, names[k])]).unwrap_or_else(|| lab.settings.clone());
+        let got = lab.measure_with(&settings, scene, surfels)?.values;
+        let words = format!("{key} = {}", names[k]);
+        Ok(Answer { value: difference(&got, &finest), picture: picture(&got, &finest).map(|png| (png, words)) })
+    })))
 }

@@ -39,7 +39,8 @@ fn compare(
 ) -> Result<Answer, Error> {
     let (scene, surfels, values) = base;
     let other = transformed(scene, scale, angle_rad, offset);
-    let got = lab.measure(&other, &moved(surfels, scale, angle_rad, offset))?.values;
+    let points = lab.attach(&other, &moved(surfels, scale, angle_rad, offset))?;
+    let got = lab.measure(&other, &points)?.values;
     Ok(Answer { value: difference(&got, values), picture: picture(&got, values).map(|png| (png, words)) })
 }
 

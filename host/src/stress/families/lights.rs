@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::scene::built_in::SceneBuilder;
 use crate::scene::{Light, Scene};
 use crate::stress::lab::{SIDE_PX, mean, picture};
-use crate::stress::{Answer, Danger, Entry, Lab, NOT_FINITE, Question};
+use crate::stress::{Answer, Danger, Entry, Lab, Question};
 use glam::Vec3;
 
 /// Samples of the truth for a mean over a picture.
@@ -59,21 +59,47 @@ pub fn ringing(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
             picture: picture(&values, &truth).map(|png| (png, words)),
         })
     })?);
-    let orders = crate::fit::axes(lab.row, &lab.settings).into_iter().find(|a| a.key == "order");
-    let per_order = Question { variant: "per order", parameter: "", unit: "", danger: Danger::Cases, ..negative };
-    let Some(orders) = orders else {
-        entries.push(per_order.not_applicable(lab, "ringing", "the method has no order to set"));
-        return Ok(entries);
-    };
-    let names: Vec<String> = orders.values.iter().map(|v| format!("order {v}")).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    entries.push(per_order.cases(lab, "ringing", &names, |lab, k| {
-        let scene = patch(5.0);
-        let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
-        let Some(settings) = lab.changed(&[("order", orders.values[k].as_str())]) else { return Ok(NOT_FINITE.into()) };
-        Ok(most_negative(&lab.measure_with(&settings, &scene, &surfels)?.values).into())
-    }));
+    entries.extend(per_order(lab, &negative, &contrast)?);
+    entries.extend(super::windows::run(lab, &orders(lab)));
     Ok(entries)
+}
+
+/// Orders of spherical harmonics that a search would try; none where the method has no order to set.
+fn orders(lab: &Lab) -> Vec<u32> {
+    let axis = crate::fit::axes(lab.row, &lab.settings).into_iter().find(|a| a.key == "order");
+    axis.map(|a| a.values.iter().filter_map(|v| v.parse().ok()).collect()).unwrap_or_default()
+}
+
+/// What the method makes of the patch at each order.
+fn per_order(lab: &mut Lab, negative: &Question, contrast: &Question) -> Result<Vec<Entry>, Error> {
+    let cases = |variant, question: &Question| Question {
+        variant,
+        parameter: "",
+        unit: "",
+        danger: Danger::Cases,
+        ..question.clone()
+    };
+    let negative = cases("per order: most negative", negative);
+    let contrast = cases("per order: contrast", contrast);
+    let orders = orders(lab);
+    if orders.is_empty() {
+        let reason = "the method has no order to set";
+        return Ok([negative, contrast].map(|q| q.not_applicable(lab, "ringing", reason)).into());
+    }
+    let scene = patch(5.0);
+    let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
+    let truth = spread(&lab.truth(&scene, &surfels, 8 * TRUTH_SPP)?);
+    let mut pictures = Vec::new();
+    for order in &orders {
+        let text = order.to_string();
+        let settings = lab.changed(&[("order", text.as_str())]).unwrap_or_else(|| lab.settings.clone());
+        pictures.push(lab.measure_with(&settings, &scene, &surfels)?.values);
+    }
+    let names: Vec<String> = orders.iter().map(|o| format!("order {o}")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let below = negative.cases(lab, "ringing", &names, |_, k| Ok(most_negative(&pictures[k]).into()));
+    let lost = contrast.cases(lab, "ringing", &names, |_, k| Ok((1.0 - spread(&pictures[k]) / truth).max(0.0).into()));
+    Ok(vec![below, lost])
 }
 
 fn patch_values(lab: &mut Lab, angle_deg: f64, with_truth: bool) -> Result<(Vec<Vec3>, Vec<Vec3>), Error> {
@@ -108,6 +134,9 @@ fn point(position: Vec3, intensity: f32) -> Light {
     Light::Point { position, intensity: Vec3::splat(intensity) }
 }
 
+/// Distances of a light from a wall, in units; at the first it all but touches.
+const TOUCHING: [f64; 5] = [0.01, 0.1, 0.3, 1.0, 3.0];
+
 pub fn run(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let sample = studio(Vec3::new(2.0, 2.4, 2.0), 1.1);
     let surfels = lab.seen(&sample, &sample.cameras[0], SIDE_PX)?;
@@ -121,7 +150,7 @@ pub fn run(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
         percent: true,
         danger: Danger::Low,
     };
-    let close = near.sweep(lab, "lights", &[0.1, 0.3, 1.0, 3.0], 1, |lab, distance| {
+    let close = near.sweep(lab, "lights", &TOUCHING, 1, |lab, distance| {
         let scene = lit_by(vec![point(Vec3::new((distance * metres) as f32, 1.8, 2.4), 5.0)]);
         error_of_mean(lab, &scene, format!("A light {distance:.2} {unit} from the left wall."))
     })?;

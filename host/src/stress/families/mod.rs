@@ -6,6 +6,7 @@ mod invariance;
 mod leak;
 mod lights;
 mod shapes;
+mod windows;
 
 use super::{Entry, Lab};
 use crate::error::Error;
@@ -68,22 +69,25 @@ pub const FAMILIES: &[Family] = &[
     Family {
         key: "iteration",
         title: "dependence on iterations and steps",
-        what: "The same picture with other numbers of iterations or sizes of steps. The number is the difference from the \
-               finest.",
+        what: "The same picture with other numbers of iterations or sizes of steps. The numbers are the difference from the \
+               finest, and the light gained by iterating on beyond what the method itself chooses: what blows up does so \
+               late.",
         run: energy::iteration,
     },
     Family {
         key: "ringing",
         title: "ringing of spherical harmonics",
         what: "A small bright patch lights a dark room. The numbers are the most negative irradiance over the mean, and the \
-               contrast lost against the truth.",
+               contrast lost against the truth, also per order where the method has one; and in closed form what windows \
+               would save and cost at each of its orders.",
         run: lights::ringing,
     },
     Family {
         key: "geometry",
         title: "geometry finer than the method",
-        what: "Bars thinner than a unit, sheets, slivers, interpenetrating and doubled surfaces, receivers inside walls. \
-               The numbers are the error of the mean against the truth, and the share of impossible values.",
+        what: "Bars thinner than a unit, sheets, slivers, edges of many faces, interpenetrating and doubled surfaces, \
+               receivers inside walls. The numbers are the error of the mean against the truth, and the share of \
+               impossible values.",
         run: shapes::geometry,
     },
     Family {
@@ -117,8 +121,9 @@ pub const FAMILIES: &[Family] = &[
     Family {
         key: "degenerate",
         title: "degenerate input",
-        what: "Identical receivers, a single one, none on a surface, receivers far outside, a scene of one triangle, black \
-               surfaces. The number is the share of values that are not finite, negative or not what they must be.",
+        what: "Identical receivers, a single one, none on a surface, receivers far outside, specks of a single texel, a cavity \
+               that nothing sees into, a scene of one triangle, black surfaces; then every setting at the least that the \
+               method takes. The number is the share of values that are not finite, negative or not what they must be.",
         run: shapes::degenerate,
     },
 ];

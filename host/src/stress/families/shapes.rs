@@ -2,6 +2,7 @@
 
 use super::{Make, studio};
 use crate::error::Error;
+use crate::methods::Setting;
 use crate::scene::built_in::SceneBuilder;
 use crate::scene::{Light, Scene};
 use crate::stress::lab::{SIDE_PX, mean, picture};
@@ -42,6 +43,18 @@ fn sheet() -> Scene {
     let mut b = room();
     let red = b.diffuse("sheet", [0.7, 0.2, 0.2]);
     b.quad([[1.0, 0.0, 1.0], [1.0, 0.0, 3.0], [1.0, 2.0, 3.0], [1.0, 2.0, 1.0]], red);
+    finish(b, LIGHT)
+}
+
+/// Five sheets that share one edge: no side of any of them is the inside of something.
+fn fan() -> Scene {
+    let mut b = room();
+    let red = b.diffuse("sheets", [0.7, 0.2, 0.2]);
+    for k in 0..5 {
+        let (sin, cos) = (0.4 + k as f32 * std::f32::consts::TAU / 5.0).sin_cos();
+        let (x, z) = (1.2 + 0.8 * cos, 1.6 + 0.8 * sin);
+        b.quad([[1.2, 0.0, 1.6], [x, 0.0, z], [x, 1.8, z], [1.2, 1.8, 1.6]], red);
+    }
     finish(b, LIGHT)
 }
 
@@ -94,8 +107,9 @@ pub fn geometry(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
         let scene = bars(((width * metres) as f32).max(0.004));
         error_of_mean(lab, &scene, format!("Behind bars {width:.2} {unit} wide."))
     })?;
-    let cases: [(&str, Make); 4] = [
+    let cases: [(&str, Make); 5] = [
         ("a two-sided sheet", sheet),
+        ("five sheets on one edge", fan),
         ("interpenetrating blocks", interpenetrating),
         ("a block of doubled faces", doubled),
         ("slivers", slivers),
@@ -106,14 +120,17 @@ pub fn geometry(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let meshes = odd.cases(lab, "geometry", &names, |lab, k| error_of_mean(lab, &(cases[k].1)(), names[k].into()));
     let inside = Question {
         variant: "inside walls",
-        measure: "the share of impossible values at receivers inside a block",
+        measure: "the share of impossible values at receivers inside walls",
         bound: 0.0,
         ..odd
     };
-    let buried = inside.cases(lab, "geometry", &["receivers 20 cm inside a block"], |lab, _| {
+    // The block spans x 1.1…1.9, y 0…1.2, z 1.2…2; the room ends at x = 0.
+    let places = [[1.5, 0.6, 1.6], [-0.1, 1.5, 2.0]];
+    let names = ["receivers 40 cm inside a block", "receivers 10 cm behind a wall"];
+    let buried = inside.cases(lab, "geometry", &names, |lab, k| {
         let scene = studio(LIGHT, 1.1);
         let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
-        let buried: Vec<Surfel> = surfels.iter().map(|s| Surfel { position: [1.5, 0.6, 1.6], ..*s }).collect();
+        let buried: Vec<Surfel> = surfels.iter().map(|s| Surfel { position: places[k], ..*s }).collect();
         let lit = lab.measure(&scene, &surfels)?.values;
         let brightest = lit.iter().map(|v| v.max_element()).fold(0.0, f32::max);
         let values = lab.measure(&scene, &buried)?.values;
@@ -138,7 +155,7 @@ fn error_of_mean(lab: &mut Lab, scene: &Scene, words: String) -> Result<Answer, 
     })
 }
 
-const CASES: [&str; 7] = [
+const CASES: [&str; 9] = [
     "identical receivers",
     "a single receiver",
     "receivers on no surface",
@@ -146,11 +163,16 @@ const CASES: [&str; 7] = [
     "a scene of one triangle",
     "black surfaces",
     "a scene without triangles",
+    "specks of a single texel",
+    "a cavity that nothing sees into",
 ];
+
+/// Times the brightest value of a plain room: more is impossible.
+const HEADROOM: f32 = 2.0;
 
 pub fn degenerate(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let question = Question {
-        variant: "",
+        variant: "input",
         measure: "the share of impossible values",
         parameter: "",
         unit: "",
@@ -161,41 +183,102 @@ pub fn degenerate(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let scene = studio(LIGHT, 1.1);
     let surfels = lab.seen(&scene, &scene.cameras[0], 16)?;
     let lit = lab.measure(&scene, &surfels)?.values;
-    let most = 2.0 * lit.iter().map(|v| v.max_element()).fold(0.0, f32::max);
+    let most = HEADROOM * lit.iter().map(|v| v.max_element()).fold(0.0, f32::max);
     let entry = question.cases(lab, "degenerate", &CASES, |lab, k| {
-        let (scene, points, most) = case(k, &scene, &surfels, most);
+        let (scene, points, most) = case(lab, k, &scene, &surfels, most)?;
         Ok(impossible(&lab.measure(&scene, &points)?.values, most).into())
     });
-    Ok(vec![entry])
+    Ok(vec![entry, least_settings(lab, &question, (&scene, &surfels), most)])
+}
+
+/// Every setting that is a number at the least that the method takes, one after the other, and shares (of an error, of a
+/// flux) at the whole: no probes to speak of, order 0, rank 0. What the method refuses in words is no failure.
+fn least_settings(lab: &mut Lab, question: &Question, (scene, surfels): (&Scene, &[Surfel]), most: f32) -> Entry {
+    const LEAST: [&str; 9] = ["0", "0.01", "1", "2", "4", "5", "8", "16", "64"];
+    let question = Question { variant: "least settings", ..question.clone() };
+    let numeric = lab.row.settings.iter().filter(|s| s.default.parse::<f64>().is_ok());
+    let least = |key: &'static str| LEAST.iter().find(|v| lab.changed(&[(key, **v)]).is_some()).map(|v| (key, *v));
+    let changes: Vec<(&str, &str)> = numeric.clone().filter_map(|s| least(s.key)).collect();
+    let whole = |s: &Setting| s.default.parse::<f64>().is_ok_and(|x| 0.0 < x && x < 1.0);
+    let wholes = numeric.filter(|s| whole(s)).map(|s| (s.key, "1")).filter(|c| lab.changed(&[*c]).is_some());
+    let changes: Vec<(&str, &str)> = changes.into_iter().chain(wholes).collect();
+    if changes.is_empty() {
+        return question.not_applicable(lab, "degenerate", "the method has no settings that are numbers");
+    }
+    let names: Vec<String> = changes.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    question.cases(lab, "degenerate", &names, |lab, k| {
+        let settings = lab.changed(&[changes[k]]).unwrap_or_else(|| lab.settings.clone());
+        match lab.measure_with(&settings, scene, surfels) {
+            // Fewer of anything may well make it brighter, not beyond all measure.
+            Ok(measured) => Ok(impossible(&measured.values, HEADROOM * most).into()),
+            Err(Error::Method(_)) => Ok(0.0.into()),
+            Err(other) => Err(other),
+        }
+    })
 }
 
 /// Scene, receivers, and the largest value that is possible there.
-fn case(k: usize, scene: &Scene, surfels: &[Surfel], most: f32) -> (Scene, Vec<Surfel>, f32) {
+fn case(
+    lab: &mut Lab,
+    k: usize,
+    scene: &Scene,
+    surfels: &[Surfel],
+    most: f32,
+) -> Result<(Scene, Vec<Surfel>, f32), Error> {
     let nothing = Surfel { triangle: NO_SURFACE, normal: [0.0; 3], geometric_normal: [0.0; 3], ..surfels[0] };
+    let seen = |lab: &mut Lab, scene: Scene, most: f32| {
+        let points = lab.seen(&scene, &scene.cameras[0], 16)?;
+        Ok((scene, points, most))
+    };
     match k {
-        0 => (scene.clone(), vec![surfels[0]; 256], most),
-        1 => (scene.clone(), vec![surfels[surfels.len() / 2]], most),
-        2 => (scene.clone(), vec![nothing; 64], most),
+        0 => Ok((scene.clone(), vec![surfels[0]; 256], most)),
+        1 => Ok((scene.clone(), vec![surfels[surfels.len() / 2]], most)),
+        2 => Ok((scene.clone(), vec![nothing; 64], most)),
         3 => {
             let far = |s: &Surfel| Surfel { position: [1e3, 1e3, 1e3], ..*s };
-            (scene.clone(), surfels.iter().map(far).collect(), most)
+            Ok((scene.clone(), surfels.iter().map(far).collect(), most))
         }
         4 => {
             let mut b = SceneBuilder::new("one triangle");
             let white = b.diffuse("white", [0.7; 3]);
-            b.polygon(&[Vec3::ZERO, Vec3::X, Vec3::Z], white);
-            // Nothing can be lit twice: all must be dark.
-            (finish(b, LIGHT), surfels.to_vec(), most)
+            // Beneath what the camera looks at.
+            b.polygon(&[Vec3::ZERO, Vec3::new(0.0, 0.0, 3.0), Vec3::new(3.0, 0.0, 0.0)], white);
+            // Nothing can be lit twice: a method may only lose itself a little in its own grid.
+            seen(lab, finish(b, LIGHT), 0.5 * most)
         }
         5 => {
             let mut black = scene.clone();
             black.materials.iter_mut().for_each(|m| m.albedo = Vec3::ZERO);
             // Rounding of stored albedo may leave a trace.
-            (black, surfels.to_vec(), 1e-3 * most)
+            Ok((black, surfels.to_vec(), 1e-3 * most))
         }
-        _ => {
+        6 => {
             let empty = Scene { cameras: scene.cameras.clone(), lights: scene.lights.clone(), ..Scene::default() };
-            (empty, vec![nothing; 64], 0.0)
+            Ok((empty, vec![nothing; 64], 0.0))
         }
+        7 => seen(lab, specks(), most),
+        _ => Ok((cavity(), seen(lab, cavity(), most)?.1, most)),
     }
+}
+
+/// A room with three hundred separate triangles of 1 cm in the air.
+fn specks() -> Scene {
+    let mut b = room();
+    let grey = b.diffuse("specks", [0.6; 3]);
+    for k in 0..300 {
+        let p = Vec3::new((k % 10) as f32, (k / 10 % 6) as f32, (k / 60) as f32) * 0.2 + 0.3;
+        b.polygon(&[p, p + Vec3::new(0.01, 0.0, 0.0), p + Vec3::new(0.0, 0.01, 0.005)], grey);
+    }
+    finish(b, LIGHT)
+}
+
+/// A room with a closed box in it, seen from within the box.
+fn cavity() -> Scene {
+    let mut b = room();
+    let grey = b.diffuse("cavity", [0.6; 3]);
+    b.block([2.6, 0.5, 2.6], [3.2, 1.1, 3.2], grey);
+    b.light(Light::Point { position: LIGHT, intensity: Vec3::splat(20.0) });
+    b.camera("within", [2.9, 0.8, 2.9], [3.2, 0.7, 2.7], 75.0);
+    b.finish()
 }
