@@ -79,7 +79,8 @@ fn a_smaller_error_takes_more() {
 #[test]
 fn a_memory_limit_is_kept_and_the_error_is_the_smallest_found() {
     let folder = tempfile::tempdir().expect("a folder");
-    let report = json(&run(&["fit", "cornell-box", "--memory", "4", "--ms", "2000"], folder.path()));
+    let args = ["fit", "cornell-box", "--memory", "4", "--ms", "2000", "--precompute-ms", "2000"];
+    let report = json(&run(&args, folder.path()));
     let choice = &report["choice"];
     assert!(choice["memory_bytes"].as_u64().unwrap() <= 4 << 20);
     assert!(choice["error"].as_f64().unwrap() < 0.5, "{choice}");

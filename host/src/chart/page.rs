@@ -166,7 +166,7 @@ fn methods(html: &mut String, report: &ChartReport) {
     for method in known {
         let _ = write!(
             html,
-            "<div class=\"card\"><h3>{}</h3>\n<p>{}</p>\n<p class=\"note\"><b>Good when</b> {}<br><b>Fails when</b> {}</p>\n",
+            "<div class=\"card\"><h3>{}</h3>\n<p>{}</p>\n<p class=\"note\"><b>Good when:</b> {}<br><b>Fails when:</b> {}</p>\n",
             escape(method.name),
             escape(method.summary),
             escape(&lower_first(method.good_when)),

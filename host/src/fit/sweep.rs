@@ -24,6 +24,8 @@ pub const LEAST_WITHIN: f64 = 0.9;
 /// Errors that the search is asked for, as parts of the sweep's settings that are better: wherever they lie, the sweep
 /// reaches them.
 const QUANTILES: [f64; 5] = [0.1, 0.25, 0.4, 0.6, 0.75];
+/// Errors from which on a target asks for nothing: without any indirect light it is about this.
+const NO_LIGHT: f64 = 1.0;
 /// What is asked for over the error at such a part.
 const SLACK: f64 = 1.02;
 
@@ -115,7 +117,8 @@ struct Swept {
     cost: f64,
 }
 
-/// Sweeps a scene within the time limits of `limits`, and searches it once for each target error.
+/// Sweeps a scene within the time limits of `limits`, and searches it once for each target error. The search knows none of
+/// those but the precomputation's: what takes longer than the sweep's best is a worse answer, and not a forbidden one.
 ///
 /// # Errors
 /// What loading and path tracing say.
@@ -137,14 +140,14 @@ pub fn evaluate_scene(
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
     news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
-    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).collect();
+    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).filter(|e| *e < NO_LIGHT).collect();
     errors.sort_by(f64::total_cmp);
     let mut targets: Vec<f64> =
         QUANTILES.iter().filter_map(|q| errors.get((q * errors.len() as f64) as usize).map(|e| SLACK * e)).collect();
     targets.dedup();
     let mut cases = Vec::new();
     for target in targets {
-        let goal = Goal { error: Some(target), ..limits };
+        let goal = Goal { error: Some(target), precompute_ms: limits.precompute_ms, ..Goal::default() };
         let case = one(spec, size, goal, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
         news(&format!("  {case}"));
         cases.push(case);
@@ -234,7 +237,7 @@ fn one(
     let chosen = report.choice.filter(|_| report.found);
     let (Some(choice), Some(best)) = (chosen, best) else { return Ok(case) };
     let Some(row) = methods.iter().find(|m| m.name == choice.method).copied() else { return Ok(case) };
-    // In turn, so that whatever else the machine does meets both.
+    // In turn, and the least of each, so that whatever else the machine does meets neither.
     let (mut costs, mut bests) = (Vec::new(), Vec::new());
     for _ in 0..3 {
         let candidate = evidence.execute(row, &choice.settings)?;
@@ -244,7 +247,9 @@ fn one(
     }
     case.choice = name(row, &choice.settings);
     case.within = case.error.is_some_and(|e| e <= target);
-    case.cost_ratio = Some(crate::evaluate::median(costs) / crate::evaluate::median(bests).max(1e-9));
+    let least = |times: Vec<f64>| times.into_iter().fold(f64::INFINITY, f64::min);
+    let same = row.name == best.row.name && choice.settings == best.settings;
+    case.cost_ratio = Some(if same { 1.0 } else { least(costs) / least(bests).max(1e-9) });
     Ok(case)
 }
 
