@@ -7,7 +7,8 @@
 
 use super::charts::{Charts, Patches, barycentric, doubled_area};
 use super::model::{Blend, FREE, NO_RECEIVER, Receiver};
-use super::world::World;
+use super::visibility::NO_TEXEL;
+use super::world::{Seen, World};
 use glam::{IVec2, Vec2, Vec3};
 use rayon::prelude::*;
 use rstar::RTree;
@@ -36,6 +37,17 @@ pub struct Atlas {
     pub texels: Vec<Texel>,
     /// Exposed sides of each chart that has texels.
     sides: Vec<[bool; 2]>,
+    /// Per texel the outermost of the points that cover it. Not in files: only precomputation asks.
+    spread: Vec<[Spot; 4]>,
+    /// Index into `texels` per place in the lightmap, [`NO_TEXEL`] without, and its chart.
+    index: Vec<(u32, u32)>,
+}
+
+/// A point of a triangle.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+struct Spot {
+    triangle: u32,
+    weights: [f32; 3],
 }
 
 /// A texel with a receiver.
@@ -83,20 +95,25 @@ impl Atlas {
         let size = [charts.size[0], charts.size[1] * layers];
         let mut largest = vec![0.0f32; patches.count as usize];
         covers.iter().for_each(|(_, c)| largest[c.chart as usize] = largest[c.chart as usize].max(c.area));
-        let texels = covers
+        let found: Vec<(Texel, [Spot; 4])> = covers
             .par_iter()
             .filter(|(_, c)| c.area >= SMALLEST_SHARE.min(largest[c.chart as usize]))
             .flat_map_iter(|(at, c)| {
                 let both = [true, false].into_iter().filter(|front| sides[c.chart as usize][usize::from(!front)]);
-                let rows = charts.size[1];
-                both.map(move |front| Texel {
-                    at: [at.x as u32, at.y as u32 + if front { 0 } else { rows }],
-                    chart: c.chart,
-                    receiver: receiver(world, c, front),
+                let (rows, corners) = (charts.size[1], &charts.corners);
+                both.map(move |front| {
+                    let texel = Texel {
+                        at: [at.x as u32, at.y as u32 + if front { 0 } else { rows }],
+                        chart: c.chart,
+                        receiver: receiver(world, c, front),
+                    };
+                    (texel, c.outermost(corners))
                 })
             })
             .collect();
-        Self { charts, size, texel_size, texels, sides }
+        let (texels, spread): (Vec<Texel>, Vec<[Spot; 4]>) = found.into_iter().unzip();
+        let index = index(size, &texels);
+        Self { charts, size, texel_size, texels, sides, spread, index }
     }
 
     /// From its parts, as a file keeps them.
@@ -107,7 +124,35 @@ impl Atlas {
         texels: Vec<Texel>,
         sides: Vec<[bool; 2]>,
     ) -> Self {
-        Self { charts, size, texel_size, texels, sides }
+        let index = index(size, &texels);
+        Self { charts, size, texel_size, texels, sides, spread: Vec::new(), index }
+    }
+
+    /// The texel that holds a point of a triangle, if it is of the triangle's chart: an index into `texels`.
+    pub fn texel_of(&self, triangle: u32, weights: [f32; 3], front: bool) -> u32 {
+        let at = self.place(triangle, weights, true).floor().as_ivec2();
+        let [columns, rows] = self.charts.size.map(|s| s as i32);
+        let row = if front { at.y } else { at.y + rows };
+        if at.x < 0 || at.y < 0 || at.x >= columns || at.y >= rows || row >= self.size[1] as i32 {
+            return NO_TEXEL;
+        }
+        let (texel, chart) = self.index[(row * columns + at.x) as usize];
+        if chart == self.charts.chart[triangle as usize] { texel } else { NO_TEXEL }
+    }
+
+    /// Points of a texel's surface: its receiver and, while precomputing, the outermost four.
+    pub fn points<'a>(&'a self, world: &'a World<'_>, texel: u32) -> impl Iterator<Item = Seen> + 'a {
+        let r = &self.texels[texel as usize].receiver;
+        let own = Seen {
+            triangle: r.triangle,
+            front: r.front,
+            weights: [0.0; 3],
+            position: r.position,
+            normal: r.geometric_normal,
+            error: r.error,
+        };
+        let outer = self.spread.get(texel as usize).into_iter().flatten();
+        std::iter::once(own).chain(outer.map(|s| world.seen(s.triangle, s.weights, r.front)))
     }
 
     /// Per chart: whether front and back have receivers.
@@ -284,6 +329,18 @@ fn cover(world: &World<'_>, charts: &Charts, sides: &[[bool; 2]]) -> Vec<(IVec2,
 }
 
 impl Cover {
+    /// Of the sampled points those that lie farthest along the diagonals of the texel.
+    fn outermost(&self, corners: &[[Vec2; 3]]) -> [Spot; 4] {
+        [Vec2::new(1.0, 1.0), Vec2::new(1.0, -1.0), Vec2::new(-1.0, 1.0), Vec2::new(-1.0, -1.0)].map(|diagonal| {
+            let along = |&(t, w, _): &(u32, [f32; 3], f32)| {
+                let [a, b, c] = corners[t as usize];
+                (a * w[0] + b * w[1] + c * w[2]).dot(diagonal)
+            };
+            let most = self.samples.iter().max_by(|a, b| along(a).total_cmp(&along(b)));
+            most.map_or(Spot::default(), |&(triangle, weights, _)| Spot { triangle, weights })
+        })
+    }
+
     fn add(&mut self, t: u32, corners: [Vec2; 3], texel: Vec2, area: f32, middle: Vec2, stretch: f32) {
         let at_middle = inside(barycentric(corners, middle));
         self.area += area;
@@ -312,6 +369,17 @@ impl Cover {
         }
         self.samples[before..].iter_mut().for_each(|s| s.2 = area / found as f32);
     }
+}
+
+/// Where in the lightmap which texel lies.
+fn index(size: [u32; 2], texels: &[Texel]) -> Vec<(u32, u32)> {
+    let mut index = vec![(NO_TEXEL, NO_TEXEL); size[0] as usize * size[1] as usize];
+    for (i, t) in texels.iter().enumerate() {
+        if let Some(place) = index.get_mut((t.at[1] * size[0] + t.at[0]) as usize) {
+            *place = (i as u32, t.chart);
+        }
+    }
+    index
 }
 
 /// Weights without what rounding put outside.
@@ -403,7 +471,7 @@ mod tests {
     use crate::scene::{Scene, built_in};
 
     fn atlas(scene: &Scene, count: u32) -> (Atlas, Vec<[bool; 2]>) {
-        let world = World::new(scene);
+        let world = World::new(scene).unwrap();
         let patches = Patches::new(scene, 0.02);
         let reach = Reach::new(&world, &patches, 1).unwrap();
         (Atlas::new(&world, &patches, &reach.exposed, count), reach.exposed)

@@ -73,6 +73,24 @@ pub const ROW: MethodRow = MethodRow {
             help: "Where probes may stand: anywhere open, or beside surfaces alone.",
         },
         Setting {
+            key: "correction",
+            default: "0.001",
+            allowed: "from 0 to 1",
+            help: "Ridge of the correction of transport by its own round trip; 0: none. Lower: nearer to the truth, more noise.",
+        },
+        Setting {
+            key: "visibility",
+            default: "texels",
+            allowed: "`texels` or `rays`",
+            help: "Whether probes see a lightmap texel is asked once where all of it agrees, or for every ray.",
+        },
+        Setting {
+            key: "added_probes",
+            default: "16",
+            allowed: "from 0 to 65536",
+            help: "Probes that may be added where receivers see none. More: fewer dark corners; projection in proportion.",
+        },
+        Setting {
             key: "compression",
             default: "cpca",
             allowed: "`cpca` or `none`",
@@ -161,6 +179,7 @@ impl Options {
         let error = parse(&ROW, settings, "error", |x| (0.0..=1.0).contains(x))?;
         let max_rank = parse(&ROW, settings, "max_rank", |n| (1..=256).contains(n))?;
         let compression: String = parse(&ROW, settings, "compression", |c: &String| c == "cpca" || c == "none")?;
+        let visibility: String = parse(&ROW, settings, "visibility", |v: &String| v == "texels" || v == "rays")?;
         Ok(Self {
             file: parse(&ROW, settings, "file", |_: &String| true)?,
             bake: BakeOptions {
@@ -175,6 +194,9 @@ impl Options {
                     "none" => Compression::None,
                     _ => Compression::Cpca { error, max_rank },
                 },
+                ridge: parse(&ROW, settings, "correction", |x| (0.0..=1.0).contains(x))?,
+                texel_visibility: visibility == "texels",
+                added_probes: parse(&ROW, settings, "added_probes", |n| *n <= 1 << 16)?,
                 rows: parse(&ROW, settings, "rows", |n| *n == 1 || *n == 4)?,
                 ..BakeOptions::default()
             },

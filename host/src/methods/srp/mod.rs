@@ -4,7 +4,7 @@
 //! desktops in the engine LlamaEngine, below: LE.
 //!
 //! Precomputation, in order: [`charts`] and [`reach`] (the second UV set, and which sides of it light can reach), [`atlas`]
-//! (lightmap texels as receivers), [`probes`], [`transport`], [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
+//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
 //! [`model`] is what it hands to run time. [`error_map`] shows where probes do not suffice, [`dictionary`] is another
 //! way to compress.
 //!
@@ -25,9 +25,11 @@ pub mod packed;
 pub mod plan;
 pub mod probes;
 pub mod reach;
+pub mod round_trip;
 pub mod runtime;
 pub mod synthetic;
 pub mod transport;
+pub mod visibility;
 pub mod world;
 
 mod method;

@@ -8,14 +8,15 @@ use super::compress::{self, Compression};
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
 use super::probes::{self, Coverage, Placement};
 use super::reach::Reach;
+use super::round_trip::{NO_PATCH, RoundTrip};
 use super::transport::{self, Rays, Scratch, Transport};
-use super::world::World;
+use super::visibility::Visibility;
+use super::world::{Seen, World};
 use crate::methods::MethodError;
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spherical_fibonacci};
 use interreflect_kernels::math::sh;
-use interreflect_kernels::trace::leave_surface;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -58,6 +59,11 @@ pub struct BakeOptions {
     pub unseen_bound: f32,
     /// Probes that may be added for that.
     pub added_probes: u32,
+    /// Ridge of the correction of transport by its round trip (see [`round_trip`]), relative to the mean of the diagonal; 0:
+    /// not corrected. Lower: nearer to the truth for light that varies over metres, more noise from what is finer.
+    pub ridge: f32,
+    /// Whether probes' visibility is decided once per texel where all of it agrees, instead of for every ray.
+    pub texel_visibility: bool,
     /// 1: irradiance; 4: order 1 of radiance.
     pub rows: u32,
     /// Most receivers of a cluster (SL17: 1024).
@@ -83,6 +89,8 @@ impl Default for BakeOptions {
             sharpness: 1.0,
             unseen_bound: 0.005,
             added_probes: 16,
+            ridge: 1e-3,
+            texel_visibility: true,
             rows: 1,
             cluster_size: 1024,
             compression: Compression::default(),
@@ -113,6 +121,10 @@ pub struct Plan<'a> {
     pub dropped: usize,
     /// Receivers of each cluster.
     pub clusters: Vec<Vec<u32>>,
+    /// What transport is corrected by; `None` where it is not.
+    round_trip: Option<RoundTrip>,
+    /// What is known of mutual visibility; `None` where every ray asks for itself.
+    visibility: Option<Visibility>,
 }
 
 /// Transport of one of the plan's clusters, perhaps split for compression.
@@ -130,9 +142,9 @@ impl<'a> Plan<'a> {
     /// Makes receivers, probes and clusters.
     ///
     /// # Errors
-    /// What the voxel kernels return.
+    /// What the voxel kernels return; a scene that the path tracer does not take.
     pub fn new(scene: &'a crate::scene::Scene, options: &BakeOptions) -> Result<Self, MethodError> {
-        let world = World::new(scene);
+        let world = World::new(scene)?;
         let area: f32 = scene
             .triangles
             .iter()
@@ -165,7 +177,25 @@ impl<'a> Plan<'a> {
             radius = radius.min(probes::radius(&probes, &points, options.overlap)).max(f32::MIN_POSITIVE);
         }
         let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
+        let visibility =
+            if options.texel_visibility { Visibility::new(atlas.texels.len(), probes.len()) } else { None };
+        let round_trip = (options.ridge > 0.0).then(|| {
+            let mut round_trip = RoundTrip::new(atlas.clone(), &receivers, f64::from(options.ridge));
+            let directions = relight_directions(options.relight_rays);
+            let patch = |i: usize| {
+                let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
+                let exposed =
+                    |s: &Seen| reach.exposed[patches.chart[s.triangle as usize] as usize][usize::from(!s.front)];
+                let texel = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
+                seen.filter(exposed).map_or(NO_PATCH, |s| round_trip.patch(&s, texel(&s)))
+            };
+            let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(patch).collect();
+            round_trip.see(&directions, &met, options.order);
+            round_trip
+        });
         Ok(Self {
+            round_trip,
+            visibility,
             options: options.clone(),
             world,
             reach,
@@ -221,6 +251,8 @@ impl<'a> Plan<'a> {
             sharpness: o.sharpness,
             directions: transport::directions(o.rays, o.rows),
             exposed: &exposed,
+            atlas: &self.atlas,
+            visibility: self.visibility.as_ref(),
         };
         let members = &self.clusters[index];
         let supports: Vec<Vec<u32>> =
@@ -231,9 +263,12 @@ impl<'a> Plan<'a> {
         let (k, rows) = (sh::count(o.order), o.rows as usize);
         let width = probes.len() * k;
         let mut matrix = vec![0.0f32; members.len() * rows * width];
-        let fill = |scratch: &mut Scratch, (i, block): (usize, &mut [f32])| {
+        let patch_count = self.round_trip.as_ref().map_or(0, |r| r.count);
+        let mut factors = vec![0.0f32; members.len() * rows * patch_count];
+        let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
             let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
-            let (own, rays) = transport.rows(receiver, support, scratch);
+            let patches = self.round_trip.as_ref().map(|r| (r, factors));
+            let (own, rays) = transport.rows(receiver, support, scratch, patches);
             for (n, coefs) in own.chunks_exact(k.max(1)).enumerate() {
                 let (row, probe) = (n / support.len(), support[n % support.len()]);
                 let slot = probes.binary_search(&probe).unwrap_or(0);
@@ -244,8 +279,18 @@ impl<'a> Plan<'a> {
         let rays = if width == 0 {
             vec![Rays::default(); members.len()]
         } else {
-            matrix.par_chunks_mut(rows * width).enumerate().map_init(Scratch::default, fill).collect()
+            let per_receiver = if patch_count > 0 { rows * patch_count } else { 1 };
+            factors.resize(members.len() * per_receiver, 0.0);
+            matrix
+                .par_chunks_mut(rows * width)
+                .zip(factors.par_chunks_mut(per_receiver))
+                .enumerate()
+                .map_init(Scratch::default, fill)
+                .collect()
         };
+        if let Some(round_trip) = &self.round_trip {
+            round_trip.correct(&mut matrix, &probes, &factors);
+        }
         let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
         let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression);
         let mut output = ClusterOutput { parts: Vec::new(), errors: Vec::new(), rays };
@@ -320,8 +365,7 @@ fn is_outside(world: &World<'_>, patches: &Patches, reach: &Reach, r: &Receiver,
     let frame = Frame::new(r.geometric_normal);
     let meets_inside = |i: &u32| {
         let direction = frame.world_from_local(cosine_hemisphere(hammersley(*i, VALIDITY_RAYS)));
-        let from = leave_surface(r.position, r.geometric_normal, r.error, direction);
-        world.closest(from, direction).is_some_and(|seen| {
+        world.closest_from(r, direction).is_some_and(|seen| {
             let exposed = reach.exposed[patches.chart[seen.triangle as usize] as usize][usize::from(!seen.front)];
             !exposed || (seen.position - r.position).length() < GAP * texel_size
         })

@@ -11,6 +11,7 @@ use super::world::World;
 use crate::exec::{CpuExecutor, ExecutorExt};
 use crate::methods::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use crate::methods::{MethodError, StageClock};
+use crate::reference::trace::NO_TRIANGLE;
 use crate::scene::Light;
 use glam::{UVec3, Vec3};
 use interreflect_kernels::math::frame::Frame;
@@ -102,13 +103,15 @@ impl Reach {
                 Some(n) => Frame::new(n).world_from_local(sampling::cosine_hemisphere(random(1))),
                 None => sampling::sphere(random(1)),
             };
+            let mut own = NO_TRIANGLE;
             for reflection in 0..REFLECTIONS {
-                let Some(seen) = world.closest(from, direction) else { break };
+                let Some(seen) = world.closest_but(from, direction, own) else { break };
                 pass(&space, from, seen.position, &passed);
                 met[patches.chart[seen.triangle as usize] as usize][usize::from(!seen.front)].store(true, Relaxed);
                 direction =
                     Frame::new(seen.normal).world_from_local(sampling::cosine_hemisphere(random(2 + reflection)));
                 from = interreflect_kernels::trace::leave_surface(seen.position, seen.normal, seen.error, direction);
+                own = seen.triangle;
             }
         });
         let seeds = passed.iter().enumerate().filter(|(_, p)| p.load(Relaxed)).map(|(i, _)| i);
@@ -226,7 +229,7 @@ mod tests {
 
     fn reach(scene: &crate::scene::Scene) -> (Reach, Patches) {
         let patches = Patches::new(scene, 0.02);
-        (Reach::new(&World::new(scene), &patches, 1).unwrap(), patches)
+        (Reach::new(&World::new(scene).unwrap(), &patches, 1).unwrap(), patches)
     }
 
     #[test]

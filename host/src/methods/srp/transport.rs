@@ -12,15 +12,18 @@
 //! (`SrpBake::sky`) instead of through the probes' few coefficients. All receivers use the same directions in the
 //! frames of their normals: neighbours then err alike, and the error compresses with the signal instead of being noise.
 
+use super::atlas::Atlas;
 use super::model::Receiver;
 use super::probes::weight;
-use super::world::World;
+use super::round_trip::RoundTrip;
+use super::visibility::{NO_TEXEL, Visibility};
+use super::world::{Seen, World};
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, hemisphere};
 use interreflect_kernels::math::sh;
 use interreflect_kernels::real::{Lanes, Real, WIDTH};
-use interreflect_kernels::trace::leave_surface;
+use multiversion::multiversion;
 use std::f32::consts::PI;
 
 /// What transport is computed with.
@@ -35,13 +38,20 @@ pub struct Transport<'a> {
     pub order: u32,
     /// 1 or 4.
     pub rows: u32,
-    /// Exponent of `resolution` in the probes' weights.
+    /// Exponent of the probes' resolution in their weights.
     pub sharpness: f32,
     /// Directions about +Z.
     pub directions: Vec<Vec3>,
     /// Whether a side of a triangle belongs to the world.
     pub exposed: &'a (dyn Fn(u32, bool) -> bool + Sync),
+    /// The lightmap, which says what texel a ray met.
+    pub atlas: &'a Atlas,
+    /// Where given, the probes' visibility is decided by texel where that can be.
+    pub visibility: Option<&'a Visibility>,
 }
+
+/// Smallest cosine that counts for a probe before a surface.
+const GRAZING: f32 = 1e-3;
 
 /// What became of a receiver's rays.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -54,12 +64,24 @@ pub struct Rays {
     pub inside: f32,
 }
 
-/// Directions from one probe with their weights: planes of equal length, a multiple of the lanes.
-#[derive(Clone, Default)]
+/// What a receiver's rays met, in planes of equal length, a multiple of the lanes.
+#[derive(Default)]
+struct Met {
+    seen: Vec<Seen>,
+    texel: Vec<u32>,
+    /// Number of the ray.
+    ray: Vec<u32>,
+    position: [Vec<f32>; 3],
+    normal: [Vec<f32>; 3],
+    /// Sum of the probes' weights.
+    sum: Vec<f32>,
+}
+
+/// Points seen from one probe with their weights: planes of equal length, a multiple of the lanes.
+#[derive(Default)]
 struct Samples {
-    x: Vec<f32>,
-    y: Vec<f32>,
-    z: Vec<f32>,
+    /// From the probe.
+    at: [Vec<f32>; 3],
     /// One plane per row.
     w: [Vec<f32>; 4],
 }
@@ -67,8 +89,10 @@ struct Samples {
 /// Memory of one thread, kept between receivers.
 #[derive(Default)]
 pub struct Scratch {
-    samples: Vec<Samples>,
-    visible: Vec<(usize, Vec3, f32)>,
+    met: Met,
+    /// Weights `[probe in support][met]`, 0 where the probe does not see it.
+    weights: Vec<f32>,
+    samples: Samples,
 }
 
 /// The directions that every receiver sends: by the cosine law for one row, uniform for four, whose weights do not hold the cosine.
@@ -77,14 +101,16 @@ pub fn directions(count: u32, rows: u32) -> Vec<Vec3> {
         let u = hammersley(i, count);
         if rows == 1 { cosine_hemisphere(u) } else { hemisphere(u) }
     };
-    (0..count).map(direction).collect()
+    let mut directions: Vec<Vec3> = (0..count).map(direction).collect();
+    // One beside the other: neighbours walk through the same part of the scene's tree.
+    directions.sort_by_key(|d| interleaved((d.x + 1.0) * 511.5, (d.y + 1.0) * 511.5));
+    directions
 }
 
-/// How finely a probe resolves the surface at a point: solid angle per area, `cos θ / d²`, to the power `sharpness`.
-fn resolution(from_probe: Vec3, normal: Vec3, sharpness: f32) -> f32 {
-    let square = from_probe.length_squared().max(f32::MIN_POSITIVE);
-    let cosine = -from_probe.dot(normal) / square.sqrt();
-    (cosine.max(1e-3) / square).powf(sharpness)
+/// Morton number of two numbers below 1024.
+fn interleaved(x: f32, y: f32) -> u32 {
+    let spread = |v: f32| (0..10).fold(0, |bits, k| bits | (v as u32 >> k & 1) << (2 * k));
+    spread(x) | spread(y) << 1
 }
 
 impl Transport<'_> {
@@ -95,61 +121,129 @@ impl Transport<'_> {
     }
 
     /// Rows of a receiver for the coefficients of `support`: `rows × support.len() × K`, row-major.
-    pub fn rows(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> (Vec<f32>, Rays) {
-        let weights: Vec<f32> =
-            support.iter().map(|p| weight((self.probes[*p as usize] - r.position).length() / self.radius)).collect();
-        scratch.samples.resize_with(scratch.samples.len().max(support.len()), Samples::default);
-        scratch.samples.iter_mut().for_each(Samples::clear);
-        let (mut open, mut seen_count, mut unseen, mut inside) = (0u32, 0u32, 0u32, 0u32);
+    /// Where `patches` are given, the receiver's form factors (W/m² per unit of radiance) are added to `factors`, `rows` of them
+    /// per patch.
+    pub fn rows(
+        &self,
+        r: &Receiver,
+        support: &[u32],
+        scratch: &mut Scratch,
+        patches: Option<(&RoundTrip, &mut [f32])>,
+    ) -> (Vec<f32>, Rays) {
         let frame = Frame::new(r.normal);
-        for local in &self.directions {
-            let direction = frame.world_from_local(*local);
-            let Some(seen) =
-                self.world.closest(leave_surface(r.position, r.geometric_normal, r.error, direction), direction)
-            else {
-                open += 1;
-                continue;
-            };
-            if !(self.exposed)(seen.triangle, seen.front) {
-                inside += 1;
-                continue;
-            }
-            scratch.visible.clear();
-            let mut sum = 0.0;
-            for (slot, probe) in support.iter().enumerate() {
-                let probe = self.probes[*probe as usize];
-                let from_probe = seen.position - probe;
-                if from_probe.dot(seen.normal) < 0.0 && self.world.sees(&seen, probe) {
-                    let w = weights[slot] * resolution(from_probe, seen.normal, self.sharpness);
-                    scratch.visible.push((slot, from_probe, w));
-                    sum += w;
-                }
-            }
-            if sum <= 0.0 {
-                unseen += 1;
-                continue;
-            }
-            seen_count += 1;
-            let about: [f32; 4] = if self.rows == 1 { [1.0; 4] } else { sh::basis(direction.to_array()) };
-            for (slot, from_probe, w) in &scratch.visible {
-                scratch.samples[*slot].push(from_probe.normalize_or(Vec3::Z), w / sum, &about[..self.rows as usize]);
-            }
-        }
-        let sent = (open + seen_count + unseen).max(1) as f32;
+        let (open, inside) = self.trace(r, &frame, &mut scratch.met);
+        self.weigh(r, support, scratch);
+        let met = &scratch.met;
+        let unseen = (0..met.seen.len()).filter(|i| met.sum[*i] <= 0.0).count() as u32;
+        let sent = (open as usize + met.seen.len()).max(1) as f32;
         let per_ray = if self.rows == 1 { PI } else { 2.0 * PI } * (1.0 + unseen as f32 / sent) / sent;
         let k = sh::count(self.order);
         let mut rows = vec![0.0; self.rows as usize * support.len() * k];
-        for (slot, samples) in scratch.samples[..support.len()].iter_mut().enumerate() {
-            samples.pad();
+        let stride = met.sum.len();
+        for (slot, probe) in support.iter().enumerate() {
+            let weights = &scratch.weights[slot * stride..(slot + 1) * stride];
+            self.sample(&scratch.met, weights, self.probes[*probe as usize], &frame, &mut scratch.samples);
             for row in 0..self.rows as usize {
                 let at = (row * support.len() + slot) * k;
-                samples.project(self.order, row, per_ray, &mut rows[at..at + k]);
+                scratch.samples.project(self.order, row, per_ray, &mut rows[at..at + k]);
             }
+        }
+        if let Some((patches, factors)) = patches {
+            self.form_factors(&scratch.met, &frame, sent, patches, factors);
         }
         let all = self.directions.len().max(1) as f32;
         let cosine_weighted = PI * open as f32 / sent;
         let sky = if self.rows == 1 { cosine_weighted } else { self.sky(r) };
         (rows, Rays { sky, unseen: unseen as f32 / all, inside: inside as f32 / all })
+    }
+
+    /// What a receiver's rays met, by patch.
+    fn form_factors(&self, met: &Met, frame: &Frame, sent: f32, patches: &RoundTrip, factors: &mut [f32]) {
+        for ((seen, texel), ray) in met.seen.iter().zip(&met.texel).zip(&met.ray) {
+            let patch = patches.patch(seen, *texel) as usize;
+            if patch >= patches.count {
+                continue;
+            }
+            if self.rows == 1 {
+                factors[patch] += PI / sent;
+                continue;
+            }
+            let y: [f32; 4] = sh::basis(frame.world_from_local(self.directions[*ray as usize]).to_array());
+            (0..4).for_each(|row| factors[row * patches.count + patch] += 2.0 * PI / sent * y[row]);
+        }
+    }
+
+    /// Sends a receiver's rays; gives how many left the scene and how many met the inside of solids.
+    fn trace(&self, r: &Receiver, frame: &Frame, met: &mut Met) -> (u32, u32) {
+        let (mut open, mut inside) = (0, 0);
+        met.clear();
+        for (ray, local) in self.directions.iter().enumerate() {
+            match self.world.closest_from(r, frame.world_from_local(*local)) {
+                None => open += 1,
+                Some(seen) if !(self.exposed)(seen.triangle, seen.front) => inside += 1,
+                Some(seen) => {
+                    met.push(seen, self.atlas.texel_of(seen.triangle, seen.weights, seen.front), ray as u32);
+                }
+            }
+        }
+        met.pad();
+        (open, inside)
+    }
+
+    /// Weights of the probes in support for everything that was met, and their sums.
+    fn weigh(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) {
+        let stride = scratch.met.sum.len();
+        scratch.weights.clear();
+        scratch.weights.resize(support.len() * stride, 0.0);
+        for (slot, probe) in support.iter().enumerate() {
+            let own = &mut scratch.weights[slot * stride..(slot + 1) * stride];
+            let position = self.probes[*probe as usize];
+            let falloff = weight((position - r.position).length() / self.radius);
+            resolution(&scratch.met, position.to_array(), falloff, own);
+            if self.sharpness != 1.0 {
+                let sharper = |w: &mut f32| *w = falloff * (*w / falloff).powf(self.sharpness);
+                own.iter_mut().filter(|w| **w > 0.0).for_each(sharper);
+            }
+            self.hide(&mut scratch.met, own, *probe);
+        }
+    }
+
+    /// Takes away the weights of what a probe does not see, and adds the others to the sums.
+    fn hide(&self, met: &mut Met, weights: &mut [f32], probe: u32) {
+        for (i, seen) in met.seen.iter().enumerate() {
+            if weights[i] <= 0.0 {
+                weights[i] = 0.0;
+                continue;
+            }
+            let sees = match (self.visibility, met.texel[i]) {
+                (Some(known), texel) if texel != NO_TEXEL => {
+                    known.sees(self.world, self.atlas, self.probes, texel, probe, seen)
+                }
+                _ => self.world.sees(seen, self.probes[probe as usize]),
+            };
+            if sees {
+                met.sum[i] += weights[i];
+            } else {
+                weights[i] = 0.0;
+            }
+        }
+    }
+
+    /// What one probe contributes.
+    fn sample(&self, met: &Met, weights: &[f32], probe: Vec3, frame: &Frame, samples: &mut Samples) {
+        samples.clear();
+        for (i, seen) in met.seen.iter().enumerate() {
+            if weights[i] > 0.0 {
+                let w = weights[i] / met.sum[i];
+                let about: [f32; 4] = if self.rows == 1 {
+                    [1.0; 4]
+                } else {
+                    sh::basis(frame.world_from_local(self.directions[met.ray[i] as usize]).to_array())
+                };
+                samples.push(seen.position - probe, w, &about[..self.rows as usize]);
+            }
+        }
+        samples.pad();
     }
 
     /// Open share of the sky by the cosine law, times π.
@@ -158,56 +252,110 @@ impl Transport<'_> {
         let count = self.directions.len() as u32;
         let leaves = |i: &u32| {
             let direction = frame.world_from_local(cosine_hemisphere(hammersley(*i, count)));
-            self.world.closest(leave_surface(r.position, r.geometric_normal, r.error, direction), direction).is_none()
+            self.world.closest_from(r, direction).is_none()
         };
         PI * (0..count).filter(leaves).count() as f32 / count.max(1) as f32
     }
 }
 
-impl Samples {
+/// How finely a probe resolves the surface at each point: solid angle per area, `cos θ / d²`, times `scale`; 0 or less
+/// where it lies behind the surface. The cosine is at least [`GRAZING`] before it.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn resolution(met: &Met, probe: [f32; 3], scale: f32, out: &mut [f32]) {
+    type L = Lanes<WIDTH>;
+    for i in (0..out.len()).step_by(WIDTH) {
+        let d: [L; 3] = std::array::from_fn(|a| L::splat(probe[a]) - L::load(&met.position[a], i));
+        let n: [L; 3] = std::array::from_fn(|a| L::load(&met.normal[a], i));
+        let facing = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+        let square = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).max(L::splat(f32::MIN_POSITIVE));
+        let cosine = (facing / square.sqrt()).max(L::splat(GRAZING));
+        let w = cosine / square * L::splat(scale);
+        L::select(L::splat(0.0).lt(facing), w, L::splat(0.0)).store(out, i);
+    }
+}
+
+impl Met {
     fn clear(&mut self) {
-        [&mut self.x, &mut self.y, &mut self.z].into_iter().chain(&mut self.w).for_each(Vec::clear);
+        self.seen.clear();
+        self.texel.clear();
+        self.ray.clear();
+        self.position.iter_mut().chain(&mut self.normal).for_each(Vec::clear);
+        self.sum.clear();
     }
 
-    fn push(&mut self, d: Vec3, weight: f32, about: &[f32]) {
-        self.x.push(d.x);
-        self.y.push(d.y);
-        self.z.push(d.z);
+    fn push(&mut self, seen: Seen, texel: u32, ray: u32) {
+        for axis in 0..3 {
+            self.position[axis].push(seen.position[axis]);
+            self.normal[axis].push(seen.normal[axis]);
+        }
+        self.seen.push(seen);
+        self.texel.push(texel);
+        self.ray.push(ray);
+    }
+
+    /// Fills up to whole lanes with what no probe can face.
+    fn pad(&mut self) {
+        let length = self.seen.len().next_multiple_of(WIDTH);
+        self.position.iter_mut().chain(&mut self.normal).for_each(|plane| plane.resize(length, 0.0));
+        self.sum.resize(length, 0.0);
+    }
+}
+
+impl Samples {
+    fn clear(&mut self) {
+        self.at.iter_mut().chain(&mut self.w).for_each(Vec::clear);
+    }
+
+    fn push(&mut self, at: Vec3, weight: f32, about: &[f32]) {
+        self.at.iter_mut().zip(at.to_array()).for_each(|(plane, x)| plane.push(x));
         about.iter().zip(&mut self.w).for_each(|(b, w)| w.push(weight * b));
     }
 
     /// Fills up to whole lanes with samples of no weight.
     fn pad(&mut self) {
-        let length = self.x.len().next_multiple_of(WIDTH);
-        for plane in [&mut self.x, &mut self.y, &mut self.z].into_iter().chain(&mut self.w) {
-            if !plane.is_empty() {
-                plane.resize(length, 0.0);
-            }
-        }
+        let length = self.at[0].len().next_multiple_of(WIDTH);
+        self.at.iter_mut().chain(&mut self.w).filter(|p| !p.is_empty()).for_each(|plane| plane.resize(length, 0.0));
     }
 
     /// `scale · Σ w Y_j` for every coefficient.
     fn project(&self, order: u32, row: usize, scale: f32, out: &mut [f32]) {
         match order {
-            0 => self.sum::<1>(row, scale, out),
-            1 => self.sum::<4>(row, scale, out),
-            2 => self.sum::<9>(row, scale, out),
-            3 => self.sum::<16>(row, scale, out),
-            4 => self.sum::<25>(row, scale, out),
-            5 => self.sum::<36>(row, scale, out),
-            6 => self.sum::<49>(row, scale, out),
-            7 => self.sum::<64>(row, scale, out),
-            8 => self.sum::<81>(row, scale, out),
-            _ => self.sum::<100>(row, scale, out),
+            0 => sum_0(self, row, scale, out),
+            1 => sum_1(self, row, scale, out),
+            2 => sum_2(self, row, scale, out),
+            3 => sum_3(self, row, scale, out),
+            4 => sum_4(self, row, scale, out),
+            5 => sum_5(self, row, scale, out),
+            6 => sum_6(self, row, scale, out),
+            7 => sum_7(self, row, scale, out),
+            8 => sum_8(self, row, scale, out),
+            _ => sum_9(self, row, scale, out),
         }
     }
+}
 
-    fn sum<const N: usize>(&self, row: usize, scale: f32, out: &mut [f32]) {
-        let mut sums = [Lanes::<WIDTH>::splat(0.0); N];
-        for i in (0..self.x.len()).step_by(WIDTH) {
-            let load = |plane: &[f32]| Lanes::<WIDTH>::load(plane, i);
-            sh::accumulate(&mut sums, [load(&self.x), load(&self.y), load(&self.z)], load(&self.w[row]));
+/// One function per order, each compiled for wide registers too.
+macro_rules! sums {
+    ($($name:ident $count:literal),*) => { $(
+        #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+        fn $name(samples: &Samples, row: usize, scale: f32, out: &mut [f32]) {
+            sum::<$count>(samples, row, scale, out);
         }
-        out.iter_mut().zip(&sums).for_each(|(o, s)| *o = scale * s.0.iter().sum::<f32>());
+    )* };
+}
+sums!(sum_0 1, sum_1 4, sum_2 9, sum_3 16, sum_4 25, sum_5 36, sum_6 49, sum_7 64, sum_8 81, sum_9 100);
+
+#[inline(always)]
+fn sum<const N: usize>(samples: &Samples, row: usize, scale: f32, out: &mut [f32]) {
+    type L = Lanes<WIDTH>;
+    let mut sums = [L::splat(0.0); N];
+    for i in (0..samples.at[0].len()).step_by(WIDTH) {
+        let [x, y, z] = std::array::from_fn(|axis| L::load(&samples.at[axis], i));
+        let square = x * x + y * y + z * z;
+        // Not 0 / 0 where samples only fill up.
+        let inverse = L::splat(1.0) / square.max(L::splat(f32::MIN_POSITIVE)).sqrt();
+        let w = L::load(&samples.w[row], i);
+        sh::accumulate(&mut sums, [x * inverse, y * inverse, z * inverse], w);
     }
+    out.iter_mut().zip(&sums).for_each(|(o, s)| *o = scale * s.0.iter().sum::<f32>());
 }

@@ -1,9 +1,13 @@
-//! The scene as precomputation asks it: rays through the kernels' own walk, hits in terms of the host's triangles.
+//! The scene as precomputation asks it: rays through the path tracer's eight-wide walk, which is twice as fast on a
+//! processor as the kernels' own; surfaces as the kernels see them.
 
+use super::model::Receiver;
+use crate::methods::MethodError;
+use crate::reference::trace::{NO_TRIANGLE, Tracer};
 use crate::scene::Scene;
 use crate::scene::device::PackedScene;
 use glam::Vec3;
-use interreflect_kernels::trace::{self, Hit, Ray};
+use interreflect_kernels::trace::{self, Hit, Ray, leave_surface};
 use interreflect_shared::scene::Surfel;
 
 /// Rays to a point end this share of the way: 8 roundings before it.
@@ -15,8 +19,31 @@ pub struct World<'a> {
     pub scene: &'a Scene,
     /// The same as kernels see it.
     pub packed: PackedScene,
+    tracer: Tracer<'a>,
     /// Device triangle of each of the scene's.
     device_triangle: Vec<u32>,
+    faces: Vec<Face>,
+}
+
+/// What of a triangle a hit needs.
+struct Face {
+    corner: Vec3,
+    edges: [Vec3; 2],
+    outward: Vec3,
+    error: f32,
+}
+
+impl Face {
+    fn new([a, b, c]: [Vec3; 3]) -> Self {
+        let extent = (b - a).abs().max_element() + (c - a).abs().max_element();
+        Self {
+            corner: a,
+            edges: [b - a, c - a],
+            outward: (b - a).cross(c - a).normalize_or(Vec3::Y),
+            // As in the kernels' surface fetch: 8 roundings of the corner, 18 of the edges.
+            error: a.abs().max_element() * 4.8e-7 + extent * 1.1e-6,
+        }
+    }
 }
 
 /// A point that a ray met.
@@ -37,44 +64,62 @@ pub struct Seen {
 }
 
 impl<'a> World<'a> {
-    /// Builds the acceleration structure.
-    pub fn new(scene: &'a Scene) -> Self {
+    /// Builds the acceleration structures.
+    ///
+    /// # Errors
+    /// As [`Tracer::new`].
+    pub fn new(scene: &'a Scene) -> Result<Self, MethodError> {
+        let tracer = Tracer::new(scene)?;
         let packed = PackedScene::new(scene);
         let mut device_triangle = vec![0; scene.triangles.len()];
         for (device, t) in packed.triangles.iter().enumerate() {
             device_triangle[t.source as usize] = device as u32;
         }
-        Self { scene, packed, device_triangle }
+        let faces = scene.triangles.iter().map(|t| Face::new(scene.corners(t))).collect();
+        Ok(Self { scene, packed, tracer, device_triangle, faces })
     }
 
-    /// What a ray meets first.
+    /// What a ray from free space meets first.
     pub fn closest(&self, origin: Vec3, direction: Vec3) -> Option<Seen> {
-        let hit = trace::closest_hit(&self.packed.view(), &Ray::new(origin, direction));
-        hit.is_some().then(|| self.seen(&hit, direction))
+        self.closest_but(origin, direction, NO_TRIANGLE)
     }
 
-    /// Geometry of a hit. Shading attributes are not fetched: transport does not ask for them.
-    fn seen(&self, hit: &Hit, direction: Vec3) -> Seen {
-        let t = &self.packed.triangles[hit.triangle as usize];
-        let (a, b, c) = (Vec3::from(t.v0), Vec3::from(t.v1), Vec3::from(t.v2));
-        let outward = (b - a).cross(c - a).normalize_or(Vec3::Y);
-        let front = outward.dot(direction) < 0.0;
-        let extent = (b - a).abs().max_element() + (c - a).abs().max_element();
+    /// What a ray that leaves a receiver meets first.
+    pub fn closest_from(&self, r: &Receiver, direction: Vec3) -> Option<Seen> {
+        let from = leave_surface(r.position, r.geometric_normal, r.error, direction);
+        // No triangle has the number of a receiver in free space.
+        self.closest_but(from, direction, r.triangle)
+    }
+
+    /// What a ray meets first, but for one triangle.
+    pub fn closest_but(&self, origin: Vec3, direction: Vec3, own: u32) -> Option<Seen> {
+        let hit = self.tracer.closest(origin, direction, f32::MAX, own)?;
+        Some(self.on_side(hit.triangle, hit.barycentric.to_array(), |outward| outward.dot(direction) < 0.0))
+    }
+
+    /// The point of a triangle with the given weights of its corners, on one side. Shading attributes are not fetched:
+    /// transport does not ask for them.
+    pub fn seen(&self, triangle: u32, weights: [f32; 3], front: bool) -> Seen {
+        self.on_side(triangle, weights, |_| front)
+    }
+
+    fn on_side(&self, triangle: u32, weights: [f32; 3], is_front: impl Fn(Vec3) -> bool) -> Seen {
+        let f = &self.faces[triangle as usize];
+        let front = is_front(f.outward);
         Seen {
-            triangle: t.source,
+            triangle,
             front,
-            weights: [1.0 - hit.u - hit.v, hit.u, hit.v],
-            position: a + (b - a) * hit.u + (c - a) * hit.v,
-            normal: if front { outward } else { -outward },
-            // As in the kernels' surface fetch: 8 roundings of the corner, 18 of the edges.
-            error: a.abs().max_element() * 4.8e-7 + extent * 1.1e-6,
+            weights,
+            position: f.corner + f.edges[0] * weights[1] + f.edges[1] * weights[2],
+            normal: if front { f.outward } else { -f.outward },
+            error: f.error,
         }
     }
 
     /// Whether nothing lies between a surface point and a point in free space.
     pub fn sees(&self, from: &Seen, point: Vec3) -> bool {
-        let start = trace::leave_surface(from.position, from.normal, from.error, point - from.position);
-        !trace::any_hit(&self.packed.view(), &Ray::until(start, point - start, BEFORE_THE_POINT))
+        let start = leave_surface(from.position, from.normal, from.error, point - from.position);
+        !self.tracer.occluded(start, point - start, BEFORE_THE_POINT, [from.triangle, NO_TRIANGLE])
     }
 
     /// The point of a triangle with the given weights of its corners, seen from one side: shading normal, reflectance
@@ -87,10 +132,5 @@ impl<'a> World<'a> {
         let towards = if front { -outward } else { outward };
         let hit = Hit { t: 1.0, triangle: device, u: weights[1], v: weights[2] };
         Surfel { triangle, ..trace::surface(&self.packed.view(), &Ray::new(Vec3::ZERO, towards), &hit) }
-    }
-
-    /// The host's triangle of a device triangle.
-    pub fn source(&self, device: u32) -> u32 {
-        self.packed.triangles[device as usize].source
     }
 }

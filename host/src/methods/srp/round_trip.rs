@@ -1,0 +1,133 @@
+//! Least-squares correction of local transport by its own round trip.
+//!
+//! Light that leaves a patch of surface reaches a receiver directly (`F`, its form factors as the receiver's rays found
+//! them), and by way of the probes (`α Λ`: what the probes' coefficients see of the patch, times transport). Local transport
+//! `α₀` evaluates a truncated series in single directions: its values are means over the angle that the order
+//! resolves, and contrast is lost to it. `F − α₀ Λ` is that loss, known before any light is (SL17 §5.2 takes its norm as
+//! the error of a receiver). The correction is the ridge regression
+//!
+//! `min ‖F − α Λ‖² + ε ‖α − α₀‖²`,  `α = α₀ + (F − α₀ Λ) Λᵀ (Λ Λᵀ + ε)⁻¹`,
+//!
+//! over the patches and, as one patch more, all of them together, which keeps the mean. `ε` stands for what light
+//! does inside patches, of which `Λ` knows nothing: small ones fit the patches and make noise of the rest. Not in the papers.
+
+use super::atlas::{Atlas, Lookup};
+use super::model::{NO_RECEIVER, Receiver};
+use super::plan::split;
+use super::world::Seen;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use glam::Vec3;
+use interreflect_kernels::math::sh;
+use std::sync::Arc;
+
+/// Patches at most, about.
+const PATCHES: usize = 1500;
+/// Standard deviation of a patch's light over the mean light of all.
+const CONTRAST: f64 = 0.5;
+/// Does not belong to a patch.
+pub const NO_PATCH: u32 = u32::MAX;
+
+/// Patches and what the probes see of them.
+pub struct RoundTrip {
+    /// Patch of each texel.
+    patch_of: Vec<u32>,
+    /// From points without a texel of their own to those that stand for them.
+    lookup: Lookup,
+    /// Number of patches.
+    pub count: usize,
+    /// `Λ`, a row per probe and coefficient; the last column is the sum of the others.
+    lambda: Mat<f64>,
+    k: usize,
+    ridge: f64,
+}
+
+/// Groups of neighbouring texels that face the same of six ways; `NO_PATCH` for those not among the `receivers`.
+fn patches(receivers: &[(Receiver, u32)], texels: usize) -> (Vec<u32>, usize) {
+    let points: Vec<Receiver> = receivers.iter().map(|r| r.0).collect();
+    let facing = |n: Vec3| {
+        let a = n.abs();
+        let axis = if a.x >= a.y && a.x >= a.z { 0 } else { 1 + usize::from(a.z > a.y) };
+        2 * axis + usize::from(n[axis] < 0.0)
+    };
+    let most = points.len().div_ceil(PATCHES).max(1);
+    let (mut patch_of, mut count) = (vec![NO_PATCH; texels], 0);
+    for way in 0..6 {
+        let own = |i: &u32| facing(points[*i as usize].geometric_normal) == way;
+        let members: Vec<u32> = (0..points.len() as u32).filter(own).collect();
+        for part in split(members, &points, most) {
+            part.iter().for_each(|i| {
+                if let Some(patch) = patch_of.get_mut(receivers[*i as usize].1 as usize) {
+                    *patch = count;
+                }
+            });
+            count += 1;
+        }
+    }
+    (patch_of, count as usize)
+}
+
+impl RoundTrip {
+    /// Patches of about a thousandth of the `receivers` (with their texels of `atlas`), seen by nobody yet.
+    pub fn new(atlas: Arc<Atlas>, receivers: &[(Receiver, u32)], ridge: f64) -> Self {
+        let (patch_of, count) = patches(receivers, atlas.texels.len());
+        let texels: Vec<u32> = (0..atlas.texels.len() as u32)
+            .map(|t| if patch_of[t as usize] == NO_PATCH { NO_RECEIVER } else { t })
+            .collect();
+        Self { lookup: Lookup::new(atlas, &texels), patch_of, count, lambda: Mat::zeros(0, 0), k: 0, ridge }
+    }
+
+    /// The patch that a point lies on; `texel` is its own, if it has one.
+    pub fn patch(&self, seen: &Seen, texel: u32) -> u32 {
+        match self.patch_of.get(texel as usize) {
+            Some(patch) if *patch != NO_PATCH => *patch,
+            _ => (self.lookup.one(seen.triangle, seen.weights, seen.front, seen.position, seen.normal))
+                .map_or(NO_PATCH, |t| self.patch_of[t as usize]),
+        }
+    }
+
+    /// Takes what the probes see: `met[probe · rays + ray]` is the patch that a relight ray meets.
+    pub fn see(&mut self, directions: &[Vec3], met: &[u32], order: u32) {
+        self.k = sh::count(order);
+        let rays = directions.len().max(1);
+        self.lambda = Mat::zeros(met.len() / rays * self.k, self.count + 1);
+        let weight = 4.0 * std::f64::consts::PI / rays as f64;
+        for (i, patch) in met.iter().enumerate().filter(|(_, patch)| **patch != NO_PATCH) {
+            let y: [f32; sh::MAX_COUNT] = sh::basis(directions[i % rays].to_array());
+            for (j, y) in y[..self.k].iter().enumerate() {
+                self.lambda[(i / rays * self.k + j, *patch as usize)] += weight * f64::from(*y) * CONTRAST;
+                self.lambda[(i / rays * self.k + j, self.count)] += weight * f64::from(*y);
+            }
+        }
+    }
+
+    /// Corrects the transport of some receivers from the coefficients of `probes`, `matrix`: rows of `probes.len() · K`,
+    /// by their form factors, rows of `count`.
+    pub fn correct(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32]) {
+        let width = probes.len() * self.k;
+        let rows = matrix.len() / width.max(1);
+        if rows == 0 || width == 0 {
+            return;
+        }
+        let row = |j: usize| probes[j / self.k] as usize * self.k + j % self.k;
+        let lambda = Mat::from_fn(width, self.count + 1, |j, q| self.lambda[(row(j), q)]);
+        let before = Mat::from_fn(rows, width, |i, j| f64::from(matrix[i * width + j]));
+        let form = |i: usize, q: usize| f64::from(factors[i * self.count + q]);
+        let mut rest =
+            Mat::from_fn(rows, self.count + 1, |i, q| if q < self.count { form(i, q) * CONTRAST } else { 0.0 });
+        for i in 0..rows {
+            rest[(i, self.count)] = (0..self.count).map(|q| form(i, q)).sum();
+        }
+        rest -= &before * &lambda;
+        let mut normal = &lambda * lambda.transpose();
+        let mean = (0..width).map(|j| normal[(j, j)]).sum::<f64>() / width as f64;
+        (0..width).for_each(|j| normal[(j, j)] += self.ridge * mean.max(f64::MIN_POSITIVE));
+        let Ok(factor) = normal.llt(Side::Lower) else { return };
+        let change = factor.solve(&(&lambda * rest.transpose()));
+        for i in 0..rows {
+            for j in 0..width {
+                matrix[i * width + j] = (before[(i, j)] + change[(j, i)]) as f32;
+            }
+        }
+    }
+}
