@@ -69,7 +69,7 @@ fn furnace_keeps_its_energy() {
     let ratio = mean(&bake, &got) / truth;
     let worst = got.iter().map(|e| (e.x / truth - 1.0).abs()).fold(0.0, f32::max);
     println!("furnace 0.8: mean ratio {ratio}, worst receiver {worst}");
-    assert!((ratio - 1.0).abs().max_element() < 0.02, "{ratio}");
+    assert!((ratio - 1.0).abs().max_element() < 0.02 && worst < 0.02, "{ratio} {worst}");
 }
 
 #[test]
@@ -135,19 +135,21 @@ fn more_probes_come_nearer_to_the_truth() {
 #[test]
 fn a_strip_beside_its_receivers_is_blurred_and_coefficients_or_probes_heal_it() {
     let scene = built_in::slit();
-    let base = BakeOptions { receivers: 3000, ..small() };
+    let base = BakeOptions { receivers: 3000, ridge: 0.0, ..small() };
     let bakes = [
         BakeOptions { order: 3, ..base.clone() },
         BakeOptions { order: 9, ..base.clone() },
-        BakeOptions { probes: 125, relight_rays: 4096, ..base },
+        BakeOptions { probes: 125, relight_rays: 4096, ..base.clone() },
+        BakeOptions { order: 9, ridge: 1e-3, ..base },
     ];
     let errors = curve(&scene, bakes.into_iter(), 128);
     println!(
-        "slit, nrmse_block: 27 probes of order 3 {:.3}, of order 9 {:.3}, 125 of order 7 {:.3}",
-        errors[0].0, errors[1].0, errors[2].0
+        "slit, nrmse_block: 27 probes of order 3 {:.3}, of order 9 {:.3}, 125 of order 7 {:.3}; corrected, of order 9 {:.3}",
+        errors[0].0, errors[1].0, errors[2].0, errors[3].0
     );
-    assert!(errors[0].0 > 0.1, "the published failure does not show: {errors:?}");
-    assert!(errors[1].0 < 0.8 * errors[0].0 && errors[2].0 < 0.8 * errors[0].0, "{errors:?}");
+    assert!(errors[0].0 > 0.5, "the published failure does not show: {errors:?}");
+    // Higher orders heal a fifth of it, more probes half. The correction does not: the strip is finer than its patches.
+    assert!(errors[1].0 < 0.82 * errors[0].0 && errors[2].0 < 0.5 * errors[0].0, "{errors:?}");
 }
 
 #[test]
@@ -205,6 +207,8 @@ fn compression_adds_little_and_shows_no_borders() {
         before = added;
         if max_rank == 32 {
             assert!(error < plain_error + 0.005, "{error} {plain_error}");
+            // What compression changes jumps from texel to texel; across borders of clusters not much more than within.
+            assert!(across < 2.0 * inside, "{across} {inside}");
         }
     }
     assert!(before < 0.05, "{before}");
@@ -240,54 +244,91 @@ fn jumps(bake: &SrpBake, got: &[Vec3], wanted: &[Vec3]) -> (f64, f64) {
 
 #[test]
 fn dictionary_and_components_side_by_side() {
-    use interreflect::methods::srp::dictionary::{Dictionary, DictionaryOptions};
     let scene = built_in::cornell_box();
-    let options = BakeOptions { receivers: 1200, order: 4, cluster_size: 1 << 20, ..small() };
+    let options = BakeOptions { receivers: 1200, order: 4, cluster_size: 512, ..small() };
+    let plain = baked(&scene, &options);
+    let direct = |bake: &SrpBake| bake.receivers.iter().map(|r| Vec3::splat(1.0 + r.position.y)).collect::<Vec<_>>();
+    let wanted: std::collections::HashMap<[u32; 2], Vec3> =
+        plain.texel.iter().copied().zip(plain.bounce(&direct(&plain), 8)).collect();
+    let dictionary = |atoms, sparsity| Compression::Dictionary { atoms, sparsity };
+    let components = |max_rank| Compression::Cpca { error: 0.005, max_rank };
+    println!("| compressor | bytes | matrix or metric error | irradiance error | seconds |");
+    let mut rows = Vec::new();
+    for compression in
+        [dictionary(32, 4), dictionary(64, 8), dictionary(128, 12), components(4), components(8), components(32)]
+    {
+        let plan = Plan::new(&scene, &BakeOptions { compression, ..options.clone() }).unwrap();
+        let started = std::time::Instant::now();
+        let bake = plan.bake().0;
+        let seconds = started.elapsed().as_secs_f64();
+        let report = plan.report(&bake);
+        let same: Vec<Vec3> = bake.texel.iter().map(|t| wanted[t]).collect();
+        let error = relative(&bake.bounce(&direct(&bake), 8), &same);
+        let (bytes, matrix) = (&report["transport_f16_bytes"], &report["transport_error"]);
+        println!("| {compression:?} | {bytes} | {matrix} | {error:.4} | {seconds:.2} |");
+        rows.push((bytes.as_f64().unwrap(), error));
+    }
+    // More of either is better and larger; components give less error at fewer bytes.
+    for kind in [&rows[..3], &rows[3..]] {
+        assert!(kind.windows(2).all(|w| w[1].0 > w[0].0 && w[1].1 < w[0].1), "{rows:?}");
+    }
+    assert!(rows[5].1 < 0.05 && rows[5].0 < rows[2].0 && rows[5].1 < rows[2].1, "{rows:?}");
+}
+
+/// Uncompressed, four rows give the irradiance that one row gives: the same light by other rays.
+#[test]
+fn four_rows_agree_with_one() {
+    let scene = built_in::cornell_box();
+    let options = BakeOptions { rays: 1024, ..small() };
+    let one = baked(&scene, &options);
+    let four = baked(&scene, &BakeOptions { rows: 4, ..options });
+    assert_eq!(one.receivers, four.receivers);
+    let direct: Vec<Vec3> = one.receivers.iter().map(|r| Vec3::splat(1.0 + r.position.y)).collect();
+    let (a, b) = (one.bounce(&direct, 4), four.bounce(&direct, 4));
+    let (error, bias) = (relative(&b, &a), mean(&four, &b) / mean(&one, &a));
+    println!("order-1 radiance against irradiance: {error:.4}, means {bias}");
+    assert!(error < 0.15 && (bias - 1.0).abs().max_element() < 0.05, "{error} {bias}");
+}
+
+/// What all of a texel sees is what its points see: asking each ray changes next to nothing.
+#[test]
+fn visibility_by_texel_is_visibility_by_ray() {
+    let scene = built_in::cornell_box();
+    let options = BakeOptions { receivers: 2500, ridge: 0.0, ..small() };
+    let (texels, rays) = (baked(&scene, &options), baked(&scene, &BakeOptions { texel_visibility: false, ..options }));
+    let direct: Vec<Vec3> = texels.receivers.iter().map(|r| Vec3::splat(1.0 + r.position.y)).collect();
+    let error = relative(&texels.bounce(&direct, 4), &rays.bounce(&direct, 4));
+    println!("visibility by texel against by ray: {error:.5}");
+    assert!(error > 0.0 && error < 0.005, "{error}");
+}
+
+/// Floor under the blocks is inside of them: no texel there counts, and none elsewhere is lost.
+#[test]
+fn receivers_inside_geometry_are_dropped() {
+    let scene = built_in::cornell_box();
+    let plan = Plan::new(&scene, &BakeOptions { receivers: 6000, ..small() }).unwrap();
+    let floor = |p: Vec3| p.y < 1e-4;
+    let kept = plan.receivers.iter().filter(|(r, _)| floor(r.position)).count();
+    let all = plan.atlas.texels.iter().filter(|t| floor(t.receiver.position)).count();
+    // The blocks' feet are squares of about 0.165 m on a floor of about 0.55 × 0.56 m: 18 % of it.
+    let share = 1.0 - kept as f64 / all as f64;
+    println!("{share:.3} of the floor's texels lie under blocks");
+    assert!((0.12..0.22).contains(&share), "{share}");
+    for inside in [Vec3::new(0.185, 0.0, 0.169), Vec3::new(0.368, 0.0, 0.351)] {
+        let near = |(r, _): &(interreflect::methods::srp::model::Receiver, u32)| (r.position - inside).length() < 0.05;
+        assert!(!plan.receivers.iter().any(near), "a receiver within the block at {inside}");
+    }
+}
+
+/// The papers' size: more than 40,000 receivers under 27 probes of order 7.
+#[test]
+fn cornell_box_at_the_papers_size() {
+    let scene = built_in::cornell_box();
+    let options = BakeOptions { receivers: 41_500, rays: 256, ..BakeOptions::default() };
     let bake = baked(&scene, &options);
-    let cluster = &bake.clusters[0];
-    let (rows, columns) = (cluster.receivers.len(), cluster.columns.len());
-    let direct: Vec<Vec3> = bake.receivers.iter().map(|r| Vec3::splat(1.0 + r.position.y)).collect();
-    let wanted = bake.bounce(&direct, 8);
-    let light = |reconstruction: Vec<f32>| {
-        let cluster = interreflect::methods::srp::Cluster { reconstruction, ..cluster.clone() };
-        SrpBake { clusters: vec![cluster], ..bake.clone() }.bounce(&direct, 8)
-    };
-    println!("| compressor | bytes | matrix error | irradiance error | seconds |");
-    println!("| none | {} | 0 | 0 | 0 |", 2 * rows * columns);
-    let matrix = faer::MatRef::from_row_major_slice(&cluster.reconstruction, rows, columns);
-    let mut errors = Vec::new();
-    for (atoms, sparsity) in [(64, 6), (128, 8), (192, 12)] {
-        let started = std::time::Instant::now();
-        let learnt = Dictionary::learn(matrix, &DictionaryOptions { atoms, sparsity, iterations: 6 });
-        let seconds = started.elapsed().as_secs_f64();
-        let product = learnt.product();
-        let flat = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|at| product[at]).collect();
-        let error = relative(&light(flat), &wanted);
-        errors.push(error);
-        println!(
-            "| dictionary of {atoms}, {sparsity} per receiver | {} | {:.4} | {error:.4} | {seconds:.2} |",
-            learnt.bytes(),
-            learnt.errors.last().unwrap()
-        );
-    }
-    for max_rank in [8, 16, 32] {
-        let started = std::time::Instant::now();
-        let compression = Compression::Cpca { error: 0.005, max_rank };
-        let small = Plan::new(&scene, &BakeOptions { cluster_size: 256, compression, ..options.clone() }).unwrap();
-        let seconds = started.elapsed().as_secs_f64();
-        let baked = small.bake().0;
-        let place: std::collections::HashMap<[u32; 2], usize> =
-            bake.texel.iter().enumerate().map(|(i, t)| (*t, i)).collect();
-        let pair: Vec<usize> = baked.texel.iter().map(|t| place[t]).collect();
-        let got = baked.bounce(&pair.iter().map(|i| direct[*i]).collect::<Vec<_>>(), 8);
-        let error = relative(&got, &pair.iter().map(|i| wanted[*i]).collect::<Vec<_>>());
-        let report = small.report(&baked);
-        println!(
-            "| CPCA, rank ≤ {max_rank} | {} | - | {error:.4} | plan {seconds:.2} |",
-            report["transport_f16_bytes"]
-        );
-        errors.push(error);
-    }
-    assert!(errors.iter().all(|e| *e < 0.2), "{errors:?}");
-    assert!(errors[2] < errors[0] && errors[5] < errors[3], "{errors:?}");
+    assert!(bake.receivers.len() >= 40_000 && bake.probes.len() == 27, "{}", bake.receivers.len());
+    let lit = lit(&scene, bake, 96);
+    let (error, bias) = block_error(&lit, &lit.bake.bounce(&lit.direct, 24));
+    println!("{} receivers, compressed: nrmse_block {error:.4}, bias {bias:.4}", lit.bake.receivers.len());
+    assert!(error <= 0.05 && (0.97..1.03).contains(&bias), "{error} {bias}");
 }

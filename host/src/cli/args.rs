@@ -313,6 +313,10 @@ pub struct BakeArgs {
     /// A setting of the method: `key=value`.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Also writes a picture of the lightmap that shows where the probes do not suffice, whatever the light (PNG): black
+    /// where they do, bright where as much is lost as without any.
+    #[arg(long, value_name = "FILE")]
+    pub error_map: Option<PathBuf>,
     /// File to write (safetensors); `--set file=FILE` uses it. While it is made, finished parts are kept in `FILE.part`.
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

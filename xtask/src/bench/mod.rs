@@ -5,6 +5,7 @@
 //!
 //! A further section is a file here and a row of [`SECTIONS`].
 
+mod bake;
 mod kernels;
 mod limits;
 mod loading;
@@ -53,6 +54,7 @@ const SECTIONS: &[(&str, Section)] = &[
     ("memory", memory::run),
     ("lpv", lpv::run),
     ("srp", srp::run),
+    ("bake", bake::run),
 ];
 
 /// Runs the sections: those that the filter names, or all (with kernels that the filter names).

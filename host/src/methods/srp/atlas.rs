@@ -39,7 +39,7 @@ pub struct Atlas {
     sides: Vec<[bool; 2]>,
     /// Per texel the outermost of the points that cover it. Not in files: only precomputation asks.
     spread: Vec<[Spot; 4]>,
-    /// Index into `texels` per place in the lightmap, [`NO_TEXEL`] without, and its chart.
+    /// Index into `texels` per place in the lightmap, [`NO_TEXEL`] without, and its chart. Not in files either.
     index: Vec<(u32, u32)>,
 }
 
@@ -124,11 +124,11 @@ impl Atlas {
         texels: Vec<Texel>,
         sides: Vec<[bool; 2]>,
     ) -> Self {
-        let index = index(size, &texels);
-        Self { charts, size, texel_size, texels, sides, spread: Vec::new(), index }
+        Self { charts, size, texel_size, texels, sides, spread: Vec::new(), index: Vec::new() }
     }
 
-    /// The texel that holds a point of a triangle, if it is of the triangle's chart: an index into `texels`.
+    /// The texel that holds a point of a triangle, if it is of the triangle's chart: an index into `texels`. For
+    /// precomputation: a lightmap from a file does not know.
     pub fn texel_of(&self, triangle: u32, weights: [f32; 3], front: bool) -> u32 {
         let at = self.place(triangle, weights, true).floor().as_ivec2();
         let [columns, rows] = self.charts.size.map(|s| s as i32);
@@ -136,8 +136,10 @@ impl Atlas {
         if at.x < 0 || at.y < 0 || at.x >= columns || at.y >= rows || row >= self.size[1] as i32 {
             return NO_TEXEL;
         }
-        let (texel, chart) = self.index[(row * columns + at.x) as usize];
-        if chart == self.charts.chart[triangle as usize] { texel } else { NO_TEXEL }
+        match self.index.get((row * columns + at.x) as usize) {
+            Some((texel, chart)) if *chart == self.charts.chart[triangle as usize] => *texel,
+            _ => NO_TEXEL,
+        }
     }
 
     /// Points of a texel's surface: its receiver and, while precomputing, the outermost four.

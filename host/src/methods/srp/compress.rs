@@ -1,13 +1,18 @@
 //! Clustered principal component analysis (Sloan, Hall, Hart & Snyder 2003; SL17 eq. 11): a cluster's transport matrix as
 //! `U (Σ Vᵀ)` of few components.
 //!
+//! **Metric.** Where lights are given, what counts is not the matrix `T` but what it makes of light: `T L`, with a column of
+//! `L` per light. The components are the singular vectors `U` of `T L`, and the projection is `Uᵀ T`. What no light can ask
+//! of the matrix (high bands of far probes, mostly) then takes no components, at the same error of irradiance.
+//!
 //! The truncated singular value decomposition is the randomized one of Halko, Martinsson & Tropp 2011 (algorithms 4.4 and
 //! 5.1): a random range finder with power iterations, then a small exact decomposition; `exact` checks it in tests. The
 //! rank is the smallest that keeps the relative error `‖T − U Σ Vᵀ‖ / ‖T‖` (Frobenius) under the threshold; where the
 //! largest rank does not, the cluster is halved like the first clusters were (adaptive refinement), while that can
 //! save memory at all.
 
-use super::model::Cluster;
+use super::dictionary::{Dictionary, DictionaryOptions};
+use super::model::{Cluster, Loss};
 use super::plan::halve;
 use faer::{Mat, MatRef};
 use glam::Vec3;
@@ -32,6 +37,25 @@ pub enum Compression {
         /// Most components (SL17: 32).
         max_rank: u32,
     },
+    /// A learnt dictionary per cluster ([`super::dictionary`]).
+    Dictionary {
+        /// Atoms of a cluster.
+        atoms: u32,
+        /// Atoms of a row.
+        sparsity: u32,
+    },
+}
+
+/// Iterations of learning a dictionary.
+const DICTIONARY_ITERATIONS: u32 = 6;
+
+/// What compression is judged by: coefficients of the cluster's probes, a row per column of its matrix.
+#[derive(Clone, Debug)]
+pub struct Lights {
+    /// Lights whose effect is to be kept; none: the matrix itself is.
+    pub metric: Option<Mat<f64>>,
+    /// Lights by which [`Loss::light`] is measured.
+    pub test: Mat<f64>,
 }
 
 impl Default for Compression {
@@ -54,7 +78,7 @@ pub struct Factors {
 }
 
 /// Compresses the transport of one cluster: `matrix` has `points.len() · rows` rows of `probes.len() · k` coefficients. Gives
-/// the parts that it was halved into, each with its points and its relative error. `receivers` of the clusters are left empty.
+/// the parts that it was halved into, each with its points. `receivers` of the clusters are left empty.
 pub fn compress(
     matrix: Vec<f32>,
     points: &[Vec3],
@@ -62,8 +86,9 @@ pub fn compress(
     probes: &[u32],
     k: usize,
     compression: &Compression,
-) -> Vec<(Vec<u32>, Cluster, f32)> {
-    let whole = Block { matrix: &matrix, points, rows, probes, k };
+    lights: &Lights,
+) -> Vec<(Vec<u32>, Cluster)> {
+    let whole = Block { matrix: &matrix, points, rows, probes, k, lights };
     whole.compress((0..points.len() as u32).collect(), compression)
 }
 
@@ -73,38 +98,63 @@ struct Block<'a> {
     rows: usize,
     probes: &'a [u32],
     k: usize,
+    lights: &'a Lights,
 }
 
 impl Block<'_> {
-    fn compress(&self, members: Vec<u32>, compression: &Compression) -> Vec<(Vec<u32>, Cluster, f32)> {
+    fn compress(&self, members: Vec<u32>, compression: &Compression) -> Vec<(Vec<u32>, Cluster)> {
         let columns = self.columns(&members);
         let dense = self.dense(&members, &columns);
-        let &Compression::Cpca { error, max_rank } = compression else {
-            let (probes, columns) = self.name(&columns);
-            let rank = columns.len() as u32;
-            let cluster =
-                Cluster { receivers: 0..0, probes, columns, rank, projection: Vec::new(), reconstruction: dense };
-            return vec![(members, cluster, 0.0)];
-        };
         let height = members.len() * self.rows;
         let view = MatRef::from_row_major_slice(&dense, height, columns.len());
-        let factors = truncated(view, max_rank as usize, f64::from(error));
-        if factors.error > f64::from(error) && members.len() >= 2 * SMALLEST_CLUSTER {
-            let (near, far) = halve(members, |i| self.points[i as usize]);
-            let mut parts = self.compress(near, compression);
-            parts.extend(self.compress(far, compression));
-            return parts;
-        }
-        let (probes, columns) = self.name(&columns);
-        let cluster = Cluster {
-            receivers: 0..0,
-            probes,
-            columns,
-            rank: factors.u.ncols() as u32,
-            projection: row_major(factors.sv.as_ref()),
-            reconstruction: row_major(factors.u.as_ref()),
+        let factors = match *compression {
+            Compression::None => {
+                let (rank, left) = (columns.len(), dense.clone());
+                return vec![(members, self.cluster(&columns, rank, Vec::new(), left, Loss::default()))];
+            }
+            Compression::Cpca { error, max_rank } => {
+                let factors = self.components(view, &columns, max_rank as usize, f64::from(error));
+                if factors.error > f64::from(error) && members.len() >= 2 * SMALLEST_CLUSTER {
+                    let (near, far) = halve(members, |i| self.points[i as usize]);
+                    let mut parts = self.compress(near, compression);
+                    parts.extend(self.compress(far, compression));
+                    return parts;
+                }
+                factors
+            }
+            Compression::Dictionary { atoms, sparsity } => dictionary(view, atoms as usize, sparsity as usize),
         };
-        vec![(members, cluster, factors.error as f32)]
+        let light = self.light_error(view, &factors, &columns) as f32;
+        let loss = Loss { transport: factors.error as f32, light };
+        let (sv, u) = (row_major(factors.sv.as_ref()), row_major(factors.u.as_ref()));
+        vec![(members, self.cluster(&columns, factors.u.ncols(), sv, u, loss))]
+    }
+
+    fn cluster(&self, columns: &[usize], rank: usize, sv: Vec<f32>, u: Vec<f32>, loss: Loss) -> Cluster {
+        let (probes, columns) = self.name(columns);
+        let rank = rank as u32;
+        Cluster { receivers: 0..0, probes, columns, rank, projection: sv, reconstruction: u, loss }
+    }
+
+    /// Components of the matrix in the metric of the lights, or in its own.
+    fn components(&self, a: MatRef<'_, f32>, columns: &[usize], max_rank: usize, error: f64) -> Factors {
+        let Some(lights) = &self.lights.metric else { return truncated(a, max_rank, error) };
+        let a = Mat::from_fn(a.nrows(), a.ncols(), |i, j| f64::from(a[(i, j)]));
+        let lit = &a * rows_of(lights, columns);
+        let lit = Mat::from_fn(lit.nrows(), lit.ncols(), |i, j| lit[(i, j)] as f32);
+        let factors = truncated(lit.as_ref(), max_rank, error);
+        let u = Mat::from_fn(factors.u.nrows(), factors.u.ncols(), |i, j| f64::from(factors.u[(i, j)]));
+        let sv = u.transpose() * &a;
+        Factors { sv: Mat::from_fn(sv.nrows(), sv.ncols(), |i, j| sv[(i, j)] as f32), ..factors }
+    }
+
+    /// Relative error of what the test lights give.
+    fn light_error(&self, a: MatRef<'_, f32>, factors: &Factors, columns: &[usize]) -> f64 {
+        let test = rows_of(&self.lights.test, columns);
+        let test = Mat::from_fn(test.nrows(), test.ncols(), |i, j| test[(i, j)] as f32);
+        let (wanted, got) = (a * &test, &factors.u * (&factors.sv * &test));
+        let total = squared_norm(wanted.as_ref());
+        if total > 0.0 { (squared_norm((wanted - got).as_ref()) / total).sqrt() } else { 0.0 }
     }
 
     /// Columns that are not zero for all members.
@@ -131,6 +181,24 @@ impl Block<'_> {
         let place = |c: &usize| (slots.partition_point(|s| *s < c / self.k) as u32, (c % self.k) as u32);
         (slots.iter().map(|s| self.probes[*s]).collect(), columns.iter().map(place).collect())
     }
+}
+
+fn rows_of(m: &Mat<f64>, rows: &[usize]) -> Mat<f64> {
+    Mat::from_fn(rows.len(), m.ncols(), |i, j| m[(rows[i], j)])
+}
+
+/// Atoms and codes in the place of components.
+fn dictionary(a: MatRef<'_, f32>, atoms: usize, sparsity: usize) -> Factors {
+    if a.nrows() == 0 || a.ncols() == 0 {
+        return Factors { u: Mat::zeros(a.nrows(), 0), sv: Mat::zeros(0, a.ncols()), singular: Vec::new(), error: 0.0 };
+    }
+    let learnt = Dictionary::learn(a, &DictionaryOptions { atoms, sparsity, iterations: DICTIONARY_ITERATIONS });
+    let mut u = Mat::zeros(a.nrows(), learnt.atoms.nrows());
+    for (row, code) in learnt.codes.iter().enumerate() {
+        code.iter().for_each(|(atom, weight)| u[(row, *atom as usize)] = *weight);
+    }
+    let error = learnt.errors.last().copied().unwrap_or(1.0);
+    Factors { u, sv: learnt.atoms, singular: Vec::new(), error }
 }
 
 fn row_major(m: MatRef<'_, f32>) -> Vec<f32> {
@@ -245,11 +313,14 @@ mod tests {
                 matrix[(i * 2 + probe) * k + c] = rand(7, i as u32, c as u32) - 0.5;
             }
         }
-        let parts = compress(matrix.clone(), &points, 1, &[4, 9], k, &Compression::Cpca { error: 1e-3, max_rank: 32 });
+        let lights =
+            Lights { metric: None, test: Mat::from_fn(2 * k, 3, |i, j| f64::from(rand(8, i as u32, j as u32))) };
+        let pack = |c: &Compression, l: &Lights| compress(matrix.clone(), &points, 1, &[4, 9], k, c, l);
+        let parts = pack(&Compression::Cpca { error: 1e-3, max_rank: 32 }, &lights);
         assert_eq!(parts.len(), 2);
         let mut seen = vec![false; count];
-        for (members, cluster, error) in &parts {
-            assert!(*error <= 1e-3);
+        for (members, cluster) in &parts {
+            assert!(cluster.loss.transport <= 1e-3 && cluster.loss.light < 2e-3, "{:?}", cluster.loss);
             assert_eq!((cluster.rank, cluster.columns.len(), cluster.probes.len()), (20, 20, 1));
             for (row, i) in members.iter().enumerate() {
                 seen[*i as usize] = true;
@@ -264,7 +335,16 @@ mod tests {
         }
         assert!(seen.iter().all(|s| *s));
         // Uncompressed: the same matrix again, without its zero columns.
-        let plain = compress(matrix, &points, 1, &[4, 9], k, &Compression::None);
+        let plain = pack(&Compression::None, &lights);
         assert_eq!((plain.len(), plain[0].1.rank, plain[0].1.projection.len()), (1, 40, 0));
+        // Three lights can ask for three components of each half.
+        let metric = Some(lights.test.clone());
+        let lit = pack(&Compression::Cpca { error: 1e-3, max_rank: 32 }, &Lights { metric, ..lights.clone() });
+        assert_eq!((lit.len(), lit[0].1.rank), (1, 3));
+        assert!(lit[0].1.loss.light < 1e-3, "{:?}", lit[0].1.loss);
+        // As many atoms as rows lose nothing; few do.
+        let learnt = |atoms| pack(&Compression::Dictionary { atoms, sparsity: 4 }, &lights)[0].1.clone();
+        assert!(learnt(600).loss.transport < 0.05 && learnt(32).loss.transport > 0.1);
+        assert!(learnt(32).f16_bytes() < learnt(600).f16_bytes());
     }
 }

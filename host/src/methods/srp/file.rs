@@ -9,7 +9,7 @@
 
 use super::atlas::{Atlas, Lookup, Texel};
 use super::charts::Charts;
-use super::model::{Blend, Cluster, FREE, NO_RECEIVER, RAY_INVALID, Receiver, SrpBake};
+use super::model::{Blend, Cluster, FREE, Loss, NO_RECEIVER, RAY_INVALID, Receiver, SrpBake};
 use super::plan::{BakeOptions, ClusterOutput};
 use super::transport::Rays;
 use crate::image_io::replace_file;
@@ -28,7 +28,7 @@ use std::sync::{Arc, Mutex};
 /// be written in a random order: the same bake must give the same bytes.)
 const KEY: &str = "interreflect-srp";
 /// Version of the layout; a file of another one is refused.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Why a bake file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -176,6 +176,7 @@ fn tensors(bake: &SrpBake, atlas: &Atlas) -> Tensors {
     let c = &bake.clusters;
     t.u32("cluster_receivers", 2, &c.iter().flat_map(|c| [c.receivers.start, c.receivers.end]).collect::<Vec<_>>());
     t.u32("cluster_rank", 1, &c.iter().map(|c| c.rank).collect::<Vec<_>>());
+    t.f32("cluster_loss", 2, &c.iter().flat_map(|c| [c.loss.transport, c.loss.light]).collect::<Vec<_>>());
     t.lists("cluster_probes", Dtype::U32, c.iter().map(|c| c.probes.clone()));
     t.lists("cluster_columns", Dtype::U32, c.iter().map(|c| c.columns.iter().flat_map(|c| [c.0, c.1]).collect()));
     t.lists("cluster_projection", Dtype::F16, c.iter().map(|c| halves(&c.projection)));
@@ -328,7 +329,9 @@ impl Reader<'_> {
             (self.lists::<u32>("cluster_probes", Dtype::U32)?, self.lists::<u32>("cluster_columns", Dtype::U32)?);
         let (projection, reconstruction) =
             (self.matrices("cluster_projection")?, self.matrices("cluster_reconstruction")?);
-        let lengths = [ranges.len() / 2, probes.len(), columns.len(), projection.len(), reconstruction.len()];
+        let loss = self.f32("cluster_loss")?;
+        let lengths =
+            [ranges.len() / 2, loss.len() / 2, probes.len(), columns.len(), projection.len(), reconstruction.len()];
         if lengths.iter().any(|l| *l != rank.len()) {
             return None;
         }
@@ -342,6 +345,7 @@ impl Reader<'_> {
                 rank: rank[i],
                 projection,
                 reconstruction,
+                loss: Loss { transport: loss[2 * i], light: loss[2 * i + 1] },
             })
         };
         (0..rank.len()).map(cluster).collect()
@@ -502,8 +506,9 @@ fn words_of(index: usize, output: &ClusterOutput) -> Vec<u32> {
         words.extend(items);
         words[at] = (words.len() - at - 1) as u32;
     };
-    for ((members, cluster), error) in output.parts.iter().zip(&output.errors) {
-        list(&mut [cluster.rank, error.to_bits()].into_iter());
+    for (members, cluster) in &output.parts {
+        let loss = cluster.loss;
+        list(&mut [cluster.rank, loss.transport.to_bits(), loss.light.to_bits()].into_iter());
         list(&mut members.iter().copied());
         list(&mut cluster.probes.iter().copied());
         list(&mut cluster.columns.iter().flat_map(|c| [c.0, c.1]));
@@ -536,9 +541,9 @@ impl Words<'_> {
             let [sky, unseen, inside] = [self.next()?, self.next()?, self.next()?].map(f32::from_bits);
             rays.push(Rays { sky, unseen, inside });
         }
-        let (mut parts, mut errors) = (Vec::new(), Vec::new());
+        let mut parts = Vec::new();
         for _ in 0..self.next()? {
-            let &[rank, error] = self.list()?.as_slice() else { return None };
+            let &[rank, transport, light] = self.list()?.as_slice() else { return None };
             let members = self.list()?;
             let floats = |list: Vec<u32>| list.into_iter().map(f32::from_bits).collect();
             let cluster = Cluster {
@@ -548,11 +553,11 @@ impl Words<'_> {
                 columns: self.list()?.chunks_exact(2).map(|c| (c[0], c[1])).collect(),
                 projection: floats(self.list()?),
                 reconstruction: floats(self.list()?),
+                loss: Loss { transport: f32::from_bits(transport), light: f32::from_bits(light) },
             };
             parts.push((members, cluster));
-            errors.push(f32::from_bits(error));
         }
-        Some((index, ClusterOutput { parts, errors, rays }))
+        Some((index, ClusterOutput { parts, rays }))
     }
 }
 
@@ -629,7 +634,7 @@ mod tests {
             bytes[at..at + from.len()].copy_from_slice(to.as_bytes());
             bytes
         };
-        let version = with(&older("version 1;", "version 0;"));
+        let version = with(&older("version 2;", "version 1;"));
         assert!(matches!(version, Err(BakeFileError::Version { .. })), "{version:?}");
         assert!(matches!(with(&older(KEY, &KEY.replace("srp", "lpv"))), Err(BakeFileError::Format { .. })));
         assert!(matches!(with(b"not a bake"), Err(BakeFileError::Format { .. })));

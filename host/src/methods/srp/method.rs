@@ -9,6 +9,7 @@ use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::methods::settings::parse;
 use crate::methods::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock, Unit};
 use glam::Vec3;
+use interreflect_kernels::math::sh;
 use interreflect_shared::scene::{NO_SURFACE, SceneTriangle, Surfel};
 use interreflect_shared::trace::DirectParams;
 use rayon::prelude::*;
@@ -93,8 +94,26 @@ pub const ROW: MethodRow = MethodRow {
         Setting {
             key: "compression",
             default: "cpca",
-            allowed: "`cpca` or `none`",
-            help: "Clustered principal components, or the transport as it is.",
+            allowed: "`cpca`, `dictionary` or `none`",
+            help: "Clustered principal components, a dictionary learnt per cluster, or the transport as it is.",
+        },
+        Setting {
+            key: "metric",
+            default: "light",
+            allowed: "`light` or `matrix`",
+            help: "What principal components keep: the light that reaches receivers, or every number of the transport.",
+        },
+        Setting {
+            key: "atoms",
+            default: "96",
+            allowed: "from 1 to 256",
+            help: "Atoms of a cluster's dictionary. More: less error; memory and projection in proportion.",
+        },
+        Setting {
+            key: "sparsity",
+            default: "8",
+            allowed: "from 1 to 64",
+            help: "Atoms of the dictionary that one row uses. More: less error; memory in proportion.",
         },
         Setting {
             key: "error",
@@ -152,6 +171,8 @@ pub const ROW: MethodRow = MethodRow {
 
 /// Bounces end when the slowest mode of the loop has fallen to this share.
 const CONVERGED: f64 = 1e-4;
+/// Share of a probe's energy that counts as all of it.
+const ENERGY: f64 = 0.999;
 /// Iterations by which the gain of the loop is measured.
 const GAIN_ITERATIONS: u32 = 24;
 
@@ -178,7 +199,11 @@ impl Options {
         let placement: String = parse(&ROW, settings, "placement", |p: &String| p == "volume" || p == "surface")?;
         let error = parse(&ROW, settings, "error", |x| (0.0..=1.0).contains(x))?;
         let max_rank = parse(&ROW, settings, "max_rank", |n| (1..=256).contains(n))?;
-        let compression: String = parse(&ROW, settings, "compression", |c: &String| c == "cpca" || c == "none")?;
+        let compression: String =
+            parse(&ROW, settings, "compression", |c: &String| ["cpca", "dictionary", "none"].contains(&c.as_str()))?;
+        let metric: String = parse(&ROW, settings, "metric", |m: &String| m == "light" || m == "matrix")?;
+        let atoms = parse(&ROW, settings, "atoms", |n| (1..=256).contains(n))?;
+        let sparsity = parse(&ROW, settings, "sparsity", |n| (1..=64).contains(n))?;
         let visibility: String = parse(&ROW, settings, "visibility", |v: &String| v == "texels" || v == "rays")?;
         Ok(Self {
             file: parse(&ROW, settings, "file", |_: &String| true)?,
@@ -192,9 +217,11 @@ impl Options {
                 placement: if placement == "volume" { Placement::Volume } else { Placement::Surface },
                 compression: match compression.as_str() {
                     "none" => Compression::None,
+                    "dictionary" => Compression::Dictionary { atoms, sparsity },
                     _ => Compression::Cpca { error, max_rank },
                 },
                 ridge: parse(&ROW, settings, "correction", |x| (0.0..=1.0).contains(x))?,
+                light_metric: metric == "light",
                 texel_visibility: visibility == "texels",
                 added_probes: parse(&ROW, settings, "added_probes", |n| *n <= 1 << 16)?,
                 rows: parse(&ROW, settings, "rows", |n| *n == 1 || *n == 4)?,
@@ -223,6 +250,12 @@ struct State {
     feedback: Feedback,
     texel_m: f32,
     report: serde_json::Value,
+    /// SH coefficients per probe.
+    coefficient_count: usize,
+    /// Frames for which nothing but their own pixels was computed.
+    idle_frames: u32,
+    /// Whether light has changed since the last frame.
+    changed: bool,
 }
 
 impl Method for Srp {
@@ -242,7 +275,19 @@ impl Method for Srp {
             eprintln!("warning: srp: bounces would gain light ({gain:.3} per bounce); the loop is damped");
         }
         let texel_m = lookup.atlas().texel_size;
-        self.state = Some(State { lookup, runtime, triangles, points: None, feedback, texel_m, report });
+        let coefficient_count = bake.coefficient_count();
+        self.state = Some(State {
+            lookup,
+            runtime,
+            triangles,
+            points: None,
+            feedback,
+            texel_m,
+            report,
+            coefficient_count,
+            idle_frames: 0,
+            changed: true,
+        });
         Ok(())
     }
 
@@ -262,6 +307,9 @@ impl Method for Srp {
         clock.stage(exec, "direct", |exec| state.runtime.light(exec, input.buffers, &params))?;
         state.runtime.update(exec, most, clock)?;
         state.report["bounces"] = json!(bounces.min(most));
+        let coefs: Vec<f32> = exec.read_slice(state.runtime.coefficients_buffer())?;
+        state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count));
+        state.changed = true;
         Ok(())
     }
 
@@ -274,6 +322,7 @@ impl Method for Srp {
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
         let state = self.state()?;
+        state.idle_frames += u32::from(!std::mem::replace(&mut state.changed, false));
         clock.stage(exec, "texels of pixels", |exec| {
             let surfels = exec.read_slice::<Surfel>(gbuffer)?;
             let blends: Vec<Blend> = surfels.par_iter().map(|s| state.blend(s)).collect();
@@ -304,6 +353,7 @@ impl Method for Srp {
         let Some(state) = &self.state else { return serde_json::Value::Null };
         let mut needs = state.report.clone();
         needs["run_time"] = state.runtime.needs();
+        needs["frames_without_update"] = json!(state.idle_frames);
         needs
     }
 }
@@ -362,6 +412,27 @@ impl Srp {
     }
 }
 
+/// Number of probes by the lowest order that holds [`ENERGY`] of their light's energy: what an order per probe would need.
+/// `coefs` in planes `[channel][probe][k]`; probes without light are left out.
+fn probes_by_order(coefs: &[f32], k: usize) -> Vec<u32> {
+    let plane = coefs.len() / 3;
+    let mut counts = vec![0; sh::band(k.max(1) - 1) as usize + 1];
+    for probe in (0..plane / k.max(1)).map(|p| p * k) {
+        let energy =
+            |c: usize| (0..3).map(|channel| f64::from(coefs[channel * plane + probe + c]).powi(2)).sum::<f64>();
+        let total: f64 = (0..k).map(energy).sum();
+        let mut sum = 0.0;
+        let needed = (0..k).find(|c| {
+            sum += energy(*c);
+            sum >= ENERGY * total
+        });
+        if let Some(c) = needed.filter(|_| total > 0.0) {
+            counts[sh::band(c) as usize] += 1;
+        }
+    }
+    counts
+}
+
 impl State {
     /// The receivers around a pixel's surface point.
     fn blend(&self, s: &Surfel) -> Blend {
@@ -381,6 +452,15 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn probes_are_counted_by_the_order_they_need() {
+        // One probe of constant light, one with a band of its own, one dark; a channel each.
+        let mut coefs = vec![0.0; 3 * 3 * 9];
+        coefs[0] = 2.0;
+        coefs[27 + 9 + 5] = 1.0;
+        assert_eq!(probes_by_order(&coefs, 9), [1, 0, 1]);
+    }
 
     #[test]
     fn settings_are_checked() {

@@ -4,13 +4,15 @@
 //! desktops in the engine LlamaEngine, below: LE.
 //!
 //! Precomputation, in order: [`charts`] and [`reach`] (the second UV set, and which sides of it light can reach), [`atlas`]
-//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
+//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`round_trip`] (which corrects it),
+//! [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
 //! [`model`] is what it hands to run time. [`error_map`] shows where probes do not suffice, [`dictionary`] is another
 //! way to compress.
 //!
 //! Deviations from SL17 and LE, with reasons in the modules: surfaces reflect on both sides, so that backs that can be
 //! reached are receivers too; probes are thinned out of all open space by default, not only of what lies beside surfaces;
-//! the environment and emitters are direct light and never pass through the probes; receivers are points, not texel areas.
+//! the environment and emitters are direct light and never pass through the probes; receivers are points, not texel areas;
+//! transport is corrected by least squares, and components are chosen for the light that they carry.
 
 pub mod atlas;
 pub mod charts;

@@ -8,7 +8,7 @@ use super::compress::{self, Compression};
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
 use super::probes::{self, Coverage, Placement};
 use super::reach::Reach;
-use super::round_trip::{NO_PATCH, RoundTrip};
+use super::round_trip::{self, NO_PATCH, RoundTrip};
 use super::transport::{self, Rays, Scratch, Transport};
 use super::visibility::Visibility;
 use super::world::{Seen, World};
@@ -70,6 +70,8 @@ pub struct BakeOptions {
     pub cluster_size: u32,
     /// Compression of transport.
     pub compression: Compression,
+    /// Whether compression keeps what transport makes of light, instead of the matrix itself.
+    pub light_metric: bool,
     /// Seed of the walks.
     pub seed: u32,
 }
@@ -94,6 +96,7 @@ impl Default for BakeOptions {
             rows: 1,
             cluster_size: 1024,
             compression: Compression::default(),
+            light_metric: true,
             seed: 1,
         }
     }
@@ -121,8 +124,8 @@ pub struct Plan<'a> {
     pub dropped: usize,
     /// Receivers of each cluster.
     pub clusters: Vec<Vec<u32>>,
-    /// What transport is corrected by; `None` where it is not.
-    round_trip: Option<RoundTrip>,
+    /// What transport is corrected and compression judged by.
+    round_trip: RoundTrip,
     /// What is known of mutual visibility; `None` where every ray asks for itself.
     visibility: Option<Visibility>,
 }
@@ -132,10 +135,19 @@ pub struct Plan<'a> {
 pub struct ClusterOutput {
     /// Parts, each with its receivers.
     pub parts: Vec<(Vec<u32>, Cluster)>,
-    /// Relative error of each part's compression.
-    pub errors: Vec<f32>,
     /// Per receiver of the plan's cluster.
     pub rays: Vec<Rays>,
+}
+
+/// Transport of a cluster before anything is done with it.
+struct Local {
+    /// Probes that support any of its receivers.
+    probes: Vec<u32>,
+    /// Rows of all coefficients of the probes.
+    matrix: Vec<f32>,
+    /// Form factors of the patches, where transport is to be corrected.
+    factors: Vec<f32>,
+    rays: Vec<Rays>,
 }
 
 impl<'a> Plan<'a> {
@@ -179,20 +191,7 @@ impl<'a> Plan<'a> {
         let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
         let visibility =
             if options.texel_visibility { Visibility::new(atlas.texels.len(), probes.len()) } else { None };
-        let round_trip = (options.ridge > 0.0).then(|| {
-            let mut round_trip = RoundTrip::new(atlas.clone(), &receivers, f64::from(options.ridge));
-            let directions = relight_directions(options.relight_rays);
-            let patch = |i: usize| {
-                let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
-                let exposed =
-                    |s: &Seen| reach.exposed[patches.chart[s.triangle as usize] as usize][usize::from(!s.front)];
-                let texel = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
-                seen.filter(exposed).map_or(NO_PATCH, |s| round_trip.patch(&s, texel(&s)))
-            };
-            let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(patch).collect();
-            round_trip.see(&directions, &met, options.order);
-            round_trip
-        });
+        let round_trip = seen_by_probes(&world, &atlas, &reach, &receivers, &probes, options);
         Ok(Self {
             round_trip,
             visibility,
@@ -237,8 +236,26 @@ impl<'a> Plan<'a> {
         Ok(self.finish(found.into_values().collect()))
     }
 
-    /// Transport of one cluster, compressed as asked.
+    /// Transport of one cluster, corrected and compressed as asked.
     pub fn cluster(&self, index: usize) -> ClusterOutput {
+        let (o, members) = (&self.options, &self.clusters[index]);
+        let Local { probes, mut matrix, factors, rays } = self.local(index);
+        self.round_trip.correct(&mut matrix, &probes, &factors);
+        let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
+        let lights = self.round_trip.lights(&probes, o.light_metric);
+        let (rows, k) = (o.rows as usize, sh::count(o.order));
+        let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression, &lights);
+        let named = |own: Vec<u32>| own.iter().map(|i| members[*i as usize]).collect();
+        ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays }
+    }
+
+    /// Local transport of all clusters, thrown away, for benchmarks: gives the number of receivers that sent rays.
+    pub fn transport_alone(&self) -> usize {
+        (0..self.clusters.len()).into_par_iter().map(|c| self.local(c).rays.len()).sum()
+    }
+
+    /// What the rays of one cluster's receivers find.
+    fn local(&self, index: usize) -> Local {
         let chart = &self.atlas.charts.chart;
         let exposed = |t: u32, front: bool| self.reach.exposed[chart[t as usize] as usize][usize::from(!front)];
         let o = &self.options;
@@ -263,11 +280,11 @@ impl<'a> Plan<'a> {
         let (k, rows) = (sh::count(o.order), o.rows as usize);
         let width = probes.len() * k;
         let mut matrix = vec![0.0f32; members.len() * rows * width];
-        let patch_count = self.round_trip.as_ref().map_or(0, |r| r.count);
-        let mut factors = vec![0.0f32; members.len() * rows * patch_count];
+        let patch_count = if self.round_trip.corrects() { self.round_trip.count } else { 0 };
+        let mut factors = vec![0.0f32; members.len() * (rows * patch_count).max(1)];
         let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
             let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
-            let patches = self.round_trip.as_ref().map(|r| (r, factors));
+            let patches = self.round_trip.corrects().then_some((&self.round_trip, factors));
             let (own, rays) = transport.rows(receiver, support, scratch, patches);
             for (n, coefs) in own.chunks_exact(k.max(1)).enumerate() {
                 let (row, probe) = (n / support.len(), support[n % support.len()]);
@@ -279,26 +296,14 @@ impl<'a> Plan<'a> {
         let rays = if width == 0 {
             vec![Rays::default(); members.len()]
         } else {
-            let per_receiver = if patch_count > 0 { rows * patch_count } else { 1 };
-            factors.resize(members.len() * per_receiver, 0.0);
             matrix
                 .par_chunks_mut(rows * width)
-                .zip(factors.par_chunks_mut(per_receiver))
+                .zip(factors.par_chunks_mut((rows * patch_count).max(1)))
                 .enumerate()
                 .map_init(Scratch::default, fill)
                 .collect()
         };
-        if let Some(round_trip) = &self.round_trip {
-            round_trip.correct(&mut matrix, &probes, &factors);
-        }
-        let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
-        let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression);
-        let mut output = ClusterOutput { parts: Vec::new(), errors: Vec::new(), rays };
-        for (own, cluster, error) in local {
-            output.parts.push((own.iter().map(|i| members[*i as usize]).collect(), cluster));
-            output.errors.push(error);
-        }
-        output
+        Local { probes, matrix, factors, rays }
     }
 
     /// Puts all clusters together: the order of receivers, relight rays, dilation; and the way from
@@ -349,6 +354,29 @@ impl<'a> Plan<'a> {
         };
         (0..self.probes.len() * directions.len()).into_par_iter().map(hit).collect()
     }
+}
+
+/// What the probes see of the receivers' surfaces.
+fn seen_by_probes(
+    world: &World<'_>,
+    atlas: &Arc<Atlas>,
+    reach: &Reach,
+    receivers: &[(Receiver, u32)],
+    probes: &[Vec3],
+    options: &BakeOptions,
+) -> RoundTrip {
+    let mut round_trip = RoundTrip::new(atlas.clone(), receivers, f64::from(options.ridge));
+    let directions = relight_directions(options.relight_rays.max(round_trip::RAYS));
+    let chart = &atlas.charts.chart;
+    let patch = |i: usize| {
+        let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
+        let exposed = |s: &Seen| reach.exposed[chart[s.triangle as usize] as usize][usize::from(!s.front)];
+        let texel = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
+        seen.filter(exposed).map_or(NO_PATCH, |s| round_trip.patch(&s, texel(&s)))
+    };
+    let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(patch).collect();
+    round_trip.see(&directions, &met, options.order);
+    round_trip
 }
 
 /// Directions of the relight rays.
@@ -403,14 +431,45 @@ pub fn halve(mut members: Vec<u32>, position: impl Fn(u32) -> Vec3) -> (Vec<u32>
     (near, far)
 }
 
+/// Clusters by rank in steps of eight: how many need 1 to 8 components, 9 to 16, and so on.
+fn histogram(ranks: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut counts = Vec::new();
+    for rank in ranks {
+        let step = (rank.max(1) as usize - 1) / 8;
+        counts.resize(counts.len().max(step + 1), 0);
+        counts[step] += 1;
+    }
+    counts
+}
+
+/// Size, rank, bytes and errors of every cluster.
+pub fn cluster_report(bake: &SrpBake) -> serde_json::Value {
+    let cluster = |c: &Cluster| {
+        serde_json::json!({
+            "receivers": c.receivers.len(),
+            "probes": c.probes.len(),
+            "columns": c.columns.len(),
+            "rank": c.rank,
+            "bytes": c.f16_bytes(),
+            "transport_error": c.loss.transport,
+            "light_error": c.loss.light,
+        })
+    };
+    bake.clusters.iter().map(cluster).collect()
+}
+
 impl Plan<'_> {
     /// What was decided and what it takes, for reports.
     pub fn report(&self, bake: &SrpBake) -> serde_json::Value {
         let count = bake.clusters.len().max(1) as f64;
         let sum = |f: &dyn Fn(&Cluster) -> usize| bake.clusters.iter().map(f).sum::<usize>() as f64;
-        let numbers = |c: &Cluster| c.projection.len() + c.reconstruction.len();
-        let plain = |c: &Cluster| c.receivers.len() * bake.rows_per_receiver as usize * c.columns.len();
-        let compressed = sum(&numbers);
+        let bytes = sum(&Cluster::f16_bytes);
+        let plain = sum(&|c| c.plain_f16_bytes(bake.rows_per_receiver));
+        let receivers = bake.receivers.len().max(1) as f64;
+        let mean_square = |f: &dyn Fn(&Cluster) -> f32| {
+            bake.clusters.iter().map(|c| c.receivers.len() as f64 * f64::from(f(c)).powi(2)).sum::<f64>() / receivers
+        };
+        let agreeing = self.visibility.as_ref().map(|v| v.shares()[0]);
         serde_json::json!({
             "receivers": bake.receivers.len(),
             "receivers_inside_solids": self.dropped,
@@ -425,8 +484,12 @@ impl Plan<'_> {
             "clusters": bake.clusters.len(),
             "mean_rank": sum(&|c| c.rank as usize) / count,
             "mean_probes_per_cluster": sum(&|c| c.probes.len()) / count,
-            "transport_f16_bytes": 2.0 * compressed,
-            "compression": if compressed > 0.0 { sum(&plain) / compressed } else { 1.0 },
+            "transport_f16_bytes": bytes,
+            "compression": if bytes > 0.0 { plain / bytes } else { 1.0 },
+            "transport_error": mean_square(&|c| c.loss.transport).sqrt(),
+            "light_error": mean_square(&|c| c.loss.light).sqrt(),
+            "visibility_known_by_texel": agreeing,
+            "rank_histogram": histogram(bake.clusters.iter().map(|c| c.rank)),
         })
     }
 }

@@ -12,19 +12,27 @@
 //! does inside patches, of which `Λ` knows nothing: small ones fit the patches and make noise of the rest. Not in the papers.
 
 use super::atlas::{Atlas, Lookup};
+use super::compress::Lights;
 use super::model::{NO_RECEIVER, Receiver};
 use super::plan::split;
 use super::world::Seen;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use glam::Vec3;
+use interreflect_kernels::math::rng::rand;
 use interreflect_kernels::math::sh;
 use std::sync::Arc;
 
 /// Patches at most, about.
-const PATCHES: usize = 1500;
+const PATCHES: usize = 1000;
 /// Standard deviation of a patch's light over the mean light of all.
 const CONTRAST: f64 = 0.5;
+/// Lights that stand for all patches in the metric of compression.
+const LIGHTS: usize = 256;
+/// Lights by which compression is tested.
+const TEST_LIGHTS: usize = 8;
+/// Rays of a probe by which it sees the patches, at least: several per patch, where relight rays may pass small ones by.
+pub const RAYS: u32 = 1 << 14;
 /// Does not belong to a patch.
 pub const NO_PATCH: u32 = u32::MAX;
 
@@ -38,6 +46,8 @@ pub struct RoundTrip {
     pub count: usize,
     /// `Λ`, a row per probe and coefficient; the last column is the sum of the others.
     lambda: Mat<f64>,
+    metric: Mat<f64>,
+    test: Mat<f64>,
     k: usize,
     ridge: f64,
 }
@@ -74,7 +84,17 @@ impl RoundTrip {
         let texels: Vec<u32> = (0..atlas.texels.len() as u32)
             .map(|t| if patch_of[t as usize] == NO_PATCH { NO_RECEIVER } else { t })
             .collect();
-        Self { lookup: Lookup::new(atlas, &texels), patch_of, count, lambda: Mat::zeros(0, 0), k: 0, ridge }
+        let none = || Mat::zeros(0, 0);
+        Self {
+            lookup: Lookup::new(atlas, &texels),
+            patch_of,
+            count,
+            lambda: none(),
+            metric: none(),
+            test: none(),
+            k: 0,
+            ridge,
+        }
     }
 
     /// The patch that a point lies on; `texel` is its own, if it has one.
@@ -84,6 +104,11 @@ impl RoundTrip {
             _ => (self.lookup.one(seen.triangle, seen.weights, seen.front, seen.position, seen.normal))
                 .map_or(NO_PATCH, |t| self.patch_of[t as usize]),
         }
+    }
+
+    /// Whether there is anything to correct.
+    pub fn corrects(&self) -> bool {
+        self.ridge > 0.0
     }
 
     /// Takes what the probes see: `met[probe · rays + ray]` is the patch that a relight ray meets.
@@ -99,6 +124,25 @@ impl RoundTrip {
                 self.lambda[(i / rays * self.k + j, self.count)] += weight * f64::from(*y);
             }
         }
+        // Sums of random sign keep lengths (Johnson & Lindenstrauss 1984): a few stand for all patches.
+        let scale = (1.0 / LIGHTS as f64).sqrt();
+        let sign = |q: usize, n: usize| if rand(21, q as u32, n as u32) < 0.5 { -scale } else { scale };
+        self.metric = &self.lambda * Mat::from_fn(self.count + 1, LIGHTS, sign);
+        let shines = |q: usize, n: usize| q < self.count && rand(22, q as u32, n as u32) < 0.1;
+        self.test = &self.lambda * Mat::from_fn(self.count + 1, TEST_LIGHTS, |q, n| f64::from(u8::from(shines(q, n))));
+    }
+
+    /// Lights of the patches, as the coefficients of `probes`: of random sign for the metric of compression, [`LIGHTS`] of
+    /// them, and some in which a tenth of the patches shine, to test by.
+    pub fn lights(&self, probes: &[u32], metric: bool) -> Lights {
+        let rows: Vec<usize> = (0..probes.len() * self.k).map(|j| self.row(probes, j)).collect();
+        let of = |m: &Mat<f64>| Mat::from_fn(rows.len(), m.ncols(), |j, q| m[(rows[j], q)]);
+        Lights { metric: metric.then(|| of(&self.metric)), test: of(&self.test) }
+    }
+
+    /// The row of `Λ` for a column of a cluster of some probes.
+    fn row(&self, probes: &[u32], column: usize) -> usize {
+        probes[column / self.k] as usize * self.k + column % self.k
     }
 
     /// Corrects the transport of some receivers from the coefficients of `probes`, `matrix`: rows of `probes.len() · K`,
@@ -106,11 +150,10 @@ impl RoundTrip {
     pub fn correct(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32]) {
         let width = probes.len() * self.k;
         let rows = matrix.len() / width.max(1);
-        if rows == 0 || width == 0 {
+        if rows == 0 || width == 0 || self.ridge <= 0.0 {
             return;
         }
-        let row = |j: usize| probes[j / self.k] as usize * self.k + j % self.k;
-        let lambda = Mat::from_fn(width, self.count + 1, |j, q| self.lambda[(row(j), q)]);
+        let lambda = Mat::from_fn(width, self.count + 1, |j, q| self.lambda[(self.row(probes, j), q)]);
         let before = Mat::from_fn(rows, width, |i, j| f64::from(matrix[i * width + j]));
         let form = |i: usize, q: usize| f64::from(factors[i * self.count + q]);
         let mut rest =

@@ -1,6 +1,6 @@
 //! Random bakes of given sizes: for benchmarks at the papers' dimensions, and for tests of run time alone.
 
-use super::model::{Blend, Cluster, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
+use super::model::{Blend, Cluster, Loss, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
 use glam::Vec3;
 use interreflect_kernels::math::rng::{hash, unit};
 use interreflect_kernels::math::sampling::spherical_fibonacci;
@@ -162,7 +162,7 @@ fn cluster(sizes: &Sizes, receivers: std::ops::Range<u32>, rank: u32, support: u
     let share = GAIN / (f32::from(probes.len().max(1) as u16) * (rank.max(1) as f32).sqrt());
     let projection = if identity { Vec::new() } else { numbers(rank as usize * columns.len(), 0.1, random) };
     let reconstruction = numbers(rows * rank as usize, if identity { share * 0.1 } else { share }, random);
-    Cluster { receivers, probes, columns, rank, projection, reconstruction }
+    Cluster { receivers, probes, columns, rank, projection, reconstruction, loss: Loss::default() }
 }
 
 fn numbers(count: usize, scale: f32, random: &mut Random) -> Vec<f32> {
