@@ -281,3 +281,33 @@ fn an_unlit_scene_is_black_and_says_so() {
     let full = interreflect::image_io::read_exr(&out.path().join("full.exr")).unwrap();
     assert!(full.pixels().iter().all(|p| *p == glam::Vec3::ZERO));
 }
+
+/// The frames of an animation of light propagation volumes.
+fn animate(scene: &str, motion: &str) -> Vec<serde_json::Value> {
+    let out = folder();
+    let args = ["render", scene, "--method", "lpv", "--set", "resolution=8", "--frames", "3", "--animate", motion];
+    let all: Vec<&str> =
+        args.into_iter().chain(["--size", "24x24", "--backend", "cpu", "--json", "--out", text(out.path())]).collect();
+    let frames = json(&all)["frames"].as_array().unwrap().clone();
+    assert_eq!(frames.len(), 3);
+    let pictures: Vec<Vec<u8>> =
+        (0..3).map(|k| std::fs::read(out.path().join(format!("frame-{k:04}.png"))).unwrap()).collect();
+    assert!(pictures[0] != pictures[1] && pictures[1] != pictures[2], "{motion}: nothing moved");
+    frames
+}
+
+#[test]
+fn a_moving_light_costs_its_own_map_and_a_moving_object_a_new_grid() {
+    for (k, frame) in animate("many-lights", "light:3:0.4,0,0.2").iter().enumerate() {
+        let (needs, times) = (&frame["needs"], &frame["time_ms"]);
+        assert_eq!(times["precompute"].as_f64().unwrap() > 0.0, k == 0, "{times}");
+        let traced = if k == 0 { needs["shadow_maps"].as_u64().unwrap() } else { 1 };
+        assert_eq!(needs["shadow_maps_traced"], traced, "frame {k}");
+    }
+    let frames = animate("cornell-box", "object:red:0.06,0,0");
+    for frame in &frames {
+        assert!(frame["time_ms"]["precompute"].as_f64().unwrap() > 0.0, "geometry changed");
+    }
+    // A wall that stands further in keeps its size; the room's does not change.
+    assert_eq!(frames[0]["needs"]["dims"], frames[2]["needs"]["dims"]);
+}

@@ -466,3 +466,43 @@ fn strange_scenes_give_finite_light() {
         }
     }
 }
+
+#[test]
+fn cascades_light_the_picture_too() {
+    let scene = cornell_box();
+    let receivers = picture_surfels(&scene, &scene.cameras[0]);
+    let one = truth(&scene, &receivers, 128, Some(2));
+    for cascades in ["2", "3"] {
+        // The middle of the room; finest cells of a sixteenth and a thirty-second of it.
+        let changes = [("cascades", cascades), ("centre", "0.278:0.274:0.28"), ("bounces", "1")];
+        let result = run(&scene, &receivers, &changes);
+        let (block, bias) = judge(&result.irradiance, &one);
+        println!("{cascades} cascades: nrmse_block {block:.3}, bias {bias:.3}");
+        assert!(block < 0.6 && (0.5..1.5).contains(&bias), "{cascades}: {block} {bias}");
+        assert_eq!(result.needs["cascades"].to_string(), cascades);
+    }
+}
+
+#[test]
+fn a_furnace_reflects_as_much_as_it_is_lit() {
+    let scene = furnace(0.5, 1.0);
+    let camera = &scene.cameras[0];
+    let receivers = picture_surfels(&scene, camera);
+    let mut exec = CpuExecutor::new();
+    let buffers = SceneBuffers::upload(&mut exec, &scene).unwrap();
+    let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
+    let mut method = Lpv::new(&settings(&[])).unwrap();
+    method.precompute(&mut exec, &input, &mut StageClock::default()).unwrap();
+    method.light_change(&mut exec, &input, &mut StageClock::default()).unwrap();
+    let gbuffer = exec.upload_slice("gbuffer", &receivers).unwrap();
+    let out = exec.zeroed_slice::<Vec4>("reflection", receivers.len()).unwrap();
+    let mut clock = StageClock::default();
+    for half_angle in [0.05, 0.3] {
+        method.reflect(&mut exec, &input, camera, half_angle, (gbuffer, out), &mut clock).unwrap();
+        let seen = exec.read_slice::<Vec4>(out).unwrap();
+        let mean = seen.iter().map(|v| v.truncate().element_sum() / 3.0).sum::<f32>() / seen.len() as f32;
+        println!("lobe of {half_angle} rad: radiance {mean:.4}");
+        // Half of 2π, over π: what the walls reflect, without what they emit.
+        assert!((mean - 1.0).abs() < 0.1, "{mean}");
+    }
+}

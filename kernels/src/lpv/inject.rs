@@ -6,6 +6,9 @@
 //! resolutions and on nothing that light does; with flux per texel the sum over a cell is the power that its surfaces
 //! reflect, whatever the map's resolution. `lpv_resolve`: one invocation turns one word into watts.
 //!
+//! **Streams.** One lobe per cell merges beams that cross: light of a floor would carry that of the walls away with it. With `streams` = 6
+//! the flux of a surface with normal n is shared out by n² among the six directions of the axes, and each share travels on its own.
+//!
 //! Fixed point through integer atomics: the same bits in any order. Flux is a sum of positive numbers, so that the word after the last
 //! tells for certain whether a cell reached [`FLUX_LIMIT`]: then the host injects again on a coarser scale. Moments are at most as large.
 //!

@@ -12,7 +12,7 @@
 //!
 //! **Passes**, in order: [`rsm`]; [`block`] (facets when geometry changes, texels, opacity); [`inject`] (`lpv_inject`, `lpv_resolve`); [`propagate`] (`lpv_begin`,
 //! `lpv_propagate` …, with [`ledger`] to know when to stop); [`levels`] (`lpv_restrict` and propagation on coarser grids, `lpv_prolong` back);
-//! [`bounce`] for each further bounce; [`gather`] per frame.
+//! all from `lpv_resolve` to `lpv_restrict` for each stream of light; [`bounce`] for each further bounce; [`gather`] per frame.
 
 pub mod block;
 pub mod bounce;

@@ -21,7 +21,8 @@
 //! **Occlusion.** Light from cell to cell is multiplied with 1 − the opacity between their centres ([`super::block`]); none in the first step, so
 //! that a surface does not block the light that was injected in front of it.
 //!
-//! Good when light is smooth; fails when walls are thinner than a cell, and far from small sources: order 1 merges crossing beams. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
+//! Good when light is smooth; fails when walls are thinner than a cell, and far from small sources: beams that cross in one stream merge, and
+//! thirty faces spread a lobe a little further at every step. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
 
 use super::grid::{cell_row, rows};
 use super::lobe::{Lobes, Sent, Travelling, travel};

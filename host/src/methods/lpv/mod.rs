@@ -318,7 +318,7 @@ impl Lpv {
     }
 
     /// Radiance (W/(sr m²), `Vec4` per pixel) that a glossy lobe of half angle `half_angle_rad` reflects towards the camera at every surface
-    /// of `gbuffer` for a reflectance of 1, into `out`: the reflection grid. After [`Method::light_change`].
+    /// of `gbuffer` for a reflectance of 1, into `out`: the reflection grid. Emitters themselves are not in it. After [`Method::light_change`].
     ///
     /// # Errors
     /// [`MethodError::BadValue`] with `geometry` none or texels and one bounce: there are no voxels then; what the executor returns.
@@ -331,6 +331,7 @@ impl Lpv {
         (gbuffer, out): (BufferId, BufferId),
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
+        let around_camera = self.options.cascades > 1;
         let state = self.state()?;
         let Some(voxels) = &mut state.voxels else {
             return Err(MethodError::BadValue {
@@ -341,7 +342,9 @@ impl Lpv {
             });
         };
         let level = state.volumes[0].finest();
-        let radius = level.params.anchor_size.w * level.params.dims.max_element() as f32;
+        // A grid around the camera ends somewhere; one around the scene holds all that reflects.
+        let range = level.params.anchor_size.w * level.params.dims.max_element() as f32;
+        let radius = if around_camera { range } else { 1e6 * range };
         let mark = exec.mark();
         clock.stage(exec, "reflection grid", |exec| {
             voxels.inject(exec, input, 4, 8)?;
