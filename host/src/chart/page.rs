@@ -228,7 +228,8 @@ fn advice(html: &mut String, scene: &SceneChart) {
         } else if let Some(ms) = paths.filter(|ms| best.is_none_or(|b| *ms < b.1)) {
             let _ = write!(words, "<br>plain path tracing does it in {}", milliseconds(ms));
         }
-        let _ = writeln!(errors, "<tr><th scope=\"row\">at most {:.0}&nbsp;%</th><td>{words}</td></tr>", 100.0 * target);
+        let _ =
+            writeln!(errors, "<tr><th scope=\"row\">at most {:.0}&nbsp;%</th><td>{words}</td></tr>", 100.0 * target);
     }
     let mut times = String::new();
     for (limit, name) in BUDGETS {
