@@ -43,11 +43,12 @@ var<storage> irradiance: type_5;
 var<storage, read_write> texels: type_19;
 
 fn function_() {
-    var phi_291_: vec4<f32>;
-    var phi_292_: vec4<f32>;
-    var phi_294_: vec4<f32>;
-    var phi_295_: vec4<f32>;
-    var phi_296_: bool;
+    var phi_325_: vec4<f32>;
+    var phi_326_: vec4<f32>;
+    var phi_327_: vec4<f32>;
+    var phi_329_: vec4<f32>;
+    var phi_330_: vec4<f32>;
+    var phi_331_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -62,32 +63,32 @@ fn function_() {
                 }
                 let _e42 = map.member[_e37];
                 if (_e42 == 4294967295u) {
-                    phi_294_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_295_ = vec4<f32>();
-                    phi_296_ = true;
+                    phi_329_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_330_ = vec4<f32>();
+                    phi_331_ = true;
                 } else {
                     let _e45 = ((_e42 & 2147483648u) == 0u);
                     if _e45 {
-                        let _e177 = params.member.member_1;
+                        let _e186 = params.member.member_1;
                         if (_e42 < _e28) {
                         } else {
                             break;
                         }
-                        let _e181 = irradiance.member[_e42];
-                        let _e182 = (_e177 + _e42);
-                        if (_e182 < _e28) {
+                        let _e190 = irradiance.member[_e42];
+                        let _e191 = (_e186 + _e42);
+                        if (_e191 < _e28) {
                         } else {
                             break;
                         }
-                        let _e186 = irradiance.member[_e182];
-                        let _e188 = ((2u * _e177) + _e42);
-                        if (_e188 < _e28) {
+                        let _e195 = irradiance.member[_e191];
+                        let _e197 = ((2u * _e186) + _e42);
+                        if (_e197 < _e28) {
                         } else {
                             break;
                         }
-                        let _e192 = irradiance.member[_e188];
-                        phi_291_ = vec4<f32>(_e181, _e186, _e192, 1f);
-                        phi_292_ = vec4<f32>();
+                        let _e201 = irradiance.member[_e197];
+                        phi_326_ = vec4<f32>(select(0f, _e190, (_e190 > 0f)), select(0f, _e195, (_e195 > 0f)), select(0f, _e201, (_e201 > 0f)), 1f);
+                        phi_327_ = vec4<f32>();
                     } else {
                         let _e46 = (_e42 & 2147483647u);
                         if (_e46 < arrayLength((&blends.member))) {
@@ -95,100 +96,109 @@ fn function_() {
                             break;
                         }
                         let _e50 = params.member.member_1;
-                        let _e55 = blends.member[_e46].member[0u];
-                        let _e60 = blends.member[_e46].member_1[0u];
-                        if (_e55 < _e28) {
+                        if (_e50 == 0u) {
+                            phi_325_ = vec4<f32>(0f, 0f, 0f, 0f);
                         } else {
-                            break;
+                            let _e56 = blends.member[_e46].member[0u];
+                            let _e61 = blends.member[_e46].member_1[0u];
+                            if (_e56 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e65 = irradiance.member[_e56];
+                            let _e66 = (_e50 + _e56);
+                            if (_e66 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e70 = irradiance.member[_e66];
+                            let _e71 = (2u * _e50);
+                            let _e72 = (_e71 + _e56);
+                            if (_e72 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e76 = irradiance.member[_e72];
+                            let _e84 = blends.member[_e46].member[1u];
+                            let _e89 = blends.member[_e46].member_1[1u];
+                            if (_e84 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e93 = irradiance.member[_e84];
+                            let _e94 = (_e50 + _e84);
+                            if (_e94 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e98 = irradiance.member[_e94];
+                            let _e99 = (_e71 + _e84);
+                            if (_e99 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e103 = irradiance.member[_e99];
+                            let _e115 = blends.member[_e46].member[2u];
+                            let _e120 = blends.member[_e46].member_1[2u];
+                            if (_e115 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e124 = irradiance.member[_e115];
+                            let _e125 = (_e50 + _e115);
+                            if (_e125 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e129 = irradiance.member[_e125];
+                            let _e130 = (_e71 + _e115);
+                            if (_e130 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e134 = irradiance.member[_e130];
+                            let _e146 = blends.member[_e46].member[3u];
+                            let _e151 = blends.member[_e46].member_1[3u];
+                            if (_e146 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e155 = irradiance.member[_e146];
+                            let _e156 = (_e50 + _e146);
+                            if (_e156 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e160 = irradiance.member[_e156];
+                            let _e161 = (_e71 + _e146);
+                            if (_e161 < _e28) {
+                            } else {
+                                break;
+                            }
+                            let _e165 = irradiance.member[_e161];
+                            let _e169 = ((((_e61 * _e65) + (_e89 * _e93)) + (_e120 * _e124)) + (_e151 * _e155));
+                            let _e170 = ((((_e61 * _e70) + (_e89 * _e98)) + (_e120 * _e129)) + (_e151 * _e160));
+                            let _e171 = ((((_e61 * _e76) + (_e89 * _e103)) + (_e120 * _e134)) + (_e151 * _e165));
+                            phi_325_ = vec4<f32>(select(0f, _e169, (_e169 > 0f)), select(0f, _e170, (_e170 > 0f)), select(0f, _e171, (_e171 > 0f)), select(0f, 1f, ((((_e61 + _e89) + _e120) + _e151) > 0f)));
                         }
-                        let _e64 = irradiance.member[_e55];
-                        let _e65 = (_e50 + _e55);
-                        if (_e65 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e69 = irradiance.member[_e65];
-                        let _e70 = (2u * _e50);
-                        let _e71 = (_e70 + _e55);
-                        if (_e71 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e75 = irradiance.member[_e71];
-                        let _e83 = blends.member[_e46].member[1u];
-                        let _e88 = blends.member[_e46].member_1[1u];
-                        if (_e83 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e92 = irradiance.member[_e83];
-                        let _e93 = (_e50 + _e83);
-                        if (_e93 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e97 = irradiance.member[_e93];
-                        let _e98 = (_e70 + _e83);
-                        if (_e98 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e102 = irradiance.member[_e98];
-                        let _e114 = blends.member[_e46].member[2u];
-                        let _e119 = blends.member[_e46].member_1[2u];
-                        if (_e114 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e123 = irradiance.member[_e114];
-                        let _e124 = (_e50 + _e114);
-                        if (_e124 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e128 = irradiance.member[_e124];
-                        let _e129 = (_e70 + _e114);
-                        if (_e129 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e133 = irradiance.member[_e129];
-                        let _e145 = blends.member[_e46].member[3u];
-                        let _e150 = blends.member[_e46].member_1[3u];
-                        if (_e145 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e154 = irradiance.member[_e145];
-                        let _e155 = (_e50 + _e145);
-                        if (_e155 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e159 = irradiance.member[_e155];
-                        let _e160 = (_e70 + _e145);
-                        if (_e160 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e164 = irradiance.member[_e160];
-                        phi_291_ = vec4<f32>();
-                        phi_292_ = vec4<f32>(((((_e60 * _e64) + (_e88 * _e92)) + (_e119 * _e123)) + (_e150 * _e154)), ((((_e60 * _e69) + (_e88 * _e97)) + (_e119 * _e128)) + (_e150 * _e159)), ((((_e60 * _e75) + (_e88 * _e102)) + (_e119 * _e133)) + (_e150 * _e164)), select(0f, 1f, ((((_e60 + _e88) + _e119) + _e150) > 0f)));
+                        let _e183 = phi_325_;
+                        phi_326_ = vec4<f32>();
+                        phi_327_ = _e183;
                     }
-                    let _e195 = phi_291_;
-                    let _e197 = phi_292_;
-                    phi_294_ = _e197;
-                    phi_295_ = _e195;
-                    phi_296_ = select(true, false, _e45);
+                    let _e210 = phi_326_;
+                    let _e212 = phi_327_;
+                    phi_329_ = _e212;
+                    phi_330_ = _e210;
+                    phi_331_ = select(true, false, _e45);
                 }
-                let _e200 = phi_294_;
-                let _e202 = phi_295_;
-                let _e204 = phi_296_;
+                let _e215 = phi_329_;
+                let _e217 = phi_330_;
+                let _e219 = phi_331_;
                 if (_e37 < arrayLength((&texels.member))) {
                 } else {
                     break;
                 }
-                texels.member[_e37] = select(_e202, _e200, vec4(_e204));
+                texels.member[_e37] = select(_e217, _e215, vec4(_e219));
             }
             break;
         }

@@ -37,93 +37,104 @@ var<storage> irradiance: type_5;
 var<storage, read_write> points: type_15;
 
 fn function_() {
+    var phi_239_: vec4<f32>;
+
     switch bitcast<i32>(0u) {
         default: {
-            let _e12 = gid_1;
-            let _e16 = arrayLength((&irradiance.member));
-            let _e21 = params.member.member;
-            let _e25 = (_e12.x + (_e12.y * 2097152u));
-            if (_e25 < _e21) {
-                if (_e25 < arrayLength((&blends.member))) {
+            let _e14 = gid_1;
+            let _e18 = arrayLength((&irradiance.member));
+            let _e23 = params.member.member;
+            let _e27 = (_e14.x + (_e14.y * 2097152u));
+            if (_e27 < _e23) {
+                if (_e27 < arrayLength((&blends.member))) {
                 } else {
                     break;
                 }
-                let _e30 = blends.member[_e25];
-                let _e33 = params.member.member_1;
-                if (_e30.member[0] < _e16) {
+                let _e32 = blends.member[_e27];
+                let _e35 = params.member.member_1;
+                if (_e35 == 0u) {
+                    phi_239_ = vec4<f32>(0f, 0f, 0f, 0f);
+                } else {
+                    if (_e32.member[0] < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e44 = irradiance.member[_e32.member[0]];
+                    let _e45 = (_e35 + _e32.member[0]);
+                    if (_e45 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e49 = irradiance.member[_e45];
+                    let _e50 = (2u * _e35);
+                    let _e51 = (_e50 + _e32.member[0]);
+                    if (_e51 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e55 = irradiance.member[_e51];
+                    if (_e32.member[1] < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e66 = irradiance.member[_e32.member[1]];
+                    let _e67 = (_e35 + _e32.member[1]);
+                    if (_e67 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e71 = irradiance.member[_e67];
+                    let _e72 = (_e50 + _e32.member[1]);
+                    if (_e72 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e76 = irradiance.member[_e72];
+                    if (_e32.member[2] < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e90 = irradiance.member[_e32.member[2]];
+                    let _e91 = (_e35 + _e32.member[2]);
+                    if (_e91 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e95 = irradiance.member[_e91];
+                    let _e96 = (_e50 + _e32.member[2]);
+                    if (_e96 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e100 = irradiance.member[_e96];
+                    if (_e32.member[3] < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e114 = irradiance.member[_e32.member[3]];
+                    let _e115 = (_e35 + _e32.member[3]);
+                    if (_e115 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e119 = irradiance.member[_e115];
+                    let _e120 = (_e50 + _e32.member[3]);
+                    if (_e120 < _e18) {
+                    } else {
+                        break;
+                    }
+                    let _e124 = irradiance.member[_e120];
+                    let _e128 = ((((_e32.member_1[0] * _e44) + (_e32.member_1[1] * _e66)) + (_e32.member_1[2] * _e90)) + (_e32.member_1[3] * _e114));
+                    let _e129 = ((((_e32.member_1[0] * _e49) + (_e32.member_1[1] * _e71)) + (_e32.member_1[2] * _e95)) + (_e32.member_1[3] * _e119));
+                    let _e130 = ((((_e32.member_1[0] * _e55) + (_e32.member_1[1] * _e76)) + (_e32.member_1[2] * _e100)) + (_e32.member_1[3] * _e124));
+                    phi_239_ = vec4<f32>(select(0f, _e128, (_e128 > 0f)), select(0f, _e129, (_e129 > 0f)), select(0f, _e130, (_e130 > 0f)), f32());
+                }
+                let _e139 = phi_239_;
+                if (_e27 < arrayLength((&points.member))) {
                 } else {
                     break;
                 }
-                let _e41 = irradiance.member[_e30.member[0]];
-                let _e42 = (_e33 + _e30.member[0]);
-                if (_e42 < _e16) {
-                } else {
-                    break;
-                }
-                let _e46 = irradiance.member[_e42];
-                let _e47 = (2u * _e33);
-                let _e48 = (_e47 + _e30.member[0]);
-                if (_e48 < _e16) {
-                } else {
-                    break;
-                }
-                let _e52 = irradiance.member[_e48];
-                if (_e30.member[1] < _e16) {
-                } else {
-                    break;
-                }
-                let _e63 = irradiance.member[_e30.member[1]];
-                let _e64 = (_e33 + _e30.member[1]);
-                if (_e64 < _e16) {
-                } else {
-                    break;
-                }
-                let _e68 = irradiance.member[_e64];
-                let _e69 = (_e47 + _e30.member[1]);
-                if (_e69 < _e16) {
-                } else {
-                    break;
-                }
-                let _e73 = irradiance.member[_e69];
-                if (_e30.member[2] < _e16) {
-                } else {
-                    break;
-                }
-                let _e87 = irradiance.member[_e30.member[2]];
-                let _e88 = (_e33 + _e30.member[2]);
-                if (_e88 < _e16) {
-                } else {
-                    break;
-                }
-                let _e92 = irradiance.member[_e88];
-                let _e93 = (_e47 + _e30.member[2]);
-                if (_e93 < _e16) {
-                } else {
-                    break;
-                }
-                let _e97 = irradiance.member[_e93];
-                if (_e30.member[3] < _e16) {
-                } else {
-                    break;
-                }
-                let _e111 = irradiance.member[_e30.member[3]];
-                let _e112 = (_e33 + _e30.member[3]);
-                if (_e112 < _e16) {
-                } else {
-                    break;
-                }
-                let _e116 = irradiance.member[_e112];
-                let _e117 = (_e47 + _e30.member[3]);
-                if (_e117 < _e16) {
-                } else {
-                    break;
-                }
-                let _e121 = irradiance.member[_e117];
-                if (_e25 < arrayLength((&points.member))) {
-                } else {
-                    break;
-                }
-                points.member[_e25] = vec4<f32>(((((_e30.member_1[0] * _e41) + (_e30.member_1[1] * _e63)) + (_e30.member_1[2] * _e87)) + (_e30.member_1[3] * _e111)), ((((_e30.member_1[0] * _e46) + (_e30.member_1[1] * _e68)) + (_e30.member_1[2] * _e92)) + (_e30.member_1[3] * _e116)), ((((_e30.member_1[0] * _e52) + (_e30.member_1[1] * _e73)) + (_e30.member_1[2] * _e97)) + (_e30.member_1[3] * _e121)), 0f);
+                points.member[_e27] = vec4<f32>(_e139.x, _e139.y, _e139.z, 0f);
             }
             break;
         }

@@ -9,6 +9,7 @@
 use crate::kernel::Rows;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::math::float::max;
 use glam::Vec4;
 use interreflect_shared::srp::{SRP_BLENDED, SRP_EMPTY, SrpBlend, SrpResolveParams};
 
@@ -17,10 +18,20 @@ pub fn elements(p: &SrpResolveParams) -> Rows {
     Rows::all(p.count)
 }
 
+/// Irradiance with what a truncated series and its compression ring below zero cut off, and `w`.
+#[inline(always)]
+fn positive(irradiance: Vec4, w: f32) -> Vec4 {
+    Vec4::new(max(irradiance.x, 0.0), max(irradiance.y, 0.0), max(irradiance.z, 0.0), w)
+}
+
 /// Irradiance (W/m²) of a blend of slots, w = 1; zero with w = 0 where all weights are 0. `irradiance` in planes
 /// `[channel][slot]`.
 #[inline(always)]
 pub fn blended(blend: &SrpBlend, irradiance: &[f32], slot_count: u32) -> Vec4 {
+    // A scene without surfaces.
+    if slot_count == 0 {
+        return Vec4::ZERO;
+    }
     let plane = slot_count as usize;
     let (mut sum, mut weight) = (Vec4::ZERO, 0.0);
     unroll!(K in 0, 1, 2, 3 => {
@@ -28,7 +39,7 @@ pub fn blended(blend: &SrpBlend, irradiance: &[f32], slot_count: u32) -> Vec4 {
         sum += w * Vec4::new(irradiance[slot], irradiance[plane + slot], irradiance[2 * plane + slot], 0.0);
         weight += w;
     });
-    sum.truncate().extend(if weight > 0.0 { 1.0 } else { 0.0 })
+    positive(sum, if weight > 0.0 { 1.0 } else { 0.0 })
 }
 
 /// Irradiance (W/m²) of texel `i`, w = 1 where there is any. `map`: per texel a slot, [`SRP_BLENDED`] and an index of
@@ -42,7 +53,7 @@ pub fn texel(i: u32, p: &SrpResolveParams, map: &[u32], blends: &[SrpBlend], irr
         return blended(&blends[(source & !SRP_BLENDED) as usize], irradiance, p.slot_count);
     }
     let (slot, plane) = (source as usize, p.slot_count as usize);
-    Vec4::new(irradiance[slot], irradiance[plane + slot], irradiance[2 * plane + slot], 1.0)
+    positive(Vec4::new(irradiance[slot], irradiance[plane + slot], irradiance[2 * plane + slot], 0.0), 1.0)
 }
 
 /// Irradiance (W/m²) of point `i`, w = 0 as methods give it.

@@ -146,13 +146,30 @@ impl RoundTrip {
     }
 
     /// Corrects the transport of some receivers from the coefficients of `probes`, `matrix`: rows of `probes.len() · K`,
-    /// by their form factors, rows of `count`.
+    /// by their form factors, rows of `count`. Receivers whose probes have nothing to do with each other, as on the two
+    /// sides of a wall, are corrected apart: what a probe behind a wall sees is no evidence.
     pub fn correct(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32]) {
-        let width = probes.len() * self.k;
-        let rows = matrix.len() / width.max(1);
-        if rows == 0 || width == 0 || self.ridge <= 0.0 {
+        if matrix.is_empty() || probes.is_empty() || self.k == 0 || self.ridge <= 0.0 {
             return;
         }
+        let width = probes.len() * self.k;
+        for (rows, slots) in connected(matrix, probes.len(), self.k) {
+            let own: Vec<u32> = slots.iter().map(|s| probes[*s]).collect();
+            let blocks = |row: usize| slots.iter().map(move |s| row * width + s * self.k);
+            let mut part: Vec<f32> =
+                rows.iter().flat_map(|r| blocks(*r)).flat_map(|at| matrix[at..at + self.k].to_vec()).collect();
+            let own_factors: Vec<f32> =
+                rows.iter().flat_map(|r| &factors[r * self.count..(r + 1) * self.count]).copied().collect();
+            self.correct_connected(&mut part, &own, &own_factors);
+            for (at, block) in rows.iter().flat_map(|r| blocks(*r)).zip(part.chunks_exact(self.k)) {
+                matrix[at..at + self.k].copy_from_slice(block);
+            }
+        }
+    }
+
+    fn correct_connected(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32]) {
+        let width = probes.len() * self.k;
+        let rows = matrix.len() / width.max(1);
         let lambda = Mat::from_fn(width, self.count + 1, |j, q| self.lambda[(self.row(probes, j), q)]);
         let before = Mat::from_fn(rows, width, |i, j| f64::from(matrix[i * width + j]));
         let form = |i: usize, q: usize| f64::from(factors[i * self.count + q]);
@@ -172,5 +189,44 @@ impl RoundTrip {
                 matrix[i * width + j] = (before[(i, j)] + change[(j, i)]) as f32;
             }
         }
+    }
+}
+
+/// Rows that share probes, directly or through other rows, each group with the places of its probes in a row. Rows of
+/// `probes` blocks of `k` numbers; a probe that a receiver does not use has a block of zeros.
+fn connected(matrix: &[f32], probes: usize, k: usize) -> Vec<(Vec<usize>, Vec<usize>)> {
+    let used: Vec<Vec<usize>> = matrix
+        .chunks_exact(probes * k)
+        .map(|row| (0..probes).filter(|s| row[s * k..(s + 1) * k].iter().any(|v| *v != 0.0)).collect())
+        .collect();
+    // The lowest place that each is connected to.
+    let mut group: Vec<usize> = (0..probes).collect();
+    for slots in &used {
+        let lowest = slots.iter().map(|s| group[*s]).min();
+        let merged: Vec<usize> = slots.iter().map(|s| group[*s]).collect();
+        group.iter_mut().filter(|g| merged.contains(g)).for_each(|g| *g = lowest.unwrap_or(*g));
+    }
+    (0..probes)
+        .map(|g| {
+            let rows = (0..used.len()).filter(|r| used[*r].first().is_some_and(|s| group[*s] == g)).collect::<Vec<_>>();
+            let slots = (0..probes).filter(|s| group[*s] == g && rows.iter().any(|r| used[*r].contains(s))).collect();
+            (rows, slots)
+        })
+        .filter(|(rows, _): &(Vec<usize>, Vec<usize>)| !rows.is_empty())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_without_a_common_probe_are_apart() {
+        // Four rows of three probes of two numbers: 0 and 1 share the first probe, 2 has the last, 3 has none.
+        let matrix = [[1., 0., 0., 0., 0., 0.], [0., 2., 1., 0., 0., 0.], [0., 0., 0., 0., 0., 3.], [0.; 6]].concat();
+        assert_eq!(connected(&matrix, 3, 2), [(vec![0, 1], vec![0, 1]), (vec![2], vec![2])]);
+        // A row that uses all joins them.
+        let joined = [matrix, vec![1.0; 6]].concat();
+        assert_eq!(connected(&joined, 3, 2), [(vec![0, 1, 2, 4], vec![0, 1, 2])]);
     }
 }
