@@ -147,11 +147,12 @@ fn atlas_and_points_hold_the_receivers() {
     let texels: Vec<Vec4> = exec.read_slice(atlas).unwrap();
     let at = |[x, y]: [u32; 2]| texels[(y * SIZES.atlas_side + x) as usize];
     for (texel, e) in bake.texel.iter().zip(&irradiance) {
-        assert_eq!(at(*texel), e.extend(1.0));
+        // What rings below zero is cut off, here and in points.
+        assert_eq!(at(*texel), e.max(Vec3::ZERO).extend(1.0));
     }
-    assert!(bake.dilation.len() > 50);
+    assert!(bake.dilation.len() > 50 && irradiance.iter().any(|e| e.min_element() < 0.0));
     for (texel, blend) in &bake.dilation {
-        assert!((at(*texel).truncate() - blend.of(&irradiance)).abs().max_element() < 1e-5);
+        assert!((at(*texel).truncate() - blend.of(&irradiance).max(Vec3::ZERO)).abs().max_element() < 1e-5);
         assert_eq!(at(*texel).w, 1.0);
     }
     let empty = texels.iter().filter(|t| **t == Vec4::ZERO).count();
@@ -166,13 +167,13 @@ fn atlas_and_points_hold_the_receivers() {
     let out = exec.zeroed_slice::<Vec4>("out", blends.len()).unwrap();
     runtime.resolve(&mut exec, &points, out).unwrap();
     for (got, blend) in exec.read_slice::<Vec4>(out).unwrap().iter().zip(&blends) {
-        assert!((got.truncate() - blend.of(&irradiance)).abs().max_element() < 1e-5);
+        assert!((got.truncate() - blend.of(&irradiance).max(Vec3::ZERO)).abs().max_element() < 1e-5);
     }
     let reversed = [blends[2], blends[1], blends[0]];
     runtime.set_points(&mut exec, &points, &reversed).unwrap();
     runtime.resolve(&mut exec, &points, out).unwrap();
     for (got, blend) in exec.read_slice::<Vec4>(out).unwrap().iter().zip(&reversed) {
-        assert!((got.truncate() - blend.of(&irradiance)).abs().max_element() < 1e-5);
+        assert!((got.truncate() - blend.of(&irradiance).max(Vec3::ZERO)).abs().max_element() < 1e-5);
     }
     assert!(runtime.set_points(&mut exec, &points, &[Blend::NONE; 9]).is_err());
 }
