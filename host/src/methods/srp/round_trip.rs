@@ -132,7 +132,7 @@ impl RoundTrip {
         self.test = &self.lambda * Mat::from_fn(self.count + 1, TEST_LIGHTS, |q, n| f64::from(u8::from(shines(q, n))));
     }
 
-    /// Lights of the patches, as the coefficients of `probes`: of random sign for the metric of compression, [`LIGHTS`] of
+    /// Lights of the patches, as the coefficients of `probes`: of random sign for the metric of compression, `LIGHTS` of
     /// them, and some in which a tenth of the patches shine, to test by.
     pub fn lights(&self, probes: &[u32], metric: bool) -> Lights {
         let rows: Vec<usize> = (0..probes.len() * self.k).map(|j| self.row(probes, j)).collect();
