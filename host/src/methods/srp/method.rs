@@ -77,7 +77,8 @@ pub const ROW: MethodRow = MethodRow {
             key: "correction",
             default: "0.001",
             allowed: "from 0 to 1",
-            help: "Ridge of the correction of transport by its own round trip; 0: none. Lower: nearer to the truth, more noise.",
+            help: "Ridge of the correction of transport by its own round trip; 0: none. Lower: nearer to the truth in rooms, more noise; \
+                   0 is better in large scenes with sharp sunlight.",
         },
         Setting {
             key: "visibility",
