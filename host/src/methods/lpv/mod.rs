@@ -78,8 +78,8 @@ pub const ROW: MethodRow = MethodRow {
             default: "0",
             allowed: "a whole number from 0 to 5",
             help: "Grids, each twice as coarse as the one before, through which light passes on its way; 1 propagates on one \
-                   grid alone, 0 adds levels until the coarsest has some 8 cells. More: faster, and light keeps its \
-                   direction over more cells.",
+                   grid alone, 0 adds levels until the coarsest has some 8 cells along the longest side or 4 along the \
+                   shortest. More: faster, and light keeps its direction over more cells.",
         },
         Setting {
             key: "steps",

@@ -156,10 +156,10 @@ impl RoundTrip {
         for (rows, slots) in connected(matrix, probes.len(), self.k) {
             let own: Vec<u32> = slots.iter().map(|s| probes[*s]).collect();
             let blocks = |row: usize| slots.iter().map(move |s| row * width + s * self.k);
-            let mut part: Vec<f32> =
-                rows.iter().flat_map(|r| blocks(*r)).flat_map(|at| matrix[at..at + self.k].to_vec()).collect();
-            let own_factors: Vec<f32> =
-                rows.iter().flat_map(|r| &factors[r * self.count..(r + 1) * self.count]).copied().collect();
+            let mut part = Vec::with_capacity(rows.len() * slots.len() * self.k);
+            rows.iter().flat_map(|r| blocks(*r)).for_each(|at| part.extend_from_slice(&matrix[at..at + self.k]));
+            let mut own_factors = Vec::with_capacity(rows.len() * self.count);
+            rows.iter().for_each(|r| own_factors.extend_from_slice(&factors[r * self.count..(r + 1) * self.count]));
             self.correct_connected(&mut part, &own, &own_factors);
             for (at, block) in rows.iter().flat_map(|r| blocks(*r)).zip(part.chunks_exact(self.k)) {
                 matrix[at..at + self.k].copy_from_slice(block);
