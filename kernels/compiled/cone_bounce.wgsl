@@ -75,1457 +75,1233 @@ var<storage> even: type_30;
 var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_191_: vec3<f32>;
-    var phi_198_: vec3<f32>;
-    var phi_301_: f32;
-    var phi_2421_: bool;
+    var phi_190_: vec3<f32>;
+    var phi_197_: vec3<f32>;
+    var phi_300_: f32;
+    var phi_2236_: bool;
+    var phi_305_: type_8;
+    var phi_308_: vec3<f32>;
     var phi_306_: type_8;
-    var phi_309_: vec3<f32>;
-    var phi_307_: type_8;
-    var phi_332_: type_8;
-    var phi_470_: f32;
-    var phi_478_: f32;
-    var phi_491_: f32;
-    var phi_492_: vec3<f32>;
-    var phi_539_: bool;
-    var phi_548_: u32;
-    var phi_580_: i32;
-    var phi_594_: bool;
+    var phi_331_: type_8;
+    var phi_469_: f32;
+    var phi_477_: f32;
+    var phi_490_: f32;
+    var phi_491_: vec3<f32>;
+    var phi_538_: bool;
+    var phi_547_: u32;
+    var phi_579_: i32;
+    var phi_593_: bool;
+    var phi_610_: f32;
     var phi_611_: f32;
-    var phi_612_: f32;
-    var phi_613_: bool;
-    var phi_650_: i32;
-    var phi_664_: bool;
+    var phi_612_: bool;
+    var phi_649_: i32;
+    var phi_663_: bool;
+    var phi_680_: f32;
     var phi_681_: f32;
-    var phi_682_: f32;
-    var phi_683_: bool;
-    var phi_720_: i32;
-    var phi_734_: bool;
+    var phi_682_: bool;
+    var phi_719_: i32;
+    var phi_733_: bool;
+    var phi_750_: f32;
     var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_753_: bool;
-    var phi_2397_: bool;
+    var phi_752_: bool;
+    var phi_760_: type_8;
+    var phi_763_: vec3<f32>;
+    var phi_765_: type_38;
+    var phi_767_: type_38;
+    var phi_769_: type_38;
+    var phi_771_: f32;
+    var phi_773_: f32;
     var phi_761_: type_8;
+    var phi_796_: type_8;
+    var phi_816_: bool;
+    var phi_827_: u32;
+    var phi_848_: f32;
+    var phi_849_: i32;
+    var phi_850_: u32;
+    var phi_851_: f32;
+    var phi_852_: f32;
+    var phi_853_: i32;
+    var phi_854_: u32;
+    var phi_855_: f32;
+    var phi_911_: u32;
+    var phi_928_: f32;
+    var phi_949_: bool;
+    var phi_961_: u32;
+    var phi_972_: u32;
+    var phi_980_: f32;
+    var phi_1019_: f32;
+    var phi_1030_: f32;
+    var phi_1052_: bool;
+    var phi_1064_: u32;
+    var phi_1075_: u32;
+    var phi_1083_: f32;
+    var phi_1122_: f32;
+    var phi_1133_: f32;
+    var phi_1155_: bool;
+    var phi_1167_: u32;
+    var phi_1178_: u32;
+    var phi_1186_: f32;
+    var phi_1225_: f32;
+    var phi_1252_: f32;
+    var phi_1253_: f32;
+    var phi_1254_: u32;
+    var phi_1255_: u32;
+    var phi_1256_: u32;
+    var phi_1257_: u32;
+    var phi_1258_: f32;
+    var phi_1259_: f32;
+    var phi_1260_: u32;
+    var phi_1261_: u32;
+    var phi_1262_: u32;
+    var phi_1263_: u32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1268_: type_8;
+    var phi_1271_: vec4<f32>;
+    var phi_1269_: type_8;
+    var phi_1294_: type_8;
+    var phi_1729_: u32;
+    var phi_1741_: vec4<f32>;
+    var phi_1574_: type_8;
+    var phi_1577_: vec4<f32>;
+    var phi_1579_: vec4<f32>;
+    var phi_1575_: type_8;
+    var phi_1602_: type_8;
+    var phi_1671_: vec4<f32>;
+    var phi_1672_: vec4<f32>;
+    var phi_1578_: vec4<f32>;
+    var phi_1580_: vec4<f32>;
+    var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var phi_1694_: vec4<f32>;
+    var phi_1452_: type_8;
+    var phi_1455_: vec4<f32>;
+    var phi_1453_: type_8;
+    var phi_1478_: type_8;
+    var phi_1456_: vec4<f32>;
+    var phi_1695_: vec4<f32>;
+    var phi_1709_: vec4<f32>;
+    var phi_1742_: vec4<f32>;
+    var phi_1763_: vec4<f32>;
+    var phi_1764_: vec4<f32>;
+    var phi_1272_: vec4<f32>;
+    var phi_1765_: vec4<f32>;
+    var phi_1766_: vec4<f32>;
+    var phi_1767_: bool;
+    var phi_1811_: vec3<f32>;
+    var phi_1812_: f32;
+    var phi_1813_: f32;
+    var phi_2018_: i32;
+    var phi_2033_: type_38;
+    var phi_2034_: type_38;
+    var phi_2053_: bool;
+    var phi_2075_: f32;
+    var phi_2076_: f32;
+    var phi_2077_: bool;
+    var phi_1939_: i32;
+    var phi_1954_: type_38;
+    var phi_1955_: type_38;
+    var phi_1974_: bool;
+    var phi_1996_: f32;
+    var phi_1997_: f32;
+    var phi_1998_: bool;
+    var phi_2083_: type_38;
+    var phi_2084_: type_38;
+    var phi_1856_: i32;
+    var phi_1871_: type_38;
+    var phi_1872_: type_38;
+    var phi_1891_: bool;
+    var phi_1913_: f32;
+    var phi_1914_: f32;
+    var phi_1915_: bool;
+    var phi_2085_: type_38;
+    var phi_2086_: type_38;
+    var phi_2087_: type_38;
+    var phi_2088_: vec3<f32>;
+    var phi_2089_: type_38;
+    var phi_2090_: type_38;
+    var phi_2091_: type_38;
+    var phi_2092_: f32;
+    var phi_2093_: f32;
+    var phi_2095_: vec3<f32>;
+    var phi_2096_: type_38;
+    var phi_2097_: type_38;
+    var phi_2098_: type_38;
+    var phi_2099_: f32;
+    var phi_2100_: f32;
+    var phi_2101_: bool;
     var phi_764_: vec3<f32>;
     var phi_766_: type_38;
     var phi_768_: type_38;
     var phi_770_: type_38;
     var phi_772_: f32;
     var phi_774_: f32;
-    var phi_762_: type_8;
-    var phi_797_: type_8;
-    var phi_817_: bool;
-    var phi_828_: u32;
-    var phi_849_: f32;
-    var phi_850_: i32;
-    var phi_851_: u32;
-    var phi_852_: f32;
-    var phi_853_: f32;
-    var phi_854_: i32;
-    var phi_855_: u32;
-    var phi_856_: f32;
-    var phi_912_: u32;
-    var phi_929_: f32;
-    var phi_950_: bool;
-    var phi_962_: u32;
-    var phi_973_: u32;
-    var phi_981_: f32;
-    var phi_1020_: f32;
-    var phi_1031_: f32;
-    var phi_1053_: bool;
-    var phi_1065_: u32;
-    var phi_1076_: u32;
-    var phi_1084_: f32;
-    var phi_1123_: f32;
-    var phi_1134_: f32;
-    var phi_1156_: bool;
-    var phi_1168_: u32;
-    var phi_1179_: u32;
-    var phi_1187_: f32;
-    var phi_1226_: f32;
-    var phi_1253_: f32;
-    var phi_1254_: f32;
-    var phi_1255_: u32;
-    var phi_1256_: u32;
-    var phi_1257_: u32;
-    var phi_1258_: u32;
-    var phi_1259_: f32;
-    var phi_1260_: f32;
-    var phi_1261_: u32;
-    var phi_1262_: u32;
-    var phi_1263_: u32;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_2360_: bool;
-    var phi_1269_: type_8;
-    var phi_1272_: vec4<f32>;
-    var phi_1270_: type_8;
-    var phi_1295_: type_8;
-    var phi_1849_: u32;
-    var phi_1873_: vec4<f32>;
-    var phi_1382_: type_8;
-    var phi_1385_: u32;
-    var phi_1383_: type_8;
-    var phi_1408_: type_8;
-    var phi_1386_: u32;
-    var phi_2349_: bool;
-    var local: u32;
-    var local_1: u32;
-    var phi_1673_: type_8;
-    var phi_1676_: vec4<f32>;
-    var phi_1678_: vec4<f32>;
-    var phi_1674_: type_8;
-    var phi_1701_: type_8;
-    var phi_1785_: vec4<f32>;
-    var phi_1786_: vec4<f32>;
-    var phi_1677_: vec4<f32>;
-    var phi_1679_: vec4<f32>;
-    var phi_2439_: bool;
-    var local_2: vec4<f32>;
-    var local_3: vec4<f32>;
-    var local_4: vec4<f32>;
-    var local_5: vec4<f32>;
-    var local_6: vec4<f32>;
-    var local_7: vec4<f32>;
-    var phi_1808_: vec4<f32>;
-    var local_8: u32;
-    var local_9: u32;
-    var phi_1522_: type_8;
-    var phi_1525_: vec4<f32>;
-    var phi_1523_: type_8;
-    var phi_1548_: type_8;
-    var phi_1526_: vec4<f32>;
-    var phi_2448_: bool;
-    var phi_2463_: bool;
-    var phi_1809_: vec4<f32>;
-    var phi_1823_: vec4<f32>;
-    var phi_2459_: bool;
-    var phi_1874_: vec4<f32>;
-    var phi_2458_: bool;
-    var phi_1895_: vec4<f32>;
-    var phi_2457_: bool;
-    var phi_1896_: vec4<f32>;
-    var phi_2456_: bool;
-    var phi_1273_: vec4<f32>;
-    var phi_2455_: bool;
-    var phi_2484_: bool;
-    var phi_1897_: vec4<f32>;
-    var phi_2483_: bool;
-    var phi_1898_: vec4<f32>;
-    var phi_1899_: bool;
-    var phi_1943_: vec3<f32>;
-    var phi_1944_: f32;
-    var phi_1945_: f32;
-    var phi_2150_: i32;
-    var phi_2165_: type_38;
-    var phi_2166_: type_38;
-    var phi_2185_: bool;
-    var phi_2207_: f32;
-    var phi_2208_: f32;
+    var phi_2103_: bool;
     var phi_2209_: bool;
-    var phi_2071_: i32;
-    var phi_2086_: type_38;
-    var phi_2087_: type_38;
-    var phi_2106_: bool;
-    var phi_2128_: f32;
-    var phi_2129_: f32;
-    var phi_2130_: bool;
-    var phi_2215_: type_38;
-    var phi_2216_: type_38;
-    var phi_1988_: i32;
-    var phi_2003_: type_38;
-    var phi_2004_: type_38;
-    var phi_2023_: bool;
-    var phi_2045_: f32;
-    var phi_2046_: f32;
-    var phi_2047_: bool;
-    var phi_2217_: type_38;
-    var phi_2218_: type_38;
-    var phi_2219_: type_38;
-    var phi_2468_: bool;
-    var phi_2220_: vec3<f32>;
-    var phi_2221_: type_38;
-    var phi_2222_: type_38;
-    var phi_2223_: type_38;
-    var phi_2224_: f32;
-    var phi_2225_: f32;
-    var phi_2467_: bool;
-    var phi_2227_: vec3<f32>;
-    var phi_2228_: type_38;
-    var phi_2229_: type_38;
-    var phi_2230_: type_38;
-    var phi_2231_: f32;
-    var phi_2232_: f32;
-    var phi_2233_: bool;
-    var phi_2466_: bool;
-    var phi_765_: vec3<f32>;
-    var phi_767_: type_38;
-    var phi_769_: type_38;
-    var phi_771_: type_38;
-    var phi_773_: f32;
-    var phi_775_: f32;
-    var phi_2235_: bool;
-    var phi_2465_: bool;
-    var local_10: f32;
-    var local_11: f32;
+    var local_6: f32;
+    var local_7: f32;
+    var local_8: vec3<f32>;
+    var local_9: vec3<f32>;
+    var local_10: vec3<f32>;
+    var phi_2354_: bool;
+    var phi_309_: vec3<f32>;
+    var phi_2353_: bool;
+    var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
-    var local_14: vec3<f32>;
-    var phi_2502_: bool;
-    var phi_310_: vec3<f32>;
-    var phi_2501_: bool;
-    var local_15: vec3<f32>;
-    var local_16: vec3<f32>;
-    var local_17: vec3<f32>;
-    var local_18: vec4<f32>;
-    var local_19: vec4<f32>;
-    var local_20: vec4<f32>;
+    var local_14: vec4<f32>;
+    var local_15: vec4<f32>;
+    var local_16: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e80 = gid_1;
-            let _e83 = arrayLength((&cells.member));
-            let _e86 = arrayLength((&facet_bits.member));
-            let _e89 = arrayLength((&facets.member));
-            let _e92 = arrayLength((&radiance.member));
-            let _e103 = params.member.member_9;
-            let _e107 = (_e80.x + (_e80.y * 2097152u));
-            if (_e107 < _e103) {
-                let _e109 = (_e107 / 2u);
-                if (_e109 < _e89) {
+            let _e78 = gid_1;
+            let _e91 = params.member.member_9;
+            let _e95 = (_e78.x + (_e78.y * 2097152u));
+            if (_e95 < _e91) {
+                let _e97 = (_e95 / 2u);
+                if (_e97 < arrayLength((&facets.member))) {
                 } else {
                     break;
                 }
-                let _e113 = facets.member[_e109];
-                let _e123 = sqrt((((_e113.member_2[0] * _e113.member_2[0]) + (_e113.member_2[1] * _e113.member_2[1])) + (_e113.member_2[2] * _e113.member_2[2])));
-                if (_e123 > 0.000000000001f) {
-                    phi_191_ = vec3<f32>((_e113.member_2[0] / _e123), (_e113.member_2[1] / _e123), (_e113.member_2[2] / _e123));
+                let _e101 = facets.member[_e97];
+                let _e111 = sqrt((((_e101.member_2[0] * _e101.member_2[0]) + (_e101.member_2[1] * _e101.member_2[1])) + (_e101.member_2[2] * _e101.member_2[2])));
+                if (_e111 > 0.000000000001f) {
+                    phi_190_ = vec3<f32>((_e101.member_2[0] / _e111), (_e101.member_2[1] / _e111), (_e101.member_2[2] / _e111));
                 } else {
-                    phi_191_ = vec3<f32>(0f, 1f, 0f);
+                    phi_190_ = vec3<f32>(0f, 1f, 0f);
                 }
-                let _e130 = phi_191_;
-                if ((_e107 & 1u) == 0u) {
-                    phi_198_ = _e130;
+                let _e118 = phi_190_;
+                if ((_e95 & 1u) == 0u) {
+                    phi_197_ = _e118;
                 } else {
-                    phi_198_ = -(_e130);
+                    phi_197_ = -(_e118);
                 }
-                let _e135 = phi_198_;
-                let _e142 = params.member.member;
-                let _e155 = params.member.member_12;
-                let _e162 = (((_e113.member[0] - _e142.x) / _e142.w) + (_e135.x * _e155));
-                let _e163 = (((_e113.member[1] - _e142.y) / _e142.w) + (_e135.y * _e155));
-                let _e164 = (((_e113.member[2] - _e142.z) / _e142.w) + (_e135.z * _e155));
-                let _e168 = bitcast<f32>((1065353216u | (bitcast<u32>(_e135.z) & 2147483648u)));
-                let _e170 = (-1f / (_e168 + _e135.z));
-                let _e172 = ((_e135.x * _e135.y) * _e170);
-                let _e186 = params.member.member_10;
-                let _e187 = (_e186 == 0u);
-                if _e187 {
-                    phi_301_ = 0f;
+                let _e123 = phi_197_;
+                let _e130 = params.member.member;
+                let _e143 = params.member.member_12;
+                let _e150 = (((_e101.member[0] - _e130.x) / _e130.w) + (_e123.x * _e143));
+                let _e151 = (((_e101.member[1] - _e130.y) / _e130.w) + (_e123.y * _e143));
+                let _e152 = (((_e101.member[2] - _e130.z) / _e130.w) + (_e123.z * _e143));
+                let _e156 = bitcast<f32>((1065353216u | (bitcast<u32>(_e123.z) & 2147483648u)));
+                let _e158 = (-1f / (_e156 + _e123.z));
+                let _e160 = ((_e123.x * _e123.y) * _e158);
+                let _e174 = params.member.member_10;
+                let _e175 = (_e174 == 0u);
+                if _e175 {
+                    phi_300_ = 0f;
                 } else {
-                    let _e191 = ((_e107 * 1664525u) + 1013904223u);
-                    let _e193 = (((_e186 * 1664525u) + 1013904223u) + (_e191 * 1013904223u));
-                    let _e195 = (_e191 + (1013904223u * _e193));
-                    let _e199 = (1013904223u + (_e195 * (1013904223u + (_e193 * _e195))));
-                    phi_301_ = (f32((((_e193 ^ (_e193 >> bitcast<u32>(16i))) + ((_e195 ^ (_e195 >> bitcast<u32>(16i))) * (_e199 ^ (_e199 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                    let _e179 = ((_e95 * 1664525u) + 1013904223u);
+                    let _e181 = (((_e174 * 1664525u) + 1013904223u) + (_e179 * 1013904223u));
+                    let _e183 = (_e179 + (1013904223u * _e181));
+                    let _e187 = (1013904223u + (_e183 * (1013904223u + (_e181 * _e183))));
+                    phi_300_ = (f32((((_e181 ^ (_e181 >> bitcast<u32>(16i))) + ((_e183 ^ (_e183 >> bitcast<u32>(16i))) * (_e187 ^ (_e187 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                 }
-                let _e216 = phi_301_;
-                let _e219 = params.member.member_7;
-                phi_2421_ = false;
-                phi_306_ = type_8(0u, _e219);
-                phi_309_ = vec3<f32>(0f, 0f, 0f);
+                let _e204 = phi_300_;
+                let _e207 = params.member.member_7;
+                phi_2236_ = false;
+                phi_305_ = type_8(0u, _e207);
+                phi_308_ = vec3<f32>(0f, 0f, 0f);
                 loop {
-                    let _e222 = phi_2421_;
-                    let _e224 = phi_306_;
-                    let _e226 = phi_309_;
-                    local_15 = _e226;
-                    local_16 = _e226;
-                    local_17 = _e226;
-                    if (_e224.member < _e224.member_1) {
-                        phi_307_ = type_8((_e224.member + 1u), _e224.member_1);
-                        phi_332_ = type_8(1u, _e224.member);
+                    let _e210 = phi_2236_;
+                    let _e212 = phi_305_;
+                    let _e214 = phi_308_;
+                    local_11 = _e214;
+                    local_12 = _e214;
+                    local_13 = _e214;
+                    if (_e212.member < _e212.member_1) {
+                        phi_306_ = type_8((_e212.member + 1u), _e212.member_1);
+                        phi_331_ = type_8(1u, _e212.member);
                     } else {
-                        phi_307_ = _e224;
-                        phi_332_ = type_8(0u, type_8().member_1);
+                        phi_306_ = _e212;
+                        phi_331_ = type_8(0u, type_8().member_1);
                     }
-                    let _e239 = phi_307_;
-                    let _e241 = phi_332_;
-                    let _e245 = (bitcast<i32>(_e241.member) != 0i);
-                    if _e245 {
-                        let _e246 = (_e241.member_1 < 16u);
-                        if _e246 {
+                    let _e227 = phi_306_;
+                    let _e229 = phi_331_;
+                    let _e233 = (bitcast<i32>(_e229.member) != 0i);
+                    if _e233 {
+                        let _e234 = (_e229.member_1 < 16u);
+                        if _e234 {
                         } else {
-                            phi_2501_ = true;
+                            phi_2353_ = true;
                             break;
                         }
-                        let _e250 = params.member.member_3[_e241.member_1];
-                        if _e187 {
-                            phi_491_ = 1.4142135f;
-                            phi_492_ = vec3<f32>(_e250.x, _e250.y, _e250.z);
+                        let _e238 = params.member.member_3[_e229.member_1];
+                        if _e175 {
+                            phi_490_ = 1.4142135f;
+                            phi_491_ = vec3<f32>(_e238.x, _e238.y, _e238.z);
                         } else {
-                            let _e255 = ((_e107 * 1664525u) + 1013904223u);
-                            let _e257 = (((1u + _e241.member_1) * 1664525u) + 1013904223u);
-                            let _e259 = (((_e186 * 1664525u) + 1013904223u) + (_e255 * 1013904223u));
-                            let _e261 = (_e255 + (_e257 * _e259));
-                            let _e263 = (_e257 + (_e259 * _e261));
-                            let _e265 = (1013904223u + (_e261 * _e263));
-                            let _e271 = (_e261 ^ (_e261 >> bitcast<u32>(16i)));
-                            let _e274 = (_e263 ^ (_e263 >> bitcast<u32>(16i)));
-                            let _e279 = ((_e259 ^ (_e259 >> bitcast<u32>(16i))) + (_e271 * (_e265 ^ (_e265 >> bitcast<u32>(16i)))));
-                            let _e281 = (_e271 + (_e274 * _e279));
-                            if _e246 {
+                            let _e243 = ((_e95 * 1664525u) + 1013904223u);
+                            let _e245 = (((1u + _e229.member_1) * 1664525u) + 1013904223u);
+                            let _e247 = (((_e174 * 1664525u) + 1013904223u) + (_e243 * 1013904223u));
+                            let _e249 = (_e243 + (_e245 * _e247));
+                            let _e251 = (_e245 + (_e247 * _e249));
+                            let _e253 = (1013904223u + (_e249 * _e251));
+                            let _e259 = (_e249 ^ (_e249 >> bitcast<u32>(16i)));
+                            let _e262 = (_e251 ^ (_e251 >> bitcast<u32>(16i)));
+                            let _e267 = ((_e247 ^ (_e247 >> bitcast<u32>(16i))) + (_e259 * (_e253 ^ (_e253 >> bitcast<u32>(16i)))));
+                            let _e269 = (_e259 + (_e262 * _e267));
+                            if _e234 {
                             } else {
-                                phi_2501_ = true;
+                                phi_2353_ = true;
                                 break;
                             }
-                            let _e299 = params.member.member_4[_e241.member_1];
-                            let _e304 = (_e299.y + ((_e299.x - _e299.y) * (f32((_e279 >> bitcast<u32>(8i))) * 0.000000059604645f)));
-                            let _e309 = ((_e299.z + (_e299.w * (f32((_e281 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e216);
-                            let _e313 = floor(((_e309 * 4f) + 0.5f));
-                            let _e319 = ((((6.2831855f * _e309) - (_e313 * 1.5703125f)) - (_e313 * 0.0004837513f)) - (_e313 * 0.0000000754979f));
-                            let _e320 = (_e319 * _e319);
-                            let _e327 = (_e319 + ((_e319 * _e320) * (-0.16666655f + (_e320 * (0.008332161f + (_e320 * -0.00019515296f))))));
-                            let _e336 = ((1f - (0.5f * _e320)) + ((_e320 * _e320) * (0.041666646f + (_e320 * (-0.0013887316f + (_e320 * 0.000024433157f))))));
-                            let _e343 = select(0i, select(select(i32(_e313), i32(-2147483648), (_e313 < -2147483600f)), 2147483647i, (_e313 > 2147483500f)), (_e313 == _e313));
-                            let _e345 = ((_e343 & 1i) == 0i);
-                            let _e346 = select(_e336, _e327, _e345);
-                            let _e347 = select(_e327, _e336, _e345);
-                            if ((_e343 & 2i) == 0i) {
-                                phi_470_ = _e346;
+                            let _e287 = params.member.member_4[_e229.member_1];
+                            let _e292 = (_e287.y + ((_e287.x - _e287.y) * (f32((_e267 >> bitcast<u32>(8i))) * 0.000000059604645f)));
+                            let _e297 = ((_e287.z + (_e287.w * (f32((_e269 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e204);
+                            let _e301 = floor(((_e297 * 4f) + 0.5f));
+                            let _e307 = ((((6.2831855f * _e297) - (_e301 * 1.5703125f)) - (_e301 * 0.0004837513f)) - (_e301 * 0.0000000754979f));
+                            let _e308 = (_e307 * _e307);
+                            let _e315 = (_e307 + ((_e307 * _e308) * (-0.16666655f + (_e308 * (0.008332161f + (_e308 * -0.00019515296f))))));
+                            let _e324 = ((1f - (0.5f * _e308)) + ((_e308 * _e308) * (0.041666646f + (_e308 * (-0.0013887316f + (_e308 * 0.000024433157f))))));
+                            let _e331 = select(0i, select(select(i32(_e301), i32(-2147483648), (_e301 < -2147483600f)), 2147483647i, (_e301 > 2147483500f)), (_e301 == _e301));
+                            let _e333 = ((_e331 & 1i) == 0i);
+                            let _e334 = select(_e324, _e315, _e333);
+                            let _e335 = select(_e315, _e324, _e333);
+                            if ((_e331 & 2i) == 0i) {
+                                phi_469_ = _e334;
                             } else {
-                                phi_470_ = -(_e346);
+                                phi_469_ = -(_e334);
                             }
-                            let _e352 = phi_470_;
-                            if (((_e343 + 1i) & 2i) == 0i) {
-                                phi_478_ = _e347;
+                            let _e340 = phi_469_;
+                            if (((_e331 + 1i) & 2i) == 0i) {
+                                phi_477_ = _e335;
                             } else {
-                                phi_478_ = -(_e347);
+                                phi_477_ = -(_e335);
                             }
-                            let _e358 = phi_478_;
-                            let _e359 = (1f - _e304);
-                            let _e362 = sqrt(select(0f, _e359, (_e359 > 0f)));
-                            phi_491_ = (1f + (f32(((_e274 + (_e279 * _e281)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                            phi_492_ = vec3<f32>((_e362 * _e358), (_e362 * _e352), sqrt(_e304));
+                            let _e346 = phi_477_;
+                            let _e347 = (1f - _e292);
+                            let _e350 = sqrt(select(0f, _e347, (_e347 > 0f)));
+                            phi_490_ = (1f + (f32(((_e262 + (_e267 * _e269)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                            phi_491_ = vec3<f32>((_e350 * _e346), (_e350 * _e340), sqrt(_e292));
                         }
-                        let _e373 = phi_491_;
-                        let _e375 = phi_492_;
-                        let _e378 = params.member.member_11;
-                        let _e381 = params.member.member_13;
-                        let _e399 = ((((1f + (((_e168 * _e135.x) * _e135.x) * _e170)) * _e375.x) + (_e172 * _e375.y)) + (_e135.x * _e375.z));
-                        let _e400 = ((((_e168 * _e172) * _e375.x) + ((_e168 + ((_e135.y * _e135.y) * _e170)) * _e375.y)) + (_e135.y * _e375.z));
-                        let _e401 = ((((-(_e168) * _e135.x) * _e375.x) + (-(_e135.y) * _e375.y)) + (_e135.z * _e375.z));
-                        let _e404 = params.member.member_1;
-                        let _e405 = abs(_e399);
-                        let _e406 = abs(_e400);
-                        let _e407 = abs(_e401);
-                        if (_e405 >= _e406) {
-                            phi_539_ = select(true, false, (_e405 >= _e407));
+                        let _e361 = phi_490_;
+                        let _e363 = phi_491_;
+                        let _e366 = params.member.member_11;
+                        let _e369 = params.member.member_13;
+                        let _e387 = ((((1f + (((_e156 * _e123.x) * _e123.x) * _e158)) * _e363.x) + (_e160 * _e363.y)) + (_e123.x * _e363.z));
+                        let _e388 = ((((_e156 * _e160) * _e363.x) + ((_e156 + ((_e123.y * _e123.y) * _e158)) * _e363.y)) + (_e123.y * _e363.z));
+                        let _e389 = ((((-(_e156) * _e123.x) * _e363.x) + (-(_e123.y) * _e363.y)) + (_e123.z * _e363.z));
+                        let _e392 = params.member.member_1;
+                        let _e393 = abs(_e387);
+                        let _e394 = abs(_e388);
+                        let _e395 = abs(_e389);
+                        if (_e393 >= _e394) {
+                            phi_538_ = select(true, false, (_e393 >= _e395));
                         } else {
-                            phi_539_ = true;
+                            phi_538_ = true;
                         }
-                        let _e412 = phi_539_;
-                        if _e412 {
-                            phi_548_ = select(2u, 1u, (_e406 >= _e407));
+                        let _e400 = phi_538_;
+                        if _e400 {
+                            phi_547_ = select(2u, 1u, (_e394 >= _e395));
                         } else {
-                            phi_548_ = 0u;
+                            phi_547_ = 0u;
                         }
-                        let _e416 = phi_548_;
-                        let _e419 = floor((_e162 - 0.5f));
-                        let _e429 = -(floor((0.5f - _e162)));
-                        let _e437 = (_e399 < 0f);
-                        if _e437 {
-                            phi_580_ = (select(0i, select(select(i32(_e429), i32(-2147483648), (_e429 < -2147483600f)), 2147483647i, (_e429 > 2147483500f)), (_e429 == _e429)) - 1i);
+                        let _e404 = phi_547_;
+                        let _e407 = floor((_e150 - 0.5f));
+                        let _e417 = -(floor((0.5f - _e150)));
+                        let _e425 = (_e387 < 0f);
+                        if _e425 {
+                            phi_579_ = (select(0i, select(select(i32(_e417), i32(-2147483648), (_e417 < -2147483600f)), 2147483647i, (_e417 > 2147483500f)), (_e417 == _e417)) - 1i);
                         } else {
-                            phi_580_ = (select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < -2147483600f)), 2147483647i, (_e419 > 2147483500f)), (_e419 == _e419)) + 1i);
+                            phi_579_ = (select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < -2147483600f)), 2147483647i, (_e407 > 2147483500f)), (_e407 == _e407)) + 1i);
                         }
-                        let _e441 = phi_580_;
-                        if _e437 {
-                            phi_594_ = (_e441 < 0i);
+                        let _e429 = phi_579_;
+                        if _e425 {
+                            phi_593_ = (_e429 < 0i);
                         } else {
-                            phi_594_ = (_e441 >= bitcast<i32>(_e404.x));
+                            phi_593_ = (_e429 >= bitcast<i32>(_e392.x));
                         }
-                        let _e446 = phi_594_;
-                        if _e446 {
-                            phi_612_ = f32();
-                            phi_613_ = true;
+                        let _e434 = phi_593_;
+                        if _e434 {
+                            phi_611_ = f32();
+                            phi_612_ = true;
                         } else {
-                            let _e449 = (_e405 < 0.000001f);
-                            if _e449 {
-                                phi_611_ = f32();
+                            let _e437 = (_e393 < 0.000001f);
+                            if _e437 {
+                                phi_610_ = f32();
                             } else {
-                                phi_611_ = (((f32(_e441) + 0.5f) - _e162) / _e399);
+                                phi_610_ = (((f32(_e429) + 0.5f) - _e150) / _e387);
                             }
-                            let _e453 = phi_611_;
-                            phi_612_ = _e453;
-                            phi_613_ = _e449;
+                            let _e441 = phi_610_;
+                            phi_611_ = _e441;
+                            phi_612_ = _e437;
                         }
-                        let _e455 = phi_612_;
-                        let _e457 = phi_613_;
-                        let _e462 = floor((_e163 - 0.5f));
-                        let _e472 = -(floor((0.5f - _e163)));
-                        let _e480 = (_e400 < 0f);
-                        if _e480 {
-                            phi_650_ = (select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472)) - 1i);
+                        let _e443 = phi_611_;
+                        let _e445 = phi_612_;
+                        let _e450 = floor((_e151 - 0.5f));
+                        let _e460 = -(floor((0.5f - _e151)));
+                        let _e468 = (_e388 < 0f);
+                        if _e468 {
+                            phi_649_ = (select(0i, select(select(i32(_e460), i32(-2147483648), (_e460 < -2147483600f)), 2147483647i, (_e460 > 2147483500f)), (_e460 == _e460)) - 1i);
                         } else {
-                            phi_650_ = (select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < -2147483600f)), 2147483647i, (_e462 > 2147483500f)), (_e462 == _e462)) + 1i);
+                            phi_649_ = (select(0i, select(select(i32(_e450), i32(-2147483648), (_e450 < -2147483600f)), 2147483647i, (_e450 > 2147483500f)), (_e450 == _e450)) + 1i);
                         }
-                        let _e484 = phi_650_;
-                        if _e480 {
-                            phi_664_ = (_e484 < 0i);
+                        let _e472 = phi_649_;
+                        if _e468 {
+                            phi_663_ = (_e472 < 0i);
                         } else {
-                            phi_664_ = (_e484 >= bitcast<i32>(_e404.y));
+                            phi_663_ = (_e472 >= bitcast<i32>(_e392.y));
                         }
-                        let _e489 = phi_664_;
-                        if _e489 {
-                            phi_682_ = f32();
-                            phi_683_ = true;
+                        let _e477 = phi_663_;
+                        if _e477 {
+                            phi_681_ = f32();
+                            phi_682_ = true;
                         } else {
-                            let _e492 = (_e406 < 0.000001f);
-                            if _e492 {
-                                phi_681_ = f32();
+                            let _e480 = (_e394 < 0.000001f);
+                            if _e480 {
+                                phi_680_ = f32();
                             } else {
-                                phi_681_ = (((f32(_e484) + 0.5f) - _e163) / _e400);
+                                phi_680_ = (((f32(_e472) + 0.5f) - _e151) / _e388);
                             }
-                            let _e496 = phi_681_;
-                            phi_682_ = _e496;
-                            phi_683_ = _e492;
+                            let _e484 = phi_680_;
+                            phi_681_ = _e484;
+                            phi_682_ = _e480;
                         }
-                        let _e498 = phi_682_;
-                        let _e500 = phi_683_;
-                        let _e505 = floor((_e164 - 0.5f));
-                        let _e515 = -(floor((0.5f - _e164)));
-                        let _e523 = (_e401 < 0f);
-                        if _e523 {
-                            phi_720_ = (select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < -2147483600f)), 2147483647i, (_e515 > 2147483500f)), (_e515 == _e515)) - 1i);
+                        let _e486 = phi_681_;
+                        let _e488 = phi_682_;
+                        let _e493 = floor((_e152 - 0.5f));
+                        let _e503 = -(floor((0.5f - _e152)));
+                        let _e511 = (_e389 < 0f);
+                        if _e511 {
+                            phi_719_ = (select(0i, select(select(i32(_e503), i32(-2147483648), (_e503 < -2147483600f)), 2147483647i, (_e503 > 2147483500f)), (_e503 == _e503)) - 1i);
                         } else {
-                            phi_720_ = (select(0i, select(select(i32(_e505), i32(-2147483648), (_e505 < -2147483600f)), 2147483647i, (_e505 > 2147483500f)), (_e505 == _e505)) + 1i);
+                            phi_719_ = (select(0i, select(select(i32(_e493), i32(-2147483648), (_e493 < -2147483600f)), 2147483647i, (_e493 > 2147483500f)), (_e493 == _e493)) + 1i);
                         }
-                        let _e527 = phi_720_;
-                        if _e523 {
-                            phi_734_ = (_e527 < 0i);
+                        let _e515 = phi_719_;
+                        if _e511 {
+                            phi_733_ = (_e515 < 0i);
                         } else {
-                            phi_734_ = (_e527 >= bitcast<i32>(_e404.z));
+                            phi_733_ = (_e515 >= bitcast<i32>(_e392.z));
                         }
-                        let _e532 = phi_734_;
-                        if _e532 {
-                            phi_752_ = f32();
-                            phi_753_ = true;
+                        let _e520 = phi_733_;
+                        if _e520 {
+                            phi_751_ = f32();
+                            phi_752_ = true;
                         } else {
-                            let _e535 = (_e407 < 0.000001f);
-                            if _e535 {
-                                phi_751_ = f32();
+                            let _e523 = (_e395 < 0.000001f);
+                            if _e523 {
+                                phi_750_ = f32();
                             } else {
-                                phi_751_ = (((f32(_e527) + 0.5f) - _e164) / _e401);
+                                phi_750_ = (((f32(_e515) + 0.5f) - _e152) / _e389);
                             }
-                            let _e539 = phi_751_;
-                            phi_752_ = _e539;
-                            phi_753_ = _e535;
+                            let _e527 = phi_750_;
+                            phi_751_ = _e527;
+                            phi_752_ = _e523;
                         }
-                        let _e541 = phi_752_;
-                        let _e543 = phi_753_;
-                        phi_2397_ = _e222;
-                        phi_761_ = type_8(0u, 2048u);
-                        phi_764_ = vec3<f32>(0f, 0f, 0f);
-                        phi_766_ = type_38(_e164, _e401, 0u, _e527, select(_e541, 340282350000000000000000000000000000000f, _e543));
-                        phi_768_ = type_38(_e163, _e400, 0u, _e484, select(_e498, 340282350000000000000000000000000000000f, _e500));
-                        phi_770_ = type_38(_e162, _e399, 0u, _e441, select(_e455, 340282350000000000000000000000000000000f, _e457));
-                        phi_772_ = 0f;
-                        phi_774_ = 1f;
+                        let _e529 = phi_751_;
+                        let _e531 = phi_752_;
+                        phi_760_ = type_8(0u, 2048u);
+                        phi_763_ = vec3<f32>(0f, 0f, 0f);
+                        phi_765_ = type_38(_e152, _e389, 0u, _e515, select(_e529, 340282350000000000000000000000000000000f, _e531));
+                        phi_767_ = type_38(_e151, _e388, 0u, _e472, select(_e486, 340282350000000000000000000000000000000f, _e488));
+                        phi_769_ = type_38(_e150, _e387, 0u, _e429, select(_e443, 340282350000000000000000000000000000000f, _e445));
+                        phi_771_ = 0f;
+                        phi_773_ = 1f;
                         loop {
-                            let _e547 = phi_2397_;
-                            let _e549 = phi_761_;
-                            let _e551 = phi_764_;
-                            let _e553 = phi_766_;
-                            let _e555 = phi_768_;
-                            let _e557 = phi_770_;
-                            let _e559 = phi_772_;
-                            let _e561 = phi_774_;
-                            local_10 = _e559;
-                            local_11 = _e561;
-                            local_12 = _e551;
-                            local_13 = _e551;
-                            local_14 = _e551;
-                            if (_e549.member < _e549.member_1) {
-                                phi_762_ = type_8((_e549.member + 1u), _e549.member_1);
-                                phi_797_ = type_8(1u, _e549.member);
+                            let _e535 = phi_760_;
+                            let _e537 = phi_763_;
+                            let _e539 = phi_765_;
+                            let _e541 = phi_767_;
+                            let _e543 = phi_769_;
+                            let _e545 = phi_771_;
+                            let _e547 = phi_773_;
+                            local_6 = _e545;
+                            local_7 = _e547;
+                            local_8 = _e537;
+                            local_9 = _e537;
+                            local_10 = _e537;
+                            if (_e535.member < _e535.member_1) {
+                                phi_761_ = type_8((_e535.member + 1u), _e535.member_1);
+                                phi_796_ = type_8(1u, _e535.member);
                             } else {
-                                phi_762_ = _e549;
-                                phi_797_ = type_8(0u, type_8().member_1);
+                                phi_761_ = _e535;
+                                phi_796_ = type_8(0u, type_8().member_1);
                             }
-                            let _e574 = phi_762_;
-                            let _e576 = phi_797_;
-                            if (bitcast<i32>(_e576.member) != 0i) {
-                                if (_e557.member_4 <= _e555.member_4) {
-                                    phi_817_ = select(true, false, (_e557.member_4 <= _e553.member_4));
+                            let _e560 = phi_761_;
+                            let _e562 = phi_796_;
+                            if (bitcast<i32>(_e562.member) != 0i) {
+                                if (_e543.member_4 <= _e541.member_4) {
+                                    phi_816_ = select(true, false, (_e543.member_4 <= _e539.member_4));
                                 } else {
-                                    phi_817_ = true;
+                                    phi_816_ = true;
                                 }
-                                let _e587 = phi_817_;
-                                if _e587 {
-                                    phi_828_ = select(2u, 1u, (_e555.member_4 <= _e553.member_4));
+                                let _e573 = phi_816_;
+                                if _e573 {
+                                    phi_827_ = select(2u, 1u, (_e541.member_4 <= _e539.member_4));
                                 } else {
-                                    phi_828_ = 0u;
+                                    phi_827_ = 0u;
                                 }
-                                let _e592 = phi_828_;
-                                let _e593 = (_e592 == 0u);
-                                if _e593 {
-                                    phi_853_ = _e557.member_4;
-                                    phi_854_ = _e557.member_3;
-                                    phi_855_ = _e557.member_2;
-                                    phi_856_ = _e557.member_1;
+                                let _e578 = phi_827_;
+                                let _e579 = (_e578 == 0u);
+                                if _e579 {
+                                    phi_852_ = _e543.member_4;
+                                    phi_853_ = _e543.member_3;
+                                    phi_854_ = _e543.member_2;
+                                    phi_855_ = _e543.member_1;
                                 } else {
-                                    if (_e592 == 1u) {
-                                        phi_849_ = _e555.member_4;
-                                        phi_850_ = _e555.member_3;
-                                        phi_851_ = _e555.member_2;
-                                        phi_852_ = _e555.member_1;
+                                    if (_e578 == 1u) {
+                                        phi_848_ = _e541.member_4;
+                                        phi_849_ = _e541.member_3;
+                                        phi_850_ = _e541.member_2;
+                                        phi_851_ = _e541.member_1;
                                     } else {
-                                        phi_849_ = _e553.member_4;
-                                        phi_850_ = _e553.member_3;
-                                        phi_851_ = _e553.member_2;
-                                        phi_852_ = _e553.member_1;
+                                        phi_848_ = _e539.member_4;
+                                        phi_849_ = _e539.member_3;
+                                        phi_850_ = _e539.member_2;
+                                        phi_851_ = _e539.member_1;
                                     }
-                                    let _e603 = phi_849_;
-                                    let _e605 = phi_850_;
-                                    let _e607 = phi_851_;
-                                    let _e609 = phi_852_;
-                                    phi_853_ = _e603;
-                                    phi_854_ = _e605;
-                                    phi_855_ = _e607;
-                                    phi_856_ = _e609;
+                                    let _e589 = phi_848_;
+                                    let _e591 = phi_849_;
+                                    let _e593 = phi_850_;
+                                    let _e595 = phi_851_;
+                                    phi_852_ = _e589;
+                                    phi_853_ = _e591;
+                                    phi_854_ = _e593;
+                                    phi_855_ = _e595;
                                 }
-                                let _e614 = phi_853_;
-                                let _e616 = phi_854_;
-                                let _e618 = phi_855_;
-                                let _e620 = phi_856_;
-                                if (_e614 >= 340282350000000000000000000000000000000f) {
-                                    phi_2467_ = _e547;
-                                    phi_2227_ = vec3<f32>();
-                                    phi_2228_ = type_38();
-                                    phi_2229_ = type_38();
-                                    phi_2230_ = type_38();
-                                    phi_2231_ = f32();
-                                    phi_2232_ = f32();
-                                    phi_2233_ = false;
+                                let _e600 = phi_852_;
+                                let _e602 = phi_853_;
+                                let _e604 = phi_854_;
+                                let _e606 = phi_855_;
+                                if (_e600 >= 340282350000000000000000000000000000000f) {
+                                    phi_2095_ = vec3<f32>();
+                                    phi_2096_ = type_38();
+                                    phi_2097_ = type_38();
+                                    phi_2098_ = type_38();
+                                    phi_2099_ = f32();
+                                    phi_2100_ = f32();
+                                    phi_2101_ = false;
                                 } else {
-                                    let _e622 = (1f - _e559);
-                                    let _e623 = (_e561 * _e622);
-                                    let _e624 = (_e623 < 0.001f);
-                                    if _e624 {
-                                        phi_2468_ = _e547;
-                                        phi_2220_ = vec3<f32>();
-                                        phi_2221_ = type_38();
-                                        phi_2222_ = type_38();
-                                        phi_2223_ = type_38();
-                                        phi_2224_ = f32();
-                                        phi_2225_ = f32();
+                                    let _e608 = (1f - _e545);
+                                    let _e609 = (_e547 * _e608);
+                                    let _e610 = (_e609 < 0.001f);
+                                    if _e610 {
+                                        phi_2088_ = vec3<f32>();
+                                        phi_2089_ = type_38();
+                                        phi_2090_ = type_38();
+                                        phi_2091_ = type_38();
+                                        phi_2092_ = f32();
+                                        phi_2093_ = f32();
                                     } else {
-                                        let _e631 = (_e620 < 0f);
-                                        if (_e618 < 10u) {
+                                        let _e617 = (_e606 < 0f);
+                                        if (_e604 < 10u) {
                                         } else {
-                                            phi_2465_ = true;
+                                            phi_2209_ = true;
                                             break;
                                         }
-                                        let _e636 = params.member.member_2[_e618];
-                                        let _e637 = (_e618 & 31u);
-                                        let _e639 = (1u << bitcast<u32>(_e637));
-                                        let _e640 = (_e639 - 1u);
-                                        let _e643 = ((_e404.x + _e640) >> bitcast<u32>(_e637));
-                                        let _e646 = ((_e404.y + _e640) >> bitcast<u32>(_e637));
-                                        let _e649 = ((_e404.z + _e640) >> bitcast<u32>(_e637));
-                                        let _e651 = (1f / f32(_e639));
-                                        if _e593 {
-                                            phi_912_ = _e643;
+                                        let _e622 = params.member.member_2[_e604];
+                                        let _e623 = (_e604 & 31u);
+                                        let _e625 = (1u << bitcast<u32>(_e623));
+                                        let _e626 = (_e625 - 1u);
+                                        let _e629 = ((_e392.x + _e626) >> bitcast<u32>(_e623));
+                                        let _e632 = ((_e392.y + _e626) >> bitcast<u32>(_e623));
+                                        let _e635 = ((_e392.z + _e626) >> bitcast<u32>(_e623));
+                                        let _e637 = (1f / f32(_e625));
+                                        if _e579 {
+                                            phi_911_ = _e629;
                                         } else {
-                                            phi_912_ = select(_e649, _e646, (_e592 == 1u));
+                                            phi_911_ = select(_e635, _e632, (_e578 == 1u));
                                         }
-                                        let _e655 = phi_912_;
-                                        if (_e616 < 0i) {
-                                            phi_2483_ = _e547;
-                                            phi_1898_ = vec4<f32>();
-                                            phi_1899_ = true;
+                                        let _e641 = phi_911_;
+                                        if (_e602 < 0i) {
+                                            phi_1766_ = vec4<f32>();
+                                            phi_1767_ = true;
                                         } else {
-                                            let _e658 = (_e616 >= bitcast<i32>(_e655));
-                                            if _e658 {
-                                                phi_2484_ = _e547;
-                                                phi_1897_ = vec4<f32>();
+                                            let _e644 = (_e602 >= bitcast<i32>(_e641));
+                                            if _e644 {
+                                                phi_1765_ = vec4<f32>();
                                             } else {
-                                                let _e659 = f32(_e616);
-                                                if _e593 {
-                                                    phi_929_ = _e659;
+                                                let _e645 = f32(_e602);
+                                                if _e579 {
+                                                    phi_928_ = _e645;
                                                 } else {
-                                                    phi_929_ = (((_e162 + (_e399 * _e614)) * _e651) - 0.5f);
+                                                    phi_928_ = (((_e150 + (_e387 * _e600)) * _e637) - 0.5f);
                                                 }
-                                                let _e663 = phi_929_;
-                                                let _e664 = floor(_e663);
-                                                let _e672 = select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < -2147483600f)), 2147483647i, (_e664 > 2147483500f)), (_e664 == _e664));
-                                                let _e674 = (bitcast<i32>(_e643) - 1i);
-                                                if (_e663 >= -0.5f) {
-                                                    phi_950_ = (_e663 <= (f32(_e674) + 0.5f));
+                                                let _e649 = phi_928_;
+                                                let _e650 = floor(_e649);
+                                                let _e658 = select(0i, select(select(i32(_e650), i32(-2147483648), (_e650 < -2147483600f)), 2147483647i, (_e650 > 2147483500f)), (_e650 == _e650));
+                                                let _e660 = (bitcast<i32>(_e629) - 1i);
+                                                if (_e649 >= -0.5f) {
+                                                    phi_949_ = (_e649 <= (f32(_e660) + 0.5f));
                                                 } else {
-                                                    phi_950_ = false;
+                                                    phi_949_ = false;
                                                 }
-                                                let _e680 = phi_950_;
-                                                let _e681 = (_e672 >= 0i);
-                                                let _e682 = (_e672 < _e674);
-                                                if _e681 {
-                                                    phi_962_ = bitcast<u32>(select(_e672, _e674, (_e674 < _e672)));
+                                                let _e666 = phi_949_;
+                                                let _e667 = (_e658 >= 0i);
+                                                let _e668 = (_e658 < _e660);
+                                                if _e667 {
+                                                    phi_961_ = bitcast<u32>(select(_e658, _e660, (_e660 < _e658)));
                                                 } else {
-                                                    phi_962_ = 0u;
+                                                    phi_961_ = 0u;
                                                 }
-                                                let _e687 = phi_962_;
-                                                if _e682 {
-                                                    let _e688 = (_e672 + 1i);
-                                                    phi_973_ = bitcast<u32>(select(0i, _e688, (0i < _e688)));
+                                                let _e673 = phi_961_;
+                                                if _e668 {
+                                                    let _e674 = (_e658 + 1i);
+                                                    phi_972_ = bitcast<u32>(select(0i, _e674, (0i < _e674)));
                                                 } else {
-                                                    phi_973_ = 0u;
+                                                    phi_972_ = 0u;
                                                 }
-                                                let _e693 = phi_973_;
-                                                if _e681 {
-                                                    phi_981_ = select(0f, (_e663 - _e664), _e682);
+                                                let _e679 = phi_972_;
+                                                if _e667 {
+                                                    phi_980_ = select(0f, (_e649 - _e650), _e668);
                                                 } else {
-                                                    phi_981_ = 1f;
+                                                    phi_980_ = 1f;
                                                 }
-                                                let _e696 = phi_981_;
-                                                let _e698 = (_e687 >> bitcast<u32>(2u));
-                                                let _e700 = (_e693 >> bitcast<u32>(2u));
-                                                let _e707 = ((_e687 & 1u) | (((_e687 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                let _e714 = ((_e693 & 1u) | (((_e693 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                if _e680 {
-                                                    phi_1020_ = (1f - _e696);
+                                                let _e682 = phi_980_;
+                                                let _e684 = (_e673 >> bitcast<u32>(2u));
+                                                let _e686 = (_e679 >> bitcast<u32>(2u));
+                                                let _e693 = ((_e673 & 1u) | (((_e673 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                                let _e700 = ((_e679 & 1u) | (((_e679 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                                if _e666 {
+                                                    phi_1019_ = (1f - _e682);
                                                 } else {
-                                                    phi_1020_ = 0f;
+                                                    phi_1019_ = 0f;
                                                 }
-                                                let _e717 = phi_1020_;
-                                                let _e718 = select(0f, _e696, _e680);
-                                                let _e719 = (_e592 == 1u);
-                                                if _e719 {
-                                                    phi_1031_ = _e659;
+                                                let _e703 = phi_1019_;
+                                                let _e704 = select(0f, _e682, _e666);
+                                                let _e705 = (_e578 == 1u);
+                                                if _e705 {
+                                                    phi_1030_ = _e645;
                                                 } else {
-                                                    phi_1031_ = (((_e163 + (_e400 * _e614)) * _e651) - 0.5f);
+                                                    phi_1030_ = (((_e151 + (_e388 * _e600)) * _e637) - 0.5f);
                                                 }
-                                                let _e723 = phi_1031_;
-                                                let _e725 = floor(_e723);
-                                                let _e733 = select(0i, select(select(i32(_e725), i32(-2147483648), (_e725 < -2147483600f)), 2147483647i, (_e725 > 2147483500f)), (_e725 == _e725));
-                                                let _e735 = (bitcast<i32>(_e646) - 1i);
-                                                if (_e723 >= -0.5f) {
-                                                    phi_1053_ = (_e723 <= (f32(_e735) + 0.5f));
+                                                let _e709 = phi_1030_;
+                                                let _e711 = floor(_e709);
+                                                let _e719 = select(0i, select(select(i32(_e711), i32(-2147483648), (_e711 < -2147483600f)), 2147483647i, (_e711 > 2147483500f)), (_e711 == _e711));
+                                                let _e721 = (bitcast<i32>(_e632) - 1i);
+                                                if (_e709 >= -0.5f) {
+                                                    phi_1052_ = (_e709 <= (f32(_e721) + 0.5f));
                                                 } else {
-                                                    phi_1053_ = false;
+                                                    phi_1052_ = false;
                                                 }
-                                                let _e741 = phi_1053_;
-                                                let _e742 = (_e733 >= 0i);
-                                                let _e743 = (_e733 < _e735);
-                                                if _e742 {
-                                                    phi_1065_ = bitcast<u32>(select(_e733, _e735, (_e735 < _e733)));
+                                                let _e727 = phi_1052_;
+                                                let _e728 = (_e719 >= 0i);
+                                                let _e729 = (_e719 < _e721);
+                                                if _e728 {
+                                                    phi_1064_ = bitcast<u32>(select(_e719, _e721, (_e721 < _e719)));
                                                 } else {
-                                                    phi_1065_ = 0u;
+                                                    phi_1064_ = 0u;
                                                 }
-                                                let _e748 = phi_1065_;
-                                                if _e743 {
-                                                    let _e749 = (_e733 + 1i);
-                                                    phi_1076_ = bitcast<u32>(select(0i, _e749, (0i < _e749)));
+                                                let _e734 = phi_1064_;
+                                                if _e729 {
+                                                    let _e735 = (_e719 + 1i);
+                                                    phi_1075_ = bitcast<u32>(select(0i, _e735, (0i < _e735)));
                                                 } else {
-                                                    phi_1076_ = 0u;
+                                                    phi_1075_ = 0u;
                                                 }
-                                                let _e754 = phi_1076_;
-                                                if _e742 {
-                                                    phi_1084_ = select(0f, (_e723 - _e725), _e743);
+                                                let _e740 = phi_1075_;
+                                                if _e728 {
+                                                    phi_1083_ = select(0f, (_e709 - _e711), _e729);
                                                 } else {
-                                                    phi_1084_ = 1f;
+                                                    phi_1083_ = 1f;
                                                 }
-                                                let _e757 = phi_1084_;
-                                                let _e760 = ((_e748 >> bitcast<u32>(2u)) * _e636.x);
-                                                let _e763 = ((_e754 >> bitcast<u32>(2u)) * _e636.x);
-                                                let _e772 = (((_e748 & 1u) << bitcast<u32>(1u)) | (((_e748 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                let _e781 = (((_e754 & 1u) << bitcast<u32>(1u)) | (((_e754 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                if _e741 {
-                                                    phi_1123_ = (1f - _e757);
+                                                let _e743 = phi_1083_;
+                                                let _e746 = ((_e734 >> bitcast<u32>(2u)) * _e622.x);
+                                                let _e749 = ((_e740 >> bitcast<u32>(2u)) * _e622.x);
+                                                let _e758 = (((_e734 & 1u) << bitcast<u32>(1u)) | (((_e734 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                                let _e767 = (((_e740 & 1u) << bitcast<u32>(1u)) | (((_e740 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                                if _e727 {
+                                                    phi_1122_ = (1f - _e743);
                                                 } else {
-                                                    phi_1123_ = 0f;
+                                                    phi_1122_ = 0f;
                                                 }
-                                                let _e784 = phi_1123_;
-                                                let _e785 = select(0f, _e757, _e741);
-                                                let _e786 = (_e592 == 2u);
-                                                if _e786 {
-                                                    phi_1134_ = _e659;
+                                                let _e770 = phi_1122_;
+                                                let _e771 = select(0f, _e743, _e727);
+                                                let _e772 = (_e578 == 2u);
+                                                if _e772 {
+                                                    phi_1133_ = _e645;
                                                 } else {
-                                                    phi_1134_ = (((_e164 + (_e401 * _e614)) * _e651) - 0.5f);
+                                                    phi_1133_ = (((_e152 + (_e389 * _e600)) * _e637) - 0.5f);
                                                 }
-                                                let _e790 = phi_1134_;
-                                                let _e792 = floor(_e790);
-                                                let _e800 = select(0i, select(select(i32(_e792), i32(-2147483648), (_e792 < -2147483600f)), 2147483647i, (_e792 > 2147483500f)), (_e792 == _e792));
-                                                let _e802 = (bitcast<i32>(_e649) - 1i);
-                                                if (_e790 >= -0.5f) {
-                                                    phi_1156_ = (_e790 <= (f32(_e802) + 0.5f));
+                                                let _e776 = phi_1133_;
+                                                let _e778 = floor(_e776);
+                                                let _e786 = select(0i, select(select(i32(_e778), i32(-2147483648), (_e778 < -2147483600f)), 2147483647i, (_e778 > 2147483500f)), (_e778 == _e778));
+                                                let _e788 = (bitcast<i32>(_e635) - 1i);
+                                                if (_e776 >= -0.5f) {
+                                                    phi_1155_ = (_e776 <= (f32(_e788) + 0.5f));
                                                 } else {
-                                                    phi_1156_ = false;
+                                                    phi_1155_ = false;
                                                 }
-                                                let _e808 = phi_1156_;
-                                                let _e809 = (_e800 >= 0i);
-                                                let _e810 = (_e800 < _e802);
-                                                if _e809 {
-                                                    phi_1168_ = bitcast<u32>(select(_e800, _e802, (_e802 < _e800)));
+                                                let _e794 = phi_1155_;
+                                                let _e795 = (_e786 >= 0i);
+                                                let _e796 = (_e786 < _e788);
+                                                if _e795 {
+                                                    phi_1167_ = bitcast<u32>(select(_e786, _e788, (_e788 < _e786)));
                                                 } else {
-                                                    phi_1168_ = 0u;
+                                                    phi_1167_ = 0u;
                                                 }
-                                                let _e815 = phi_1168_;
-                                                if _e810 {
-                                                    let _e816 = (_e800 + 1i);
-                                                    phi_1179_ = bitcast<u32>(select(0i, _e816, (0i < _e816)));
+                                                let _e801 = phi_1167_;
+                                                if _e796 {
+                                                    let _e802 = (_e786 + 1i);
+                                                    phi_1178_ = bitcast<u32>(select(0i, _e802, (0i < _e802)));
                                                 } else {
-                                                    phi_1179_ = 0u;
+                                                    phi_1178_ = 0u;
                                                 }
-                                                let _e821 = phi_1179_;
-                                                if _e809 {
-                                                    phi_1187_ = select(0f, (_e790 - _e792), _e810);
+                                                let _e807 = phi_1178_;
+                                                if _e795 {
+                                                    phi_1186_ = select(0f, (_e776 - _e778), _e796);
                                                 } else {
-                                                    phi_1187_ = 1f;
+                                                    phi_1186_ = 1f;
                                                 }
-                                                let _e824 = phi_1187_;
-                                                let _e827 = ((_e815 >> bitcast<u32>(1u)) * _e636.y);
-                                                let _e830 = ((_e821 >> bitcast<u32>(1u)) * _e636.y);
-                                                let _e833 = ((_e815 & 1u) << bitcast<u32>(2u));
-                                                let _e836 = ((_e821 & 1u) << bitcast<u32>(2u));
-                                                if _e808 {
-                                                    phi_1226_ = (1f - _e824);
+                                                let _e810 = phi_1186_;
+                                                let _e813 = ((_e801 >> bitcast<u32>(1u)) * _e622.y);
+                                                let _e816 = ((_e807 >> bitcast<u32>(1u)) * _e622.y);
+                                                let _e819 = ((_e801 & 1u) << bitcast<u32>(2u));
+                                                let _e822 = ((_e807 & 1u) << bitcast<u32>(2u));
+                                                if _e794 {
+                                                    phi_1225_ = (1f - _e810);
                                                 } else {
-                                                    phi_1226_ = 0f;
+                                                    phi_1225_ = 0f;
                                                 }
-                                                let _e839 = phi_1226_;
-                                                let _e840 = select(0f, _e824, _e808);
-                                                if _e593 {
-                                                    phi_1253_ = _e840;
-                                                    phi_1254_ = _e839;
-                                                    phi_1255_ = _e836;
-                                                    phi_1256_ = _e833;
-                                                    phi_1257_ = _e830;
-                                                    phi_1258_ = _e827;
-                                                    phi_1259_ = _e785;
-                                                    phi_1260_ = _e784;
-                                                    phi_1261_ = _e781;
-                                                    phi_1262_ = _e772;
-                                                    phi_1263_ = _e763;
-                                                    phi_1264_ = _e760;
-                                                    phi_1265_ = _e707;
-                                                    phi_1266_ = _e698;
+                                                let _e825 = phi_1225_;
+                                                let _e826 = select(0f, _e810, _e794);
+                                                if _e579 {
+                                                    phi_1252_ = _e826;
+                                                    phi_1253_ = _e825;
+                                                    phi_1254_ = _e822;
+                                                    phi_1255_ = _e819;
+                                                    phi_1256_ = _e816;
+                                                    phi_1257_ = _e813;
+                                                    phi_1258_ = _e771;
+                                                    phi_1259_ = _e770;
+                                                    phi_1260_ = _e767;
+                                                    phi_1261_ = _e758;
+                                                    phi_1262_ = _e749;
+                                                    phi_1263_ = _e746;
+                                                    phi_1264_ = _e693;
+                                                    phi_1265_ = _e684;
                                                 } else {
-                                                    phi_1253_ = select(_e785, _e718, _e719);
-                                                    phi_1254_ = select(_e784, _e717, _e719);
-                                                    phi_1255_ = select(_e781, _e714, _e719);
-                                                    phi_1256_ = select(_e772, _e707, _e719);
-                                                    phi_1257_ = select(_e763, _e700, _e719);
-                                                    phi_1258_ = select(_e760, _e698, _e719);
-                                                    phi_1259_ = select(_e718, _e840, _e719);
-                                                    phi_1260_ = select(_e717, _e839, _e719);
-                                                    phi_1261_ = select(_e714, _e836, _e719);
-                                                    phi_1262_ = select(_e707, _e833, _e719);
-                                                    phi_1263_ = select(_e700, _e830, _e719);
-                                                    phi_1264_ = select(_e698, _e827, _e719);
-                                                    phi_1265_ = select(_e833, _e772, _e719);
-                                                    phi_1266_ = select(_e827, _e760, _e719);
+                                                    phi_1252_ = select(_e771, _e704, _e705);
+                                                    phi_1253_ = select(_e770, _e703, _e705);
+                                                    phi_1254_ = select(_e767, _e700, _e705);
+                                                    phi_1255_ = select(_e758, _e693, _e705);
+                                                    phi_1256_ = select(_e749, _e686, _e705);
+                                                    phi_1257_ = select(_e746, _e684, _e705);
+                                                    phi_1258_ = select(_e704, _e826, _e705);
+                                                    phi_1259_ = select(_e703, _e825, _e705);
+                                                    phi_1260_ = select(_e700, _e822, _e705);
+                                                    phi_1261_ = select(_e693, _e819, _e705);
+                                                    phi_1262_ = select(_e686, _e816, _e705);
+                                                    phi_1263_ = select(_e684, _e813, _e705);
+                                                    phi_1264_ = select(_e819, _e758, _e705);
+                                                    phi_1265_ = select(_e813, _e746, _e705);
                                                 }
-                                                let _e856 = phi_1253_;
-                                                let _e858 = phi_1254_;
-                                                let _e860 = phi_1255_;
-                                                let _e862 = phi_1256_;
-                                                let _e864 = phi_1257_;
-                                                let _e866 = phi_1258_;
-                                                let _e868 = phi_1259_;
-                                                let _e870 = phi_1260_;
-                                                let _e872 = phi_1261_;
-                                                let _e874 = phi_1262_;
-                                                let _e876 = phi_1263_;
-                                                let _e878 = phi_1264_;
-                                                let _e880 = phi_1265_;
-                                                let _e882 = phi_1266_;
-                                                phi_2360_ = _e547;
-                                                phi_1269_ = type_8(0u, 4u);
-                                                phi_1272_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                let _e842 = phi_1252_;
+                                                let _e844 = phi_1253_;
+                                                let _e846 = phi_1254_;
+                                                let _e848 = phi_1255_;
+                                                let _e850 = phi_1256_;
+                                                let _e852 = phi_1257_;
+                                                let _e854 = phi_1258_;
+                                                let _e856 = phi_1259_;
+                                                let _e858 = phi_1260_;
+                                                let _e860 = phi_1261_;
+                                                let _e862 = phi_1262_;
+                                                let _e864 = phi_1263_;
+                                                let _e866 = phi_1264_;
+                                                let _e868 = phi_1265_;
+                                                phi_1268_ = type_8(0u, 4u);
+                                                phi_1271_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                 loop {
-                                                    let _e884 = phi_2360_;
-                                                    let _e886 = phi_1269_;
-                                                    let _e888 = phi_1272_;
-                                                    local_20 = _e888;
-                                                    if (_e886.member < _e886.member_1) {
-                                                        phi_1270_ = type_8((_e886.member + 1u), _e886.member_1);
-                                                        phi_1295_ = type_8(1u, _e886.member);
+                                                    let _e870 = phi_1268_;
+                                                    let _e872 = phi_1271_;
+                                                    local_16 = _e872;
+                                                    if (_e870.member < _e870.member_1) {
+                                                        phi_1269_ = type_8((_e870.member + 1u), _e870.member_1);
+                                                        phi_1294_ = type_8(1u, _e870.member);
                                                     } else {
-                                                        phi_1270_ = _e886;
-                                                        phi_1295_ = type_8(0u, type_8().member_1);
+                                                        phi_1269_ = _e870;
+                                                        phi_1294_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e901 = phi_1270_;
-                                                    let _e903 = phi_1295_;
-                                                    let _e907 = (bitcast<i32>(_e903.member) != 0i);
-                                                    if _e907 {
-                                                        let _e909 = ((_e903.member_1 & 1u) == 1u);
-                                                        let _e911 = ((_e903.member_1 & 2u) == 2u);
-                                                        let _e914 = (select(_e870, _e868, _e909) * select(_e858, _e856, _e911));
-                                                        let _e920 = (((_e636.z + _e882) + select(_e878, _e876, _e909)) + select(_e866, _e864, _e911));
-                                                        let _e925 = (2u * _e920);
-                                                        if (_e925 < _e83) {
-                                                        } else {
-                                                            phi_2455_ = true;
-                                                            break;
-                                                        }
-                                                        let _e928 = cells.member[_e925];
-                                                        if (_e914 > 0f) {
-                                                            let _e930 = (((_e880 | select(_e874, _e872, _e909)) | select(_e862, _e860, _e911)) & 31u);
-                                                            if (((_e928 >> bitcast<u32>(_e930)) & 1u) == 1u) {
-                                                                let _e937 = params.member.member_8;
-                                                                let _e938 = (_e937 == 1u);
-                                                                if (_e618 == 0u) {
-                                                                    let _e967 = (_e920 * 6u);
-                                                                    let _e968 = (_e925 + 1u);
-                                                                    if (_e968 < _e83) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e971 = cells.member[_e968];
-                                                                    phi_1382_ = type_8(0u, 6u);
-                                                                    phi_1385_ = _e971;
-                                                                    loop {
-                                                                        let _e973 = phi_1382_;
-                                                                        let _e975 = phi_1385_;
-                                                                        local = _e975;
-                                                                        local_1 = _e975;
-                                                                        local_8 = _e975;
-                                                                        local_9 = _e975;
-                                                                        if (_e973.member < _e973.member_1) {
-                                                                            phi_1383_ = type_8((_e973.member + 1u), _e973.member_1);
-                                                                            phi_1408_ = type_8(1u, _e973.member);
-                                                                        } else {
-                                                                            phi_1383_ = _e973;
-                                                                            phi_1408_ = type_8(0u, type_8().member_1);
-                                                                        }
-                                                                        let _e988 = phi_1383_;
-                                                                        let _e990 = phi_1408_;
-                                                                        let _e994 = (bitcast<i32>(_e990.member) != 0i);
-                                                                        if _e994 {
-                                                                            let _e995 = (_e967 + _e990.member_1);
-                                                                            if (_e995 < _e86) {
-                                                                            } else {
-                                                                                phi_2349_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e998 = facet_bits.member[_e995];
-                                                                            phi_1386_ = (_e975 + countOneBits((_e998 & ((1u << bitcast<u32>(_e930)) - 1u))));
-                                                                        } else {
-                                                                            phi_1386_ = u32();
-                                                                        }
-                                                                        let _e1006 = phi_1386_;
-                                                                        continue;
-                                                                        continuing {
-                                                                            phi_1382_ = _e988;
-                                                                            phi_1385_ = _e1006;
-                                                                            phi_2349_ = _e884;
-                                                                            break if !(_e994);
-                                                                        }
-                                                                    }
-                                                                    let _e1009 = phi_2349_;
-                                                                    phi_2455_ = _e1009;
-                                                                    if _e1009 {
-                                                                        break;
-                                                                    }
-                                                                    if (_e967 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1012 = facet_bits.member[_e967];
-                                                                    let _e1016 = (_e967 + 1u);
-                                                                    if (_e1016 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1019 = facet_bits.member[_e1016];
-                                                                    let _e1024 = (_e967 + 2u);
-                                                                    if (_e1024 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1027 = facet_bits.member[_e1024];
-                                                                    let _e1032 = (_e967 + 3u);
-                                                                    if (_e1032 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1035 = facet_bits.member[_e1032];
-                                                                    let _e1040 = (_e967 + 4u);
-                                                                    if (_e1040 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1043 = facet_bits.member[_e1040];
-                                                                    let _e1048 = (_e967 + 5u);
-                                                                    if (_e1048 < _e86) {
-                                                                    } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1051 = facet_bits.member[_e1048];
-                                                                    let _e1055 = (((((((_e1012 >> bitcast<u32>(_e930)) & 1u) + ((_e1019 >> bitcast<u32>(_e930)) & 1u)) + ((_e1027 >> bitcast<u32>(_e930)) & 1u)) + ((_e1035 >> bitcast<u32>(_e930)) & 1u)) + ((_e1043 >> bitcast<u32>(_e930)) & 1u)) + ((_e1051 >> bitcast<u32>(_e930)) & 1u));
-                                                                    if _e938 {
-                                                                        let _e1183 = local_8;
-                                                                        let _e1186 = local_9;
-                                                                        phi_1522_ = type_8(_e1186, (_e1183 + _e1055));
-                                                                        phi_1525_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                    let _e885 = phi_1269_;
+                                                    let _e887 = phi_1294_;
+                                                    let _e891 = (bitcast<i32>(_e887.member) != 0i);
+                                                    if _e891 {
+                                                        let _e893 = ((_e887.member_1 & 1u) == 1u);
+                                                        let _e895 = ((_e887.member_1 & 2u) == 2u);
+                                                        let _e898 = (select(_e856, _e854, _e893) * select(_e844, _e842, _e895));
+                                                        let _e904 = (((_e622.z + _e868) + select(_e864, _e862, _e893)) + select(_e852, _e850, _e895));
+                                                        let _e909 = (2u * _e904);
+                                                        let _e911 = cells.member[_e909];
+                                                        if (_e898 > 0f) {
+                                                            let _e913 = (((_e866 | select(_e860, _e858, _e893)) | select(_e848, _e846, _e895)) & 31u);
+                                                            if (((_e911 >> bitcast<u32>(_e913)) & 1u) == 1u) {
+                                                                let _e920 = params.member.member_8;
+                                                                let _e921 = (_e920 == 1u);
+                                                                if (_e604 == 0u) {
+                                                                    let _e947 = (_e904 * 6u);
+                                                                    let _e950 = cells.member[(_e909 + 1u)];
+                                                                    let _e952 = facet_bits.member[_e947];
+                                                                    let _e955 = ((1u << bitcast<u32>(_e913)) - 1u);
+                                                                    let _e964 = facet_bits.member[(_e947 + 1u)];
+                                                                    let _e974 = facet_bits.member[(_e947 + 2u)];
+                                                                    let _e984 = facet_bits.member[(_e947 + 3u)];
+                                                                    let _e994 = facet_bits.member[(_e947 + 4u)];
+                                                                    let _e1004 = facet_bits.member[(_e947 + 5u)];
+                                                                    let _e1007 = ((((((_e950 + countOneBits((_e952 & _e955))) + countOneBits((_e964 & _e955))) + countOneBits((_e974 & _e955))) + countOneBits((_e984 & _e955))) + countOneBits((_e994 & _e955))) + countOneBits((_e1004 & _e955)));
+                                                                    let _e1011 = (((((((_e952 >> bitcast<u32>(_e913)) & 1u) + ((_e964 >> bitcast<u32>(_e913)) & 1u)) + ((_e974 >> bitcast<u32>(_e913)) & 1u)) + ((_e984 >> bitcast<u32>(_e913)) & 1u)) + ((_e994 >> bitcast<u32>(_e913)) & 1u)) + ((_e1004 >> bitcast<u32>(_e913)) & 1u));
+                                                                    if _e921 {
+                                                                        phi_1452_ = type_8(_e1007, (_e1007 + _e1011));
+                                                                        phi_1455_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                         loop {
-                                                                            let _e1189 = phi_1522_;
-                                                                            let _e1191 = phi_1525_;
-                                                                            local_19 = _e1191;
-                                                                            if (_e1189.member < _e1189.member_1) {
-                                                                                phi_1523_ = type_8((_e1189.member + 1u), _e1189.member_1);
-                                                                                phi_1548_ = type_8(1u, _e1189.member);
+                                                                            let _e1132 = phi_1452_;
+                                                                            let _e1134 = phi_1455_;
+                                                                            local_15 = _e1134;
+                                                                            if (_e1132.member < _e1132.member_1) {
+                                                                                phi_1453_ = type_8((_e1132.member + 1u), _e1132.member_1);
+                                                                                phi_1478_ = type_8(1u, _e1132.member);
                                                                             } else {
-                                                                                phi_1523_ = _e1189;
-                                                                                phi_1548_ = type_8(0u, type_8().member_1);
+                                                                                phi_1453_ = _e1132;
+                                                                                phi_1478_ = type_8(0u, type_8().member_1);
                                                                             }
-                                                                            let _e1204 = phi_1523_;
-                                                                            let _e1206 = phi_1548_;
-                                                                            let _e1210 = (bitcast<i32>(_e1206.member) != 0i);
-                                                                            if _e1210 {
-                                                                                let _e1211 = (2u * _e1206.member_1);
-                                                                                if (_e1211 < _e92) {
-                                                                                } else {
-                                                                                    phi_2448_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e1215 = radiance.member[_e1211][0u];
-                                                                                let _e1218 = radiance.member[_e1211][1u];
-                                                                                let _e1221 = radiance.member[_e1211][2u];
-                                                                                let _e1222 = (_e1211 + 1u);
-                                                                                if (_e1222 < _e92) {
-                                                                                } else {
-                                                                                    phi_2448_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e1226 = radiance.member[_e1222][0u];
-                                                                                let _e1229 = radiance.member[_e1222][1u];
-                                                                                let _e1232 = radiance.member[_e1222][2u];
-                                                                                if (_e1206.member_1 < _e89) {
-                                                                                } else {
-                                                                                    phi_2448_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e1242 = facets.member[_e1206.member_1].member_2;
-                                                                                let _e1251 = sqrt((((_e1242[0] * _e1242[0]) + (_e1242[1] * _e1242[1])) + (_e1242[2] * _e1242[2])));
-                                                                                phi_1526_ = vec4<f32>((_e1191.x + (select(_e1226, _e1215, (_e1215 > _e1226)) * _e1251)), (_e1191.y + (select(_e1229, _e1218, (_e1218 > _e1229)) * _e1251)), (_e1191.z + (select(_e1232, _e1221, (_e1221 > _e1232)) * _e1251)), (_e1191.w + _e1251));
+                                                                            let _e1147 = phi_1453_;
+                                                                            let _e1149 = phi_1478_;
+                                                                            let _e1153 = (bitcast<i32>(_e1149.member) != 0i);
+                                                                            if _e1153 {
+                                                                                let _e1154 = (2u * _e1149.member_1);
+                                                                                let _e1157 = radiance.member[_e1154][0u];
+                                                                                let _e1160 = radiance.member[_e1154][1u];
+                                                                                let _e1163 = radiance.member[_e1154][2u];
+                                                                                let _e1164 = (_e1154 + 1u);
+                                                                                let _e1167 = radiance.member[_e1164][0u];
+                                                                                let _e1170 = radiance.member[_e1164][1u];
+                                                                                let _e1173 = radiance.member[_e1164][2u];
+                                                                                let _e1182 = facets.member[_e1149.member_1].member_2;
+                                                                                let _e1191 = sqrt((((_e1182[0] * _e1182[0]) + (_e1182[1] * _e1182[1])) + (_e1182[2] * _e1182[2])));
+                                                                                phi_1456_ = vec4<f32>((_e1134.x + (select(_e1167, _e1157, (_e1157 > _e1167)) * _e1191)), (_e1134.y + (select(_e1170, _e1160, (_e1160 > _e1170)) * _e1191)), (_e1134.z + (select(_e1173, _e1163, (_e1163 > _e1173)) * _e1191)), (_e1134.w + _e1191));
                                                                             } else {
-                                                                                phi_1526_ = vec4<f32>();
+                                                                                phi_1456_ = vec4<f32>();
                                                                             }
-                                                                            let _e1265 = phi_1526_;
+                                                                            let _e1205 = phi_1456_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_1522_ = _e1204;
-                                                                                phi_1525_ = _e1265;
-                                                                                phi_2448_ = _e1009;
-                                                                                break if !(_e1210);
+                                                                                phi_1452_ = _e1147;
+                                                                                phi_1455_ = _e1205;
+                                                                                break if !(_e1153);
                                                                             }
                                                                         }
-                                                                        let _e1268 = phi_2448_;
-                                                                        phi_2455_ = _e1268;
-                                                                        if _e1268 {
-                                                                            break;
-                                                                        }
-                                                                        phi_2463_ = _e1268;
-                                                                        let _e1857 = local_19;
-                                                                        phi_1809_ = _e1857;
+                                                                        let _e1758 = local_15;
+                                                                        phi_1695_ = _e1758;
                                                                     } else {
-                                                                        let _e1056 = select(1f, -1f, _e631);
-                                                                        let _e1061 = local;
-                                                                        let _e1064 = local_1;
-                                                                        phi_1673_ = type_8(_e1064, (_e1061 + _e1055));
-                                                                        phi_1676_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                        phi_1678_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                        let _e1012 = select(1f, -1f, _e617);
+                                                                        phi_1574_ = type_8(_e1007, (_e1007 + _e1011));
+                                                                        phi_1577_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                        phi_1579_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                         loop {
-                                                                            let _e1067 = phi_1673_;
-                                                                            let _e1069 = phi_1676_;
-                                                                            let _e1071 = phi_1678_;
-                                                                            local_2 = _e1069;
-                                                                            local_3 = _e1071;
-                                                                            local_4 = _e1069;
-                                                                            local_5 = _e1069;
-                                                                            local_6 = _e1069;
-                                                                            local_7 = _e1071;
-                                                                            local_18 = _e1071;
-                                                                            if (_e1067.member < _e1067.member_1) {
-                                                                                phi_1674_ = type_8((_e1067.member + 1u), _e1067.member_1);
-                                                                                phi_1701_ = type_8(1u, _e1067.member);
+                                                                            let _e1019 = phi_1574_;
+                                                                            let _e1021 = phi_1577_;
+                                                                            let _e1023 = phi_1579_;
+                                                                            local = _e1021;
+                                                                            local_1 = _e1023;
+                                                                            local_2 = _e1021;
+                                                                            local_3 = _e1021;
+                                                                            local_4 = _e1021;
+                                                                            local_5 = _e1023;
+                                                                            local_14 = _e1023;
+                                                                            if (_e1019.member < _e1019.member_1) {
+                                                                                phi_1575_ = type_8((_e1019.member + 1u), _e1019.member_1);
+                                                                                phi_1602_ = type_8(1u, _e1019.member);
                                                                             } else {
-                                                                                phi_1674_ = _e1067;
-                                                                                phi_1701_ = type_8(0u, type_8().member_1);
+                                                                                phi_1575_ = _e1019;
+                                                                                phi_1602_ = type_8(0u, type_8().member_1);
                                                                             }
-                                                                            let _e1084 = phi_1674_;
-                                                                            let _e1086 = phi_1701_;
-                                                                            let _e1090 = (bitcast<i32>(_e1086.member) != 0i);
-                                                                            if _e1090 {
-                                                                                if (_e1086.member_1 < _e89) {
+                                                                            let _e1036 = phi_1575_;
+                                                                            let _e1038 = phi_1602_;
+                                                                            let _e1042 = (bitcast<i32>(_e1038.member) != 0i);
+                                                                            if _e1042 {
+                                                                                let _e1045 = facets.member[_e1038.member_1].member_2;
+                                                                                let _e1054 = -((((select(0f, _e1012, _e579) * _e1045[0]) + (select(0f, _e1012, _e705) * _e1045[1])) + (select(0f, _e1012, _e772) * _e1045[2])));
+                                                                                if (_e1054 > 0f) {
+                                                                                    let _e1077 = radiance.member[(2u * _e1038.member_1)];
+                                                                                    phi_1671_ = _e1021;
+                                                                                    phi_1672_ = vec4<f32>((_e1023.x + (_e1077.x * _e1054)), (_e1023.y + (_e1077.y * _e1054)), (_e1023.z + (_e1077.z * _e1054)), (_e1023.w + _e1054));
                                                                                 } else {
-                                                                                    phi_2439_ = true;
-                                                                                    break;
+                                                                                    let _e1059 = radiance.member[((2u * _e1038.member_1) + 1u)];
+                                                                                    phi_1671_ = vec4<f32>((_e1021.x - (_e1059.x * _e1054)), (_e1021.y - (_e1059.y * _e1054)), (_e1021.z - (_e1059.z * _e1054)), (_e1021.w - _e1054));
+                                                                                    phi_1672_ = _e1023;
                                                                                 }
-                                                                                let _e1094 = facets.member[_e1086.member_1].member_2;
-                                                                                let _e1103 = -((((select(0f, _e1056, _e593) * _e1094[0]) + (select(0f, _e1056, _e719) * _e1094[1])) + (select(0f, _e1056, _e786) * _e1094[2])));
-                                                                                if (_e1103 > 0f) {
-                                                                                    let _e1125 = (2u * _e1086.member_1);
-                                                                                    if (_e1125 < _e92) {
-                                                                                    } else {
-                                                                                        phi_2439_ = true;
-                                                                                        break;
-                                                                                    }
-                                                                                    let _e1128 = radiance.member[_e1125];
-                                                                                    phi_1785_ = _e1069;
-                                                                                    phi_1786_ = vec4<f32>((_e1071.x + (_e1128.x * _e1103)), (_e1071.y + (_e1128.y * _e1103)), (_e1071.z + (_e1128.z * _e1103)), (_e1071.w + _e1103));
-                                                                                } else {
-                                                                                    let _e1106 = ((2u * _e1086.member_1) + 1u);
-                                                                                    if (_e1106 < _e92) {
-                                                                                    } else {
-                                                                                        phi_2439_ = true;
-                                                                                        break;
-                                                                                    }
-                                                                                    let _e1109 = radiance.member[_e1106];
-                                                                                    phi_1785_ = vec4<f32>((_e1069.x - (_e1109.x * _e1103)), (_e1069.y - (_e1109.y * _e1103)), (_e1069.z - (_e1109.z * _e1103)), (_e1069.w - _e1103));
-                                                                                    phi_1786_ = _e1071;
-                                                                                }
-                                                                                let _e1145 = phi_1785_;
-                                                                                let _e1147 = phi_1786_;
-                                                                                phi_1677_ = _e1145;
-                                                                                phi_1679_ = _e1147;
+                                                                                let _e1094 = phi_1671_;
+                                                                                let _e1096 = phi_1672_;
+                                                                                phi_1578_ = _e1094;
+                                                                                phi_1580_ = _e1096;
                                                                             } else {
-                                                                                phi_1677_ = vec4<f32>();
-                                                                                phi_1679_ = vec4<f32>();
+                                                                                phi_1578_ = vec4<f32>();
+                                                                                phi_1580_ = vec4<f32>();
                                                                             }
-                                                                            let _e1149 = phi_1677_;
-                                                                            let _e1151 = phi_1679_;
+                                                                            let _e1098 = phi_1578_;
+                                                                            let _e1100 = phi_1580_;
                                                                             continue;
                                                                             continuing {
-                                                                                phi_1673_ = _e1084;
-                                                                                phi_1676_ = _e1149;
-                                                                                phi_1678_ = _e1151;
-                                                                                phi_2439_ = _e1009;
-                                                                                break if !(_e1090);
+                                                                                phi_1574_ = _e1036;
+                                                                                phi_1577_ = _e1098;
+                                                                                phi_1579_ = _e1100;
+                                                                                break if !(_e1042);
                                                                             }
                                                                         }
-                                                                        let _e1154 = phi_2439_;
-                                                                        phi_2455_ = _e1154;
-                                                                        if _e1154 {
-                                                                            break;
-                                                                        }
-                                                                        let _e1156 = local_2;
-                                                                        let _e1159 = local_3;
-                                                                        if (_e1156.w > _e1159.w) {
-                                                                            let _e1162 = (_e1156.w - _e1159.w);
-                                                                            let _e1163 = (_e1162 / _e1156.w);
-                                                                            let _e1165 = local_4;
-                                                                            let _e1169 = local_5;
-                                                                            let _e1173 = local_6;
-                                                                            let _e1178 = local_7;
-                                                                            phi_1808_ = (_e1178 + vec4<f32>((_e1165.x * _e1163), (_e1169.y * _e1163), (_e1173.z * _e1163), _e1162));
+                                                                        let _e1103 = local;
+                                                                        let _e1106 = local_1;
+                                                                        if (_e1103.w > _e1106.w) {
+                                                                            let _e1109 = (_e1103.w - _e1106.w);
+                                                                            let _e1110 = (_e1109 / _e1103.w);
+                                                                            let _e1112 = local_2;
+                                                                            let _e1116 = local_3;
+                                                                            let _e1120 = local_4;
+                                                                            let _e1125 = local_5;
+                                                                            phi_1694_ = (_e1125 + vec4<f32>((_e1112.x * _e1110), (_e1116.y * _e1110), (_e1120.z * _e1110), _e1109));
                                                                         } else {
-                                                                            let _e1845 = local_18;
-                                                                            phi_1808_ = _e1845;
+                                                                            let _e1750 = local_14;
+                                                                            phi_1694_ = _e1750;
                                                                         }
-                                                                        let _e1181 = phi_1808_;
-                                                                        phi_2463_ = _e1154;
-                                                                        phi_1809_ = _e1181;
+                                                                        let _e1128 = phi_1694_;
+                                                                        phi_1695_ = _e1128;
                                                                     }
-                                                                    let _e1270 = phi_2463_;
-                                                                    let _e1272 = phi_1809_;
-                                                                    if (_e1272.w > 1f) {
-                                                                        phi_1823_ = vec4<f32>((_e1272.x / _e1272.w), (_e1272.y / _e1272.w), (_e1272.z / _e1272.w), 1f);
+                                                                    let _e1208 = phi_1695_;
+                                                                    if (_e1208.w > 1f) {
+                                                                        phi_1709_ = vec4<f32>((_e1208.x / _e1208.w), (_e1208.y / _e1208.w), (_e1208.z / _e1208.w), 1f);
                                                                     } else {
-                                                                        phi_1823_ = _e1272;
+                                                                        phi_1709_ = _e1208;
                                                                     }
-                                                                    let _e1283 = phi_1823_;
-                                                                    phi_2459_ = _e1270;
-                                                                    phi_1874_ = _e1283;
+                                                                    let _e1219 = phi_1709_;
+                                                                    phi_1742_ = _e1219;
                                                                 } else {
-                                                                    let _e940 = (_e925 + 1u);
-                                                                    if (_e940 < _e83) {
+                                                                    let _e925 = cells.member[(_e909 + 1u)];
+                                                                    let _e931 = (_e925 + countOneBits((_e911 & ((1u << bitcast<u32>(_e913)) - 1u))));
+                                                                    if _e921 {
+                                                                        phi_1729_ = _e931;
                                                                     } else {
-                                                                        phi_2455_ = true;
-                                                                        break;
+                                                                        phi_1729_ = (((6u * _e931) + (2u * _e578)) + select(0u, 1u, _e617));
                                                                     }
-                                                                    let _e943 = cells.member[_e940];
-                                                                    let _e949 = (_e943 + countOneBits((_e928 & ((1u << bitcast<u32>(_e930)) - 1u))));
-                                                                    if _e938 {
-                                                                        phi_1849_ = _e949;
+                                                                    let _e938 = phi_1729_;
+                                                                    if ((_e604 & 1u) == 1u) {
+                                                                        let _e944 = odd.member[_e938];
+                                                                        phi_1741_ = _e944;
                                                                     } else {
-                                                                        phi_1849_ = (((6u * _e949) + (2u * _e592)) + select(0u, 1u, _e631));
+                                                                        let _e942 = even.member[_e938];
+                                                                        phi_1741_ = _e942;
                                                                     }
-                                                                    let _e956 = phi_1849_;
-                                                                    if ((_e618 & 1u) == 1u) {
-                                                                        if (_e956 < arrayLength((&odd.member))) {
-                                                                        } else {
-                                                                            phi_2455_ = true;
-                                                                            break;
-                                                                        }
-                                                                        let _e964 = odd.member[_e956];
-                                                                        phi_1873_ = _e964;
-                                                                    } else {
-                                                                        if (_e956 < arrayLength((&even.member))) {
-                                                                        } else {
-                                                                            phi_2455_ = true;
-                                                                            break;
-                                                                        }
-                                                                        let _e961 = even.member[_e956];
-                                                                        phi_1873_ = _e961;
-                                                                    }
-                                                                    let _e966 = phi_1873_;
-                                                                    phi_2459_ = _e884;
-                                                                    phi_1874_ = _e966;
+                                                                    let _e946 = phi_1741_;
+                                                                    phi_1742_ = _e946;
                                                                 }
-                                                                let _e1285 = phi_2459_;
-                                                                let _e1287 = phi_1874_;
-                                                                phi_2458_ = _e1285;
-                                                                phi_1895_ = vec4<f32>((_e888.x + (_e1287.x * _e914)), (_e888.y + (_e1287.y * _e914)), (_e888.z + (_e1287.z * _e914)), (_e888.w + (_e1287.w * _e914)));
+                                                                let _e1221 = phi_1742_;
+                                                                phi_1763_ = vec4<f32>((_e872.x + (_e1221.x * _e898)), (_e872.y + (_e1221.y * _e898)), (_e872.z + (_e1221.z * _e898)), (_e872.w + (_e1221.w * _e898)));
                                                             } else {
-                                                                phi_2458_ = _e884;
-                                                                phi_1895_ = _e888;
+                                                                phi_1763_ = _e872;
                                                             }
-                                                            let _e1306 = phi_2458_;
-                                                            let _e1308 = phi_1895_;
-                                                            phi_2457_ = _e1306;
-                                                            phi_1896_ = _e1308;
+                                                            let _e1240 = phi_1763_;
+                                                            phi_1764_ = _e1240;
                                                         } else {
-                                                            phi_2457_ = _e884;
-                                                            phi_1896_ = _e888;
+                                                            phi_1764_ = _e872;
                                                         }
-                                                        let _e1310 = phi_2457_;
-                                                        let _e1312 = phi_1896_;
-                                                        phi_2456_ = _e1310;
-                                                        phi_1273_ = _e1312;
+                                                        let _e1242 = phi_1764_;
+                                                        phi_1272_ = _e1242;
                                                     } else {
-                                                        phi_2456_ = _e884;
-                                                        phi_1273_ = vec4<f32>();
+                                                        phi_1272_ = vec4<f32>();
                                                     }
-                                                    let _e1314 = phi_2456_;
-                                                    let _e1316 = phi_1273_;
+                                                    let _e1244 = phi_1272_;
                                                     continue;
                                                     continuing {
-                                                        phi_2360_ = _e1314;
-                                                        phi_1269_ = _e901;
-                                                        phi_1272_ = _e1316;
-                                                        phi_2455_ = _e1314;
-                                                        break if !(_e907);
+                                                        phi_1268_ = _e885;
+                                                        phi_1271_ = _e1244;
+                                                        break if !(_e891);
                                                     }
                                                 }
-                                                let _e1319 = phi_2455_;
-                                                phi_2465_ = _e1319;
-                                                if _e1319 {
-                                                    break;
-                                                }
-                                                phi_2484_ = _e1319;
-                                                let _e1871 = local_20;
-                                                phi_1897_ = _e1871;
+                                                let _e1766 = local_16;
+                                                phi_1765_ = _e1766;
                                             }
-                                            let _e1321 = phi_2484_;
-                                            let _e1323 = phi_1897_;
-                                            phi_2483_ = _e1321;
-                                            phi_1898_ = _e1323;
-                                            phi_1899_ = _e658;
+                                            let _e1247 = phi_1765_;
+                                            phi_1766_ = _e1247;
+                                            phi_1767_ = _e644;
                                         }
-                                        let _e1325 = phi_2483_;
-                                        let _e1327 = phi_1898_;
-                                        let _e1329 = phi_1899_;
-                                        let _e1331 = select(_e1327, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1329));
-                                        if (_e1331.w > 0f) {
-                                            let _e1338 = select(_e622, _e1331.w, (_e1331.w < _e622));
-                                            let _e1343 = ((_e561 * _e1338) / _e1331.w);
-                                            phi_1943_ = vec3<f32>((_e551.x + (_e1331.x * _e1343)), (_e551.y + (_e1331.y * _e1343)), (_e551.z + (_e1331.z * _e1343)));
-                                            phi_1944_ = (_e559 + _e1338);
-                                            phi_1945_ = _e561;
+                                        let _e1249 = phi_1766_;
+                                        let _e1251 = phi_1767_;
+                                        let _e1253 = select(_e1249, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1251));
+                                        if (_e1253.w > 0f) {
+                                            let _e1260 = select(_e608, _e1253.w, (_e1253.w < _e608));
+                                            let _e1265 = ((_e547 * _e1260) / _e1253.w);
+                                            phi_1811_ = vec3<f32>((_e537.x + (_e1253.x * _e1265)), (_e537.y + (_e1253.y * _e1265)), (_e537.z + (_e1253.z * _e1265)));
+                                            phi_1812_ = (_e545 + _e1260);
+                                            phi_1813_ = _e547;
                                         } else {
-                                            let _e1334 = (_e592 == _e416);
-                                            phi_1943_ = _e551;
-                                            phi_1944_ = select(_e559, 0f, _e1334);
-                                            phi_1945_ = select(_e561, _e623, _e1334);
+                                            let _e1256 = (_e578 == _e404);
+                                            phi_1811_ = _e537;
+                                            phi_1812_ = select(_e545, 0f, _e1256);
+                                            phi_1813_ = select(_e547, _e609, _e1256);
                                         }
-                                        let _e1356 = phi_1943_;
-                                        let _e1358 = phi_1944_;
-                                        let _e1360 = phi_1945_;
-                                        let _e1361 = (_e378 * _e614);
-                                        let _e1363 = ((_e381 * _e155) + ((_e381 * _e375.z) * _e614));
-                                        let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
-                                        let _e1372 = ((bitcast<u32>((select(1f, _e1365, (_e1365 > 1f)) * _e373)) >> bitcast<u32>(23i)) - 127u);
-                                        let _e1374 = (_e404.w - 1u);
-                                        let _e1376 = select(_e1372, _e1374, (_e1374 < _e1372));
-                                        if _e593 {
-                                            let _e1537 = (_e557.member_1 < 0f);
-                                            if _e1537 {
-                                                phi_1988_ = (_e557.member_3 - 1i);
+                                        let _e1278 = phi_1811_;
+                                        let _e1280 = phi_1812_;
+                                        let _e1282 = phi_1813_;
+                                        let _e1283 = (_e366 * _e600);
+                                        let _e1285 = ((_e369 * _e143) + ((_e369 * _e363.z) * _e600));
+                                        let _e1287 = select(_e1285, _e1283, (_e1283 < _e1285));
+                                        let _e1294 = ((bitcast<u32>((select(1f, _e1287, (_e1287 > 1f)) * _e361)) >> bitcast<u32>(23i)) - 127u);
+                                        let _e1296 = (_e392.w - 1u);
+                                        let _e1298 = select(_e1294, _e1296, (_e1296 < _e1294));
+                                        if _e579 {
+                                            let _e1459 = (_e543.member_1 < 0f);
+                                            if _e1459 {
+                                                phi_1856_ = (_e543.member_3 - 1i);
                                             } else {
-                                                phi_1988_ = (_e557.member_3 + 1i);
+                                                phi_1856_ = (_e543.member_3 + 1i);
                                             }
-                                            let _e1545 = phi_1988_;
-                                            let _e1551 = type_38(_e557.member, _e557.member_1, _e557.member_2, _e1545, _e557.member_4);
-                                            if (((_e557.member_3 & 1i) == 0i) == _e1537) {
-                                                if (_e1376 > _e557.member_2) {
-                                                    let _e1560 = type_38(_e1551.member, _e1551.member_1, (_e557.member_2 + 1u), _e1551.member_3, _e1551.member_4);
-                                                    phi_2003_ = type_38(_e1560.member, _e1560.member_1, _e1560.member_2, (_e1545 >> bitcast<u32>(1i)), _e1560.member_4);
+                                            let _e1467 = phi_1856_;
+                                            let _e1473 = type_38(_e543.member, _e543.member_1, _e543.member_2, _e1467, _e543.member_4);
+                                            if (((_e543.member_3 & 1i) == 0i) == _e1459) {
+                                                if (_e1298 > _e543.member_2) {
+                                                    let _e1482 = type_38(_e1473.member, _e1473.member_1, (_e543.member_2 + 1u), _e1473.member_3, _e1473.member_4);
+                                                    phi_1871_ = type_38(_e1482.member, _e1482.member_1, _e1482.member_2, (_e1467 >> bitcast<u32>(1i)), _e1482.member_4);
                                                 } else {
-                                                    phi_2003_ = _e1551;
+                                                    phi_1871_ = _e1473;
                                                 }
-                                                let _e1570 = phi_2003_;
-                                                phi_2004_ = _e1570;
+                                                let _e1492 = phi_1871_;
+                                                phi_1872_ = _e1492;
                                             } else {
-                                                phi_2004_ = _e1551;
+                                                phi_1872_ = _e1473;
                                             }
-                                            let _e1572 = phi_2004_;
-                                            let _e1574 = (_e1572.member_2 & 31u);
-                                            let _e1576 = (1u << bitcast<u32>(_e1574));
-                                            if (_e1572.member_1 < 0f) {
-                                                phi_2023_ = (_e1572.member_3 < 0i);
+                                            let _e1494 = phi_1872_;
+                                            let _e1496 = (_e1494.member_2 & 31u);
+                                            let _e1498 = (1u << bitcast<u32>(_e1496));
+                                            if (_e1494.member_1 < 0f) {
+                                                phi_1891_ = (_e1494.member_3 < 0i);
                                             } else {
-                                                phi_2023_ = (_e1572.member_3 >= bitcast<i32>((((_e404.x + _e1576) - 1u) >> bitcast<u32>(_e1574))));
+                                                phi_1891_ = (_e1494.member_3 >= bitcast<i32>((((_e392.x + _e1498) - 1u) >> bitcast<u32>(_e1496))));
                                             }
-                                            let _e1589 = phi_2023_;
-                                            if _e1589 {
-                                                phi_2046_ = f32();
-                                                phi_2047_ = true;
+                                            let _e1511 = phi_1891_;
+                                            if _e1511 {
+                                                phi_1914_ = f32();
+                                                phi_1915_ = true;
                                             } else {
-                                                let _e1596 = (abs(_e1572.member_1) < 0.000001f);
-                                                if _e1596 {
-                                                    phi_2045_ = f32();
+                                                let _e1518 = (abs(_e1494.member_1) < 0.000001f);
+                                                if _e1518 {
+                                                    phi_1913_ = f32();
                                                 } else {
-                                                    phi_2045_ = ((((f32(_e1572.member_3) + 0.5f) * f32(_e1576)) - _e1572.member) / _e1572.member_1);
+                                                    phi_1913_ = ((((f32(_e1494.member_3) + 0.5f) * f32(_e1498)) - _e1494.member) / _e1494.member_1);
                                                 }
-                                                let _e1601 = phi_2045_;
-                                                phi_2046_ = _e1601;
-                                                phi_2047_ = _e1596;
+                                                let _e1523 = phi_1913_;
+                                                phi_1914_ = _e1523;
+                                                phi_1915_ = _e1518;
                                             }
-                                            let _e1603 = phi_2046_;
-                                            let _e1605 = phi_2047_;
-                                            phi_2217_ = _e553;
-                                            phi_2218_ = _e555;
-                                            phi_2219_ = type_38(_e1572.member, _e1572.member_1, _e1572.member_2, _e1572.member_3, select(_e1603, 340282350000000000000000000000000000000f, _e1605));
+                                            let _e1525 = phi_1914_;
+                                            let _e1527 = phi_1915_;
+                                            phi_2085_ = _e539;
+                                            phi_2086_ = _e541;
+                                            phi_2087_ = type_38(_e1494.member, _e1494.member_1, _e1494.member_2, _e1494.member_3, select(_e1525, 340282350000000000000000000000000000000f, _e1527));
                                         } else {
-                                            if (_e592 == 1u) {
-                                                let _e1456 = (_e555.member_1 < 0f);
-                                                if _e1456 {
-                                                    phi_2071_ = (_e555.member_3 - 1i);
+                                            if (_e578 == 1u) {
+                                                let _e1378 = (_e541.member_1 < 0f);
+                                                if _e1378 {
+                                                    phi_1939_ = (_e541.member_3 - 1i);
                                                 } else {
-                                                    phi_2071_ = (_e555.member_3 + 1i);
+                                                    phi_1939_ = (_e541.member_3 + 1i);
                                                 }
-                                                let _e1464 = phi_2071_;
-                                                let _e1470 = type_38(_e555.member, _e555.member_1, _e555.member_2, _e1464, _e555.member_4);
-                                                if (((_e555.member_3 & 1i) == 0i) == _e1456) {
-                                                    if (_e1376 > _e555.member_2) {
-                                                        let _e1479 = type_38(_e1470.member, _e1470.member_1, (_e555.member_2 + 1u), _e1470.member_3, _e1470.member_4);
-                                                        phi_2086_ = type_38(_e1479.member, _e1479.member_1, _e1479.member_2, (_e1464 >> bitcast<u32>(1i)), _e1479.member_4);
+                                                let _e1386 = phi_1939_;
+                                                let _e1392 = type_38(_e541.member, _e541.member_1, _e541.member_2, _e1386, _e541.member_4);
+                                                if (((_e541.member_3 & 1i) == 0i) == _e1378) {
+                                                    if (_e1298 > _e541.member_2) {
+                                                        let _e1401 = type_38(_e1392.member, _e1392.member_1, (_e541.member_2 + 1u), _e1392.member_3, _e1392.member_4);
+                                                        phi_1954_ = type_38(_e1401.member, _e1401.member_1, _e1401.member_2, (_e1386 >> bitcast<u32>(1i)), _e1401.member_4);
                                                     } else {
-                                                        phi_2086_ = _e1470;
+                                                        phi_1954_ = _e1392;
                                                     }
-                                                    let _e1489 = phi_2086_;
-                                                    phi_2087_ = _e1489;
+                                                    let _e1411 = phi_1954_;
+                                                    phi_1955_ = _e1411;
                                                 } else {
-                                                    phi_2087_ = _e1470;
+                                                    phi_1955_ = _e1392;
                                                 }
-                                                let _e1491 = phi_2087_;
-                                                let _e1493 = (_e1491.member_2 & 31u);
-                                                let _e1495 = (1u << bitcast<u32>(_e1493));
-                                                if (_e1491.member_1 < 0f) {
-                                                    phi_2106_ = (_e1491.member_3 < 0i);
+                                                let _e1413 = phi_1955_;
+                                                let _e1415 = (_e1413.member_2 & 31u);
+                                                let _e1417 = (1u << bitcast<u32>(_e1415));
+                                                if (_e1413.member_1 < 0f) {
+                                                    phi_1974_ = (_e1413.member_3 < 0i);
                                                 } else {
-                                                    phi_2106_ = (_e1491.member_3 >= bitcast<i32>((((_e404.y + _e1495) - 1u) >> bitcast<u32>(_e1493))));
+                                                    phi_1974_ = (_e1413.member_3 >= bitcast<i32>((((_e392.y + _e1417) - 1u) >> bitcast<u32>(_e1415))));
                                                 }
-                                                let _e1508 = phi_2106_;
-                                                if _e1508 {
-                                                    phi_2129_ = f32();
-                                                    phi_2130_ = true;
+                                                let _e1430 = phi_1974_;
+                                                if _e1430 {
+                                                    phi_1997_ = f32();
+                                                    phi_1998_ = true;
                                                 } else {
-                                                    let _e1515 = (abs(_e1491.member_1) < 0.000001f);
-                                                    if _e1515 {
-                                                        phi_2128_ = f32();
+                                                    let _e1437 = (abs(_e1413.member_1) < 0.000001f);
+                                                    if _e1437 {
+                                                        phi_1996_ = f32();
                                                     } else {
-                                                        phi_2128_ = ((((f32(_e1491.member_3) + 0.5f) * f32(_e1495)) - _e1491.member) / _e1491.member_1);
+                                                        phi_1996_ = ((((f32(_e1413.member_3) + 0.5f) * f32(_e1417)) - _e1413.member) / _e1413.member_1);
                                                     }
-                                                    let _e1520 = phi_2128_;
-                                                    phi_2129_ = _e1520;
-                                                    phi_2130_ = _e1515;
+                                                    let _e1442 = phi_1996_;
+                                                    phi_1997_ = _e1442;
+                                                    phi_1998_ = _e1437;
                                                 }
-                                                let _e1522 = phi_2129_;
-                                                let _e1524 = phi_2130_;
-                                                phi_2215_ = _e553;
-                                                phi_2216_ = type_38(_e1491.member, _e1491.member_1, _e1491.member_2, _e1491.member_3, select(_e1522, 340282350000000000000000000000000000000f, _e1524));
+                                                let _e1444 = phi_1997_;
+                                                let _e1446 = phi_1998_;
+                                                phi_2083_ = _e539;
+                                                phi_2084_ = type_38(_e1413.member, _e1413.member_1, _e1413.member_2, _e1413.member_3, select(_e1444, 340282350000000000000000000000000000000f, _e1446));
                                             } else {
-                                                let _e1379 = (_e553.member_1 < 0f);
-                                                if _e1379 {
-                                                    phi_2150_ = (_e553.member_3 - 1i);
+                                                let _e1301 = (_e539.member_1 < 0f);
+                                                if _e1301 {
+                                                    phi_2018_ = (_e539.member_3 - 1i);
                                                 } else {
-                                                    phi_2150_ = (_e553.member_3 + 1i);
+                                                    phi_2018_ = (_e539.member_3 + 1i);
                                                 }
-                                                let _e1387 = phi_2150_;
-                                                let _e1393 = type_38(_e553.member, _e553.member_1, _e553.member_2, _e1387, _e553.member_4);
-                                                if (((_e553.member_3 & 1i) == 0i) == _e1379) {
-                                                    if (_e1376 > _e553.member_2) {
-                                                        let _e1402 = type_38(_e1393.member, _e1393.member_1, (_e553.member_2 + 1u), _e1393.member_3, _e1393.member_4);
-                                                        phi_2165_ = type_38(_e1402.member, _e1402.member_1, _e1402.member_2, (_e1387 >> bitcast<u32>(1i)), _e1402.member_4);
+                                                let _e1309 = phi_2018_;
+                                                let _e1315 = type_38(_e539.member, _e539.member_1, _e539.member_2, _e1309, _e539.member_4);
+                                                if (((_e539.member_3 & 1i) == 0i) == _e1301) {
+                                                    if (_e1298 > _e539.member_2) {
+                                                        let _e1324 = type_38(_e1315.member, _e1315.member_1, (_e539.member_2 + 1u), _e1315.member_3, _e1315.member_4);
+                                                        phi_2033_ = type_38(_e1324.member, _e1324.member_1, _e1324.member_2, (_e1309 >> bitcast<u32>(1i)), _e1324.member_4);
                                                     } else {
-                                                        phi_2165_ = _e1393;
+                                                        phi_2033_ = _e1315;
                                                     }
-                                                    let _e1412 = phi_2165_;
-                                                    phi_2166_ = _e1412;
+                                                    let _e1334 = phi_2033_;
+                                                    phi_2034_ = _e1334;
                                                 } else {
-                                                    phi_2166_ = _e1393;
+                                                    phi_2034_ = _e1315;
                                                 }
-                                                let _e1414 = phi_2166_;
-                                                let _e1416 = (_e1414.member_2 & 31u);
-                                                let _e1418 = (1u << bitcast<u32>(_e1416));
-                                                if (_e1414.member_1 < 0f) {
-                                                    phi_2185_ = (_e1414.member_3 < 0i);
+                                                let _e1336 = phi_2034_;
+                                                let _e1338 = (_e1336.member_2 & 31u);
+                                                let _e1340 = (1u << bitcast<u32>(_e1338));
+                                                if (_e1336.member_1 < 0f) {
+                                                    phi_2053_ = (_e1336.member_3 < 0i);
                                                 } else {
-                                                    phi_2185_ = (_e1414.member_3 >= bitcast<i32>((((_e404.z + _e1418) - 1u) >> bitcast<u32>(_e1416))));
+                                                    phi_2053_ = (_e1336.member_3 >= bitcast<i32>((((_e392.z + _e1340) - 1u) >> bitcast<u32>(_e1338))));
                                                 }
-                                                let _e1431 = phi_2185_;
-                                                if _e1431 {
-                                                    phi_2208_ = f32();
-                                                    phi_2209_ = true;
+                                                let _e1353 = phi_2053_;
+                                                if _e1353 {
+                                                    phi_2076_ = f32();
+                                                    phi_2077_ = true;
                                                 } else {
-                                                    let _e1438 = (abs(_e1414.member_1) < 0.000001f);
-                                                    if _e1438 {
-                                                        phi_2207_ = f32();
+                                                    let _e1360 = (abs(_e1336.member_1) < 0.000001f);
+                                                    if _e1360 {
+                                                        phi_2075_ = f32();
                                                     } else {
-                                                        phi_2207_ = ((((f32(_e1414.member_3) + 0.5f) * f32(_e1418)) - _e1414.member) / _e1414.member_1);
+                                                        phi_2075_ = ((((f32(_e1336.member_3) + 0.5f) * f32(_e1340)) - _e1336.member) / _e1336.member_1);
                                                     }
-                                                    let _e1443 = phi_2207_;
-                                                    phi_2208_ = _e1443;
-                                                    phi_2209_ = _e1438;
+                                                    let _e1365 = phi_2075_;
+                                                    phi_2076_ = _e1365;
+                                                    phi_2077_ = _e1360;
                                                 }
-                                                let _e1445 = phi_2208_;
-                                                let _e1447 = phi_2209_;
-                                                phi_2215_ = type_38(_e1414.member, _e1414.member_1, _e1414.member_2, _e1414.member_3, select(_e1445, 340282350000000000000000000000000000000f, _e1447));
-                                                phi_2216_ = _e555;
+                                                let _e1367 = phi_2076_;
+                                                let _e1369 = phi_2077_;
+                                                phi_2083_ = type_38(_e1336.member, _e1336.member_1, _e1336.member_2, _e1336.member_3, select(_e1367, 340282350000000000000000000000000000000f, _e1369));
+                                                phi_2084_ = _e541;
                                             }
-                                            let _e1533 = phi_2215_;
-                                            let _e1535 = phi_2216_;
-                                            phi_2217_ = _e1533;
-                                            phi_2218_ = _e1535;
-                                            phi_2219_ = _e557;
+                                            let _e1455 = phi_2083_;
+                                            let _e1457 = phi_2084_;
+                                            phi_2085_ = _e1455;
+                                            phi_2086_ = _e1457;
+                                            phi_2087_ = _e543;
                                         }
-                                        let _e1614 = phi_2217_;
-                                        let _e1616 = phi_2218_;
-                                        let _e1618 = phi_2219_;
-                                        phi_2468_ = _e1325;
-                                        phi_2220_ = _e1356;
-                                        phi_2221_ = _e1614;
-                                        phi_2222_ = _e1616;
-                                        phi_2223_ = _e1618;
-                                        phi_2224_ = _e1358;
-                                        phi_2225_ = _e1360;
+                                        let _e1536 = phi_2085_;
+                                        let _e1538 = phi_2086_;
+                                        let _e1540 = phi_2087_;
+                                        phi_2088_ = _e1278;
+                                        phi_2089_ = _e1536;
+                                        phi_2090_ = _e1538;
+                                        phi_2091_ = _e1540;
+                                        phi_2092_ = _e1280;
+                                        phi_2093_ = _e1282;
                                     }
-                                    let _e1620 = phi_2468_;
-                                    let _e1622 = phi_2220_;
-                                    let _e1624 = phi_2221_;
-                                    let _e1626 = phi_2222_;
-                                    let _e1628 = phi_2223_;
-                                    let _e1630 = phi_2224_;
-                                    let _e1632 = phi_2225_;
-                                    phi_2467_ = _e1620;
-                                    phi_2227_ = _e1622;
-                                    phi_2228_ = _e1624;
-                                    phi_2229_ = _e1626;
-                                    phi_2230_ = _e1628;
-                                    phi_2231_ = _e1630;
-                                    phi_2232_ = _e1632;
-                                    phi_2233_ = select(true, false, _e624);
+                                    let _e1542 = phi_2088_;
+                                    let _e1544 = phi_2089_;
+                                    let _e1546 = phi_2090_;
+                                    let _e1548 = phi_2091_;
+                                    let _e1550 = phi_2092_;
+                                    let _e1552 = phi_2093_;
+                                    phi_2095_ = _e1542;
+                                    phi_2096_ = _e1544;
+                                    phi_2097_ = _e1546;
+                                    phi_2098_ = _e1548;
+                                    phi_2099_ = _e1550;
+                                    phi_2100_ = _e1552;
+                                    phi_2101_ = select(true, false, _e610);
                                 }
-                                let _e1635 = phi_2467_;
-                                let _e1637 = phi_2227_;
-                                let _e1639 = phi_2228_;
-                                let _e1641 = phi_2229_;
-                                let _e1643 = phi_2230_;
-                                let _e1645 = phi_2231_;
-                                let _e1647 = phi_2232_;
-                                let _e1649 = phi_2233_;
-                                phi_2466_ = _e1635;
-                                phi_765_ = _e1637;
-                                phi_767_ = _e1639;
-                                phi_769_ = _e1641;
-                                phi_771_ = _e1643;
-                                phi_773_ = _e1645;
-                                phi_775_ = _e1647;
-                                phi_2235_ = _e1649;
+                                let _e1555 = phi_2095_;
+                                let _e1557 = phi_2096_;
+                                let _e1559 = phi_2097_;
+                                let _e1561 = phi_2098_;
+                                let _e1563 = phi_2099_;
+                                let _e1565 = phi_2100_;
+                                let _e1567 = phi_2101_;
+                                phi_764_ = _e1555;
+                                phi_766_ = _e1557;
+                                phi_768_ = _e1559;
+                                phi_770_ = _e1561;
+                                phi_772_ = _e1563;
+                                phi_774_ = _e1565;
+                                phi_2103_ = _e1567;
                             } else {
-                                phi_2466_ = _e547;
-                                phi_765_ = vec3<f32>();
-                                phi_767_ = type_38();
-                                phi_769_ = type_38();
-                                phi_771_ = type_38();
-                                phi_773_ = f32();
-                                phi_775_ = f32();
-                                phi_2235_ = false;
+                                phi_764_ = vec3<f32>();
+                                phi_766_ = type_38();
+                                phi_768_ = type_38();
+                                phi_770_ = type_38();
+                                phi_772_ = f32();
+                                phi_774_ = f32();
+                                phi_2103_ = false;
                             }
-                            let _e1651 = phi_2466_;
-                            let _e1653 = phi_765_;
-                            let _e1655 = phi_767_;
-                            let _e1657 = phi_769_;
-                            let _e1659 = phi_771_;
-                            let _e1661 = phi_773_;
-                            let _e1663 = phi_775_;
-                            let _e1665 = phi_2235_;
+                            let _e1569 = phi_764_;
+                            let _e1571 = phi_766_;
+                            let _e1573 = phi_768_;
+                            let _e1575 = phi_770_;
+                            let _e1577 = phi_772_;
+                            let _e1579 = phi_774_;
+                            let _e1581 = phi_2103_;
                             continue;
                             continuing {
-                                phi_2397_ = _e1651;
-                                phi_761_ = _e574;
-                                phi_764_ = _e1653;
-                                phi_766_ = _e1655;
-                                phi_768_ = _e1657;
-                                phi_770_ = _e1659;
-                                phi_772_ = _e1661;
-                                phi_774_ = _e1663;
-                                phi_2465_ = _e1651;
-                                break if !(_e1665);
+                                phi_760_ = _e560;
+                                phi_763_ = _e1569;
+                                phi_765_ = _e1571;
+                                phi_767_ = _e1573;
+                                phi_769_ = _e1575;
+                                phi_771_ = _e1577;
+                                phi_773_ = _e1579;
+                                phi_2209_ = _e210;
+                                break if !(_e1581);
                             }
                         }
-                        let _e1668 = phi_2465_;
-                        phi_2501_ = _e1668;
-                        if _e1668 {
+                        let _e1584 = phi_2209_;
+                        phi_2353_ = _e1584;
+                        if _e1584 {
                             break;
                         }
-                        let _e1670 = local_10;
-                        let _e1673 = local_11;
-                        let _e1674 = (_e1673 * (1f - _e1670));
-                        let _e1676 = local_12;
-                        let _e1679 = local_13;
-                        let _e1682 = local_14;
-                        let _e1686 = params.member.member_5;
-                        phi_2502_ = _e1668;
-                        phi_310_ = vec3<f32>((_e226.x + ((_e1676.x + (_e1686.x * _e1674)) * _e250.w)), (_e226.y + ((_e1679.y + (_e1686.y * _e1674)) * _e250.w)), (_e226.z + ((_e1682.z + (_e1686.z * _e1674)) * _e250.w)));
+                        let _e1586 = local_6;
+                        let _e1589 = local_7;
+                        let _e1590 = (_e1589 * (1f - _e1586));
+                        let _e1592 = local_8;
+                        let _e1595 = local_9;
+                        let _e1598 = local_10;
+                        let _e1602 = params.member.member_5;
+                        phi_2354_ = _e1584;
+                        phi_309_ = vec3<f32>((_e214.x + ((_e1592.x + (_e1602.x * _e1590)) * _e238.w)), (_e214.y + ((_e1595.y + (_e1602.y * _e1590)) * _e238.w)), (_e214.z + ((_e1598.z + (_e1602.z * _e1590)) * _e238.w)));
                     } else {
-                        phi_2502_ = _e222;
-                        phi_310_ = vec3<f32>();
+                        phi_2354_ = _e210;
+                        phi_309_ = vec3<f32>();
                     }
-                    let _e1708 = phi_2502_;
-                    let _e1710 = phi_310_;
+                    let _e1624 = phi_2354_;
+                    let _e1626 = phi_309_;
                     continue;
                     continuing {
-                        phi_2421_ = _e1708;
-                        phi_306_ = _e239;
-                        phi_309_ = _e1710;
-                        phi_2501_ = _e1708;
-                        break if !(_e245);
+                        phi_2236_ = _e1624;
+                        phi_305_ = _e227;
+                        phi_308_ = _e1626;
+                        phi_2353_ = _e1624;
+                        break if !(_e233);
                     }
                 }
-                let _e1713 = phi_2501_;
-                if _e1713 {
+                let _e1629 = phi_2353_;
+                if _e1629 {
                     break;
                 }
-                let _e1715 = local_15;
-                let _e1719 = local_16;
-                let _e1723 = local_17;
-                if (_e107 < arrayLength((&out.member))) {
+                let _e1631 = local_11;
+                let _e1635 = local_12;
+                let _e1639 = local_13;
+                if (_e95 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e107] = vec4<f32>((_e1715.x * 3.1415927f), (_e1719.y * 3.1415927f), (_e1723.z * 3.1415927f), 0f);
+                out.member[_e95] = vec4<f32>((_e1631.x * 3.1415927f), (_e1635.y * 3.1415927f), (_e1639.z * 3.1415927f), 0f);
             }
             break;
         }

@@ -94,1331 +94,1107 @@ var<storage> surfels: type_34;
 var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_230_: vec3<f32>;
-    var phi_314_: bool;
-    var phi_323_: u32;
-    var phi_355_: i32;
-    var phi_369_: bool;
+    var phi_229_: vec3<f32>;
+    var phi_313_: bool;
+    var phi_322_: u32;
+    var phi_354_: i32;
+    var phi_368_: bool;
+    var phi_385_: f32;
     var phi_386_: f32;
-    var phi_387_: f32;
-    var phi_388_: bool;
-    var phi_425_: i32;
-    var phi_439_: bool;
+    var phi_387_: bool;
+    var phi_424_: i32;
+    var phi_438_: bool;
+    var phi_455_: f32;
     var phi_456_: f32;
-    var phi_457_: f32;
-    var phi_458_: bool;
-    var phi_495_: i32;
-    var phi_509_: bool;
+    var phi_457_: bool;
+    var phi_494_: i32;
+    var phi_508_: bool;
+    var phi_525_: f32;
     var phi_526_: f32;
-    var phi_527_: f32;
-    var phi_528_: bool;
-    var phi_2119_: bool;
+    var phi_527_: bool;
+    var phi_535_: type_8;
+    var phi_538_: vec3<f32>;
+    var phi_540_: type_41;
+    var phi_542_: type_41;
+    var phi_544_: type_41;
+    var phi_546_: f32;
+    var phi_548_: f32;
     var phi_536_: type_8;
+    var phi_571_: type_8;
+    var phi_591_: bool;
+    var phi_602_: u32;
+    var phi_623_: f32;
+    var phi_624_: i32;
+    var phi_625_: u32;
+    var phi_626_: f32;
+    var phi_627_: f32;
+    var phi_628_: i32;
+    var phi_629_: u32;
+    var phi_630_: f32;
+    var phi_686_: u32;
+    var phi_703_: f32;
+    var phi_724_: bool;
+    var phi_736_: u32;
+    var phi_747_: u32;
+    var phi_755_: f32;
+    var phi_794_: f32;
+    var phi_805_: f32;
+    var phi_827_: bool;
+    var phi_839_: u32;
+    var phi_850_: u32;
+    var phi_858_: f32;
+    var phi_897_: f32;
+    var phi_908_: f32;
+    var phi_930_: bool;
+    var phi_942_: u32;
+    var phi_953_: u32;
+    var phi_961_: f32;
+    var phi_1000_: f32;
+    var phi_1027_: f32;
+    var phi_1028_: f32;
+    var phi_1029_: u32;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1033_: f32;
+    var phi_1034_: f32;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1040_: u32;
+    var phi_1043_: type_8;
+    var phi_1046_: vec4<f32>;
+    var phi_1044_: type_8;
+    var phi_1069_: type_8;
+    var phi_1504_: u32;
+    var phi_1516_: vec4<f32>;
+    var phi_1349_: type_8;
+    var phi_1352_: vec4<f32>;
+    var phi_1354_: vec4<f32>;
+    var phi_1350_: type_8;
+    var phi_1377_: type_8;
+    var phi_1446_: vec4<f32>;
+    var phi_1447_: vec4<f32>;
+    var phi_1353_: vec4<f32>;
+    var phi_1355_: vec4<f32>;
+    var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var phi_1469_: vec4<f32>;
+    var phi_1227_: type_8;
+    var phi_1230_: vec4<f32>;
+    var phi_1228_: type_8;
+    var phi_1253_: type_8;
+    var phi_1231_: vec4<f32>;
+    var phi_1470_: vec4<f32>;
+    var phi_1484_: vec4<f32>;
+    var phi_1517_: vec4<f32>;
+    var phi_1538_: vec4<f32>;
+    var phi_1539_: vec4<f32>;
+    var phi_1047_: vec4<f32>;
+    var phi_1540_: vec4<f32>;
+    var phi_1541_: vec4<f32>;
+    var phi_1542_: bool;
+    var phi_1586_: vec3<f32>;
+    var phi_1587_: f32;
+    var phi_1588_: f32;
+    var phi_1793_: i32;
+    var phi_1808_: type_41;
+    var phi_1809_: type_41;
+    var phi_1828_: bool;
+    var phi_1850_: f32;
+    var phi_1851_: f32;
+    var phi_1852_: bool;
+    var phi_1714_: i32;
+    var phi_1729_: type_41;
+    var phi_1730_: type_41;
+    var phi_1749_: bool;
+    var phi_1771_: f32;
+    var phi_1772_: f32;
+    var phi_1773_: bool;
+    var phi_1858_: type_41;
+    var phi_1859_: type_41;
+    var phi_1631_: i32;
+    var phi_1646_: type_41;
+    var phi_1647_: type_41;
+    var phi_1666_: bool;
+    var phi_1688_: f32;
+    var phi_1689_: f32;
+    var phi_1690_: bool;
+    var phi_1860_: type_41;
+    var phi_1861_: type_41;
+    var phi_1862_: type_41;
+    var phi_1863_: vec3<f32>;
+    var phi_1864_: type_41;
+    var phi_1865_: type_41;
+    var phi_1866_: type_41;
+    var phi_1867_: f32;
+    var phi_1868_: f32;
+    var phi_1870_: vec3<f32>;
+    var phi_1871_: type_41;
+    var phi_1872_: type_41;
+    var phi_1873_: type_41;
+    var phi_1874_: f32;
+    var phi_1875_: f32;
+    var phi_1876_: bool;
     var phi_539_: vec3<f32>;
     var phi_541_: type_41;
     var phi_543_: type_41;
     var phi_545_: type_41;
     var phi_547_: f32;
     var phi_549_: f32;
-    var phi_537_: type_8;
-    var phi_572_: type_8;
-    var phi_592_: bool;
-    var phi_603_: u32;
-    var phi_624_: f32;
-    var phi_625_: i32;
-    var phi_626_: u32;
-    var phi_627_: f32;
-    var phi_628_: f32;
-    var phi_629_: i32;
-    var phi_630_: u32;
-    var phi_631_: f32;
-    var phi_687_: u32;
-    var phi_704_: f32;
-    var phi_725_: bool;
-    var phi_737_: u32;
-    var phi_748_: u32;
-    var phi_756_: f32;
-    var phi_795_: f32;
-    var phi_806_: f32;
-    var phi_828_: bool;
-    var phi_840_: u32;
-    var phi_851_: u32;
-    var phi_859_: f32;
-    var phi_898_: f32;
-    var phi_909_: f32;
-    var phi_931_: bool;
-    var phi_943_: u32;
-    var phi_954_: u32;
-    var phi_962_: f32;
-    var phi_1001_: f32;
-    var phi_1028_: f32;
-    var phi_1029_: f32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1033_: u32;
-    var phi_1034_: f32;
-    var phi_1035_: f32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1040_: u32;
-    var phi_1041_: u32;
-    var phi_2082_: bool;
-    var phi_1044_: type_8;
-    var phi_1047_: vec4<f32>;
-    var phi_1045_: type_8;
-    var phi_1070_: type_8;
-    var phi_1624_: u32;
-    var phi_1648_: vec4<f32>;
-    var phi_1157_: type_8;
-    var phi_1160_: u32;
-    var phi_1158_: type_8;
-    var phi_1183_: type_8;
-    var phi_1161_: u32;
-    var phi_2071_: bool;
-    var local: u32;
-    var local_1: u32;
-    var phi_1448_: type_8;
-    var phi_1451_: vec4<f32>;
-    var phi_1453_: vec4<f32>;
-    var phi_1449_: type_8;
-    var phi_1476_: type_8;
-    var phi_1560_: vec4<f32>;
-    var phi_1561_: vec4<f32>;
-    var phi_1452_: vec4<f32>;
-    var phi_1454_: vec4<f32>;
-    var phi_2153_: bool;
-    var local_2: vec4<f32>;
-    var local_3: vec4<f32>;
-    var local_4: vec4<f32>;
-    var local_5: vec4<f32>;
-    var local_6: vec4<f32>;
-    var local_7: vec4<f32>;
-    var phi_1583_: vec4<f32>;
-    var local_8: u32;
-    var local_9: u32;
-    var phi_1297_: type_8;
-    var phi_1300_: vec4<f32>;
-    var phi_1298_: type_8;
-    var phi_1323_: type_8;
-    var phi_1301_: vec4<f32>;
-    var phi_2162_: bool;
-    var phi_2177_: bool;
-    var phi_1584_: vec4<f32>;
-    var phi_1598_: vec4<f32>;
-    var phi_2173_: bool;
-    var phi_1649_: vec4<f32>;
-    var phi_2172_: bool;
-    var phi_1670_: vec4<f32>;
-    var phi_2171_: bool;
-    var phi_1671_: vec4<f32>;
-    var phi_2170_: bool;
-    var phi_1048_: vec4<f32>;
-    var phi_2169_: bool;
-    var phi_2198_: bool;
-    var phi_1672_: vec4<f32>;
-    var phi_2197_: bool;
-    var phi_1673_: vec4<f32>;
-    var phi_1674_: bool;
-    var phi_1718_: vec3<f32>;
-    var phi_1719_: f32;
-    var phi_1720_: f32;
-    var phi_1925_: i32;
-    var phi_1940_: type_41;
-    var phi_1941_: type_41;
-    var phi_1960_: bool;
-    var phi_1982_: f32;
-    var phi_1983_: f32;
-    var phi_1984_: bool;
-    var phi_1846_: i32;
-    var phi_1861_: type_41;
-    var phi_1862_: type_41;
-    var phi_1881_: bool;
-    var phi_1903_: f32;
-    var phi_1904_: f32;
-    var phi_1905_: bool;
-    var phi_1990_: type_41;
-    var phi_1991_: type_41;
-    var phi_1763_: i32;
-    var phi_1778_: type_41;
-    var phi_1779_: type_41;
-    var phi_1798_: bool;
-    var phi_1820_: f32;
-    var phi_1821_: f32;
-    var phi_1822_: bool;
-    var phi_1992_: type_41;
-    var phi_1993_: type_41;
-    var phi_1994_: type_41;
-    var phi_2182_: bool;
-    var phi_1995_: vec3<f32>;
-    var phi_1996_: type_41;
-    var phi_1997_: type_41;
-    var phi_1998_: type_41;
-    var phi_1999_: f32;
-    var phi_2000_: f32;
-    var phi_2181_: bool;
-    var phi_2002_: vec3<f32>;
-    var phi_2003_: type_41;
-    var phi_2004_: type_41;
-    var phi_2005_: type_41;
-    var phi_2006_: f32;
-    var phi_2007_: f32;
-    var phi_2008_: bool;
-    var phi_2180_: bool;
-    var phi_540_: vec3<f32>;
-    var phi_542_: type_41;
-    var phi_544_: type_41;
-    var phi_546_: type_41;
-    var phi_548_: f32;
-    var phi_550_: f32;
-    var phi_2010_: bool;
-    var phi_2179_: bool;
-    var local_10: f32;
-    var local_11: f32;
-    var local_12: vec3<f32>;
-    var local_13: vec3<f32>;
-    var local_14: vec3<f32>;
-    var phi_2037_: vec4<f32>;
-    var local_15: vec4<f32>;
-    var local_16: vec4<f32>;
-    var local_17: vec4<f32>;
+    var phi_1878_: bool;
+    var phi_1931_: bool;
+    var local_6: f32;
+    var local_7: f32;
+    var local_8: vec3<f32>;
+    var local_9: vec3<f32>;
+    var local_10: vec3<f32>;
+    var phi_1905_: vec4<f32>;
+    var local_11: vec4<f32>;
+    var local_12: vec4<f32>;
+    var local_13: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e59 = gid_1;
-            let _e62 = arrayLength((&cells.member));
-            let _e65 = arrayLength((&facet_bits.member));
-            let _e68 = arrayLength((&facets.member));
-            let _e71 = arrayLength((&radiance.member));
-            let _e85 = (_e59.x + (_e59.y * 2097152u));
-            let _e86 = (_e85 < arrayLength((&out.member)));
-            if _e86 {
-                if (_e85 < arrayLength((&surfels.member))) {
+            let _e57 = gid_1;
+            let _e71 = (_e57.x + (_e57.y * 2097152u));
+            let _e72 = (_e71 < arrayLength((&out.member)));
+            if _e72 {
+                if (_e71 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                let _e91 = surfels.member[_e85].member;
-                let _e95 = surfels.member[_e85].member_1;
-                let _e99 = surfels.member[_e85].member_2;
-                let _e103 = surfels.member[_e85].member_4;
-                if (_e95 == 4294967295u) {
-                    phi_2037_ = vec4<f32>(0f, 0f, 0f, 0f);
+                let _e77 = surfels.member[_e71].member;
+                let _e81 = surfels.member[_e71].member_1;
+                let _e85 = surfels.member[_e71].member_2;
+                let _e89 = surfels.member[_e71].member_4;
+                if (_e81 == 4294967295u) {
+                    phi_1905_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    let _e110 = params.member.member_6;
-                    let _e114 = (_e110.x - _e91[0]);
-                    let _e115 = (_e110.y - _e91[1]);
-                    let _e116 = (_e110.z - _e91[2]);
-                    let _e121 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                    if (_e121 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e124 = (1f / sqrt(_e121));
-                        phi_230_ = vec3<f32>((_e114 * _e124), (_e115 * _e124), (_e116 * _e124));
+                    let _e96 = params.member.member_6;
+                    let _e100 = (_e96.x - _e77[0]);
+                    let _e101 = (_e96.y - _e77[1]);
+                    let _e102 = (_e96.z - _e77[2]);
+                    let _e107 = (((_e100 * _e100) + (_e101 * _e101)) + (_e102 * _e102));
+                    if (_e107 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e110 = (1f / sqrt(_e107));
+                        phi_229_ = vec3<f32>((_e100 * _e110), (_e101 * _e110), (_e102 * _e110));
                     } else {
-                        phi_230_ = vec3<f32>(0f, 0f, 0f);
+                        phi_229_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e130 = phi_230_;
-                    let _e142 = (2f * (((_e130.x * _e99[0]) + (_e130.y * _e99[1])) + (_e130.z * _e99[2])));
-                    let _e146 = ((_e99[0] * _e142) - _e130.x);
-                    let _e147 = ((_e99[1] * _e142) - _e130.y);
-                    let _e148 = ((_e99[2] * _e142) - _e130.z);
-                    let _e151 = params.member.member;
-                    let _e167 = params.member.member_12;
-                    let _e171 = (((_e91[0] - _e151.x) / _e151.w) + (_e103[0] * _e167));
-                    let _e172 = (((_e91[1] - _e151.y) / _e151.w) + (_e103[1] * _e167));
-                    let _e173 = (((_e91[2] - _e151.z) / _e151.w) + (_e103[2] * _e167));
-                    let _e177 = params.member.member_6[3u];
-                    let _e181 = params.member.member_13;
-                    let _e187 = (((_e146 * _e103[0]) + (_e147 * _e103[1])) + (_e148 * _e103[2]));
-                    let _e193 = params.member.member_1;
-                    let _e194 = abs(_e146);
-                    let _e195 = abs(_e147);
-                    let _e196 = abs(_e148);
-                    if (_e194 >= _e195) {
-                        phi_314_ = select(true, false, (_e194 >= _e196));
+                    let _e116 = phi_229_;
+                    let _e128 = (2f * (((_e116.x * _e85[0]) + (_e116.y * _e85[1])) + (_e116.z * _e85[2])));
+                    let _e132 = ((_e85[0] * _e128) - _e116.x);
+                    let _e133 = ((_e85[1] * _e128) - _e116.y);
+                    let _e134 = ((_e85[2] * _e128) - _e116.z);
+                    let _e137 = params.member.member;
+                    let _e153 = params.member.member_12;
+                    let _e157 = (((_e77[0] - _e137.x) / _e137.w) + (_e89[0] * _e153));
+                    let _e158 = (((_e77[1] - _e137.y) / _e137.w) + (_e89[1] * _e153));
+                    let _e159 = (((_e77[2] - _e137.z) / _e137.w) + (_e89[2] * _e153));
+                    let _e163 = params.member.member_6[3u];
+                    let _e167 = params.member.member_13;
+                    let _e173 = (((_e132 * _e89[0]) + (_e133 * _e89[1])) + (_e134 * _e89[2]));
+                    let _e179 = params.member.member_1;
+                    let _e180 = abs(_e132);
+                    let _e181 = abs(_e133);
+                    let _e182 = abs(_e134);
+                    if (_e180 >= _e181) {
+                        phi_313_ = select(true, false, (_e180 >= _e182));
                     } else {
-                        phi_314_ = true;
+                        phi_313_ = true;
                     }
-                    let _e201 = phi_314_;
-                    if _e201 {
-                        phi_323_ = select(2u, 1u, (_e195 >= _e196));
+                    let _e187 = phi_313_;
+                    if _e187 {
+                        phi_322_ = select(2u, 1u, (_e181 >= _e182));
                     } else {
-                        phi_323_ = 0u;
+                        phi_322_ = 0u;
                     }
-                    let _e205 = phi_323_;
-                    let _e208 = floor((_e171 - 0.5f));
-                    let _e218 = -(floor((0.5f - _e171)));
-                    let _e226 = (_e146 < 0f);
-                    if _e226 {
-                        phi_355_ = (select(0i, select(select(i32(_e218), i32(-2147483648), (_e218 < -2147483600f)), 2147483647i, (_e218 > 2147483500f)), (_e218 == _e218)) - 1i);
+                    let _e191 = phi_322_;
+                    let _e194 = floor((_e157 - 0.5f));
+                    let _e204 = -(floor((0.5f - _e157)));
+                    let _e212 = (_e132 < 0f);
+                    if _e212 {
+                        phi_354_ = (select(0i, select(select(i32(_e204), i32(-2147483648), (_e204 < -2147483600f)), 2147483647i, (_e204 > 2147483500f)), (_e204 == _e204)) - 1i);
                     } else {
-                        phi_355_ = (select(0i, select(select(i32(_e208), i32(-2147483648), (_e208 < -2147483600f)), 2147483647i, (_e208 > 2147483500f)), (_e208 == _e208)) + 1i);
+                        phi_354_ = (select(0i, select(select(i32(_e194), i32(-2147483648), (_e194 < -2147483600f)), 2147483647i, (_e194 > 2147483500f)), (_e194 == _e194)) + 1i);
                     }
-                    let _e230 = phi_355_;
-                    if _e226 {
-                        phi_369_ = (_e230 < 0i);
+                    let _e216 = phi_354_;
+                    if _e212 {
+                        phi_368_ = (_e216 < 0i);
                     } else {
-                        phi_369_ = (_e230 >= bitcast<i32>(_e193.x));
+                        phi_368_ = (_e216 >= bitcast<i32>(_e179.x));
                     }
-                    let _e235 = phi_369_;
-                    if _e235 {
-                        phi_387_ = f32();
-                        phi_388_ = true;
+                    let _e221 = phi_368_;
+                    if _e221 {
+                        phi_386_ = f32();
+                        phi_387_ = true;
                     } else {
-                        let _e238 = (_e194 < 0.000001f);
-                        if _e238 {
-                            phi_386_ = f32();
+                        let _e224 = (_e180 < 0.000001f);
+                        if _e224 {
+                            phi_385_ = f32();
                         } else {
-                            phi_386_ = (((f32(_e230) + 0.5f) - _e171) / _e146);
+                            phi_385_ = (((f32(_e216) + 0.5f) - _e157) / _e132);
                         }
-                        let _e242 = phi_386_;
-                        phi_387_ = _e242;
-                        phi_388_ = _e238;
+                        let _e228 = phi_385_;
+                        phi_386_ = _e228;
+                        phi_387_ = _e224;
                     }
-                    let _e244 = phi_387_;
-                    let _e246 = phi_388_;
-                    let _e251 = floor((_e172 - 0.5f));
-                    let _e261 = -(floor((0.5f - _e172)));
-                    let _e269 = (_e147 < 0f);
-                    if _e269 {
-                        phi_425_ = (select(0i, select(select(i32(_e261), i32(-2147483648), (_e261 < -2147483600f)), 2147483647i, (_e261 > 2147483500f)), (_e261 == _e261)) - 1i);
+                    let _e230 = phi_386_;
+                    let _e232 = phi_387_;
+                    let _e237 = floor((_e158 - 0.5f));
+                    let _e247 = -(floor((0.5f - _e158)));
+                    let _e255 = (_e133 < 0f);
+                    if _e255 {
+                        phi_424_ = (select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < -2147483600f)), 2147483647i, (_e247 > 2147483500f)), (_e247 == _e247)) - 1i);
                     } else {
-                        phi_425_ = (select(0i, select(select(i32(_e251), i32(-2147483648), (_e251 < -2147483600f)), 2147483647i, (_e251 > 2147483500f)), (_e251 == _e251)) + 1i);
+                        phi_424_ = (select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < -2147483600f)), 2147483647i, (_e237 > 2147483500f)), (_e237 == _e237)) + 1i);
                     }
-                    let _e273 = phi_425_;
-                    if _e269 {
-                        phi_439_ = (_e273 < 0i);
+                    let _e259 = phi_424_;
+                    if _e255 {
+                        phi_438_ = (_e259 < 0i);
                     } else {
-                        phi_439_ = (_e273 >= bitcast<i32>(_e193.y));
+                        phi_438_ = (_e259 >= bitcast<i32>(_e179.y));
                     }
-                    let _e278 = phi_439_;
-                    if _e278 {
-                        phi_457_ = f32();
-                        phi_458_ = true;
+                    let _e264 = phi_438_;
+                    if _e264 {
+                        phi_456_ = f32();
+                        phi_457_ = true;
                     } else {
-                        let _e281 = (_e195 < 0.000001f);
-                        if _e281 {
-                            phi_456_ = f32();
+                        let _e267 = (_e181 < 0.000001f);
+                        if _e267 {
+                            phi_455_ = f32();
                         } else {
-                            phi_456_ = (((f32(_e273) + 0.5f) - _e172) / _e147);
+                            phi_455_ = (((f32(_e259) + 0.5f) - _e158) / _e133);
                         }
-                        let _e285 = phi_456_;
-                        phi_457_ = _e285;
-                        phi_458_ = _e281;
+                        let _e271 = phi_455_;
+                        phi_456_ = _e271;
+                        phi_457_ = _e267;
                     }
-                    let _e287 = phi_457_;
-                    let _e289 = phi_458_;
-                    let _e294 = floor((_e173 - 0.5f));
-                    let _e304 = -(floor((0.5f - _e173)));
-                    let _e312 = (_e148 < 0f);
-                    if _e312 {
-                        phi_495_ = (select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < -2147483600f)), 2147483647i, (_e304 > 2147483500f)), (_e304 == _e304)) - 1i);
+                    let _e273 = phi_456_;
+                    let _e275 = phi_457_;
+                    let _e280 = floor((_e159 - 0.5f));
+                    let _e290 = -(floor((0.5f - _e159)));
+                    let _e298 = (_e134 < 0f);
+                    if _e298 {
+                        phi_494_ = (select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < -2147483600f)), 2147483647i, (_e290 > 2147483500f)), (_e290 == _e290)) - 1i);
                     } else {
-                        phi_495_ = (select(0i, select(select(i32(_e294), i32(-2147483648), (_e294 < -2147483600f)), 2147483647i, (_e294 > 2147483500f)), (_e294 == _e294)) + 1i);
+                        phi_494_ = (select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < -2147483600f)), 2147483647i, (_e280 > 2147483500f)), (_e280 == _e280)) + 1i);
                     }
-                    let _e316 = phi_495_;
-                    if _e312 {
-                        phi_509_ = (_e316 < 0i);
+                    let _e302 = phi_494_;
+                    if _e298 {
+                        phi_508_ = (_e302 < 0i);
                     } else {
-                        phi_509_ = (_e316 >= bitcast<i32>(_e193.z));
+                        phi_508_ = (_e302 >= bitcast<i32>(_e179.z));
                     }
-                    let _e321 = phi_509_;
-                    if _e321 {
-                        phi_527_ = f32();
-                        phi_528_ = true;
+                    let _e307 = phi_508_;
+                    if _e307 {
+                        phi_526_ = f32();
+                        phi_527_ = true;
                     } else {
-                        let _e324 = (_e196 < 0.000001f);
-                        if _e324 {
-                            phi_526_ = f32();
+                        let _e310 = (_e182 < 0.000001f);
+                        if _e310 {
+                            phi_525_ = f32();
                         } else {
-                            phi_526_ = (((f32(_e316) + 0.5f) - _e173) / _e148);
+                            phi_525_ = (((f32(_e302) + 0.5f) - _e159) / _e134);
                         }
-                        let _e328 = phi_526_;
-                        phi_527_ = _e328;
-                        phi_528_ = _e324;
+                        let _e314 = phi_525_;
+                        phi_526_ = _e314;
+                        phi_527_ = _e310;
                     }
-                    let _e330 = phi_527_;
-                    let _e332 = phi_528_;
-                    phi_2119_ = false;
-                    phi_536_ = type_8(0u, 2048u);
-                    phi_539_ = vec3<f32>(0f, 0f, 0f);
-                    phi_541_ = type_41(_e173, _e148, 0u, _e316, select(_e330, 340282350000000000000000000000000000000f, _e332));
-                    phi_543_ = type_41(_e172, _e147, 0u, _e273, select(_e287, 340282350000000000000000000000000000000f, _e289));
-                    phi_545_ = type_41(_e171, _e146, 0u, _e230, select(_e244, 340282350000000000000000000000000000000f, _e246));
-                    phi_547_ = 0f;
-                    phi_549_ = 1f;
+                    let _e316 = phi_526_;
+                    let _e318 = phi_527_;
+                    phi_535_ = type_8(0u, 2048u);
+                    phi_538_ = vec3<f32>(0f, 0f, 0f);
+                    phi_540_ = type_41(_e159, _e134, 0u, _e302, select(_e316, 340282350000000000000000000000000000000f, _e318));
+                    phi_542_ = type_41(_e158, _e133, 0u, _e259, select(_e273, 340282350000000000000000000000000000000f, _e275));
+                    phi_544_ = type_41(_e157, _e132, 0u, _e216, select(_e230, 340282350000000000000000000000000000000f, _e232));
+                    phi_546_ = 0f;
+                    phi_548_ = 1f;
                     loop {
-                        let _e336 = phi_2119_;
-                        let _e338 = phi_536_;
-                        let _e340 = phi_539_;
-                        let _e342 = phi_541_;
-                        let _e344 = phi_543_;
-                        let _e346 = phi_545_;
-                        let _e348 = phi_547_;
-                        let _e350 = phi_549_;
-                        local_10 = _e348;
-                        local_11 = _e350;
-                        local_12 = _e340;
-                        local_13 = _e340;
-                        local_14 = _e340;
-                        if (_e338.member < _e338.member_1) {
-                            phi_537_ = type_8((_e338.member + 1u), _e338.member_1);
-                            phi_572_ = type_8(1u, _e338.member);
+                        let _e322 = phi_535_;
+                        let _e324 = phi_538_;
+                        let _e326 = phi_540_;
+                        let _e328 = phi_542_;
+                        let _e330 = phi_544_;
+                        let _e332 = phi_546_;
+                        let _e334 = phi_548_;
+                        local_6 = _e332;
+                        local_7 = _e334;
+                        local_8 = _e324;
+                        local_9 = _e324;
+                        local_10 = _e324;
+                        if (_e322.member < _e322.member_1) {
+                            phi_536_ = type_8((_e322.member + 1u), _e322.member_1);
+                            phi_571_ = type_8(1u, _e322.member);
                         } else {
-                            phi_537_ = _e338;
-                            phi_572_ = type_8(0u, type_8().member_1);
+                            phi_536_ = _e322;
+                            phi_571_ = type_8(0u, type_8().member_1);
                         }
-                        let _e363 = phi_537_;
-                        let _e365 = phi_572_;
-                        if (bitcast<i32>(_e365.member) != 0i) {
-                            if (_e346.member_4 <= _e344.member_4) {
-                                phi_592_ = select(true, false, (_e346.member_4 <= _e342.member_4));
+                        let _e347 = phi_536_;
+                        let _e349 = phi_571_;
+                        if (bitcast<i32>(_e349.member) != 0i) {
+                            if (_e330.member_4 <= _e328.member_4) {
+                                phi_591_ = select(true, false, (_e330.member_4 <= _e326.member_4));
                             } else {
-                                phi_592_ = true;
+                                phi_591_ = true;
                             }
-                            let _e376 = phi_592_;
-                            if _e376 {
-                                phi_603_ = select(2u, 1u, (_e344.member_4 <= _e342.member_4));
+                            let _e360 = phi_591_;
+                            if _e360 {
+                                phi_602_ = select(2u, 1u, (_e328.member_4 <= _e326.member_4));
                             } else {
-                                phi_603_ = 0u;
+                                phi_602_ = 0u;
                             }
-                            let _e381 = phi_603_;
-                            let _e382 = (_e381 == 0u);
-                            if _e382 {
-                                phi_628_ = _e346.member_4;
-                                phi_629_ = _e346.member_3;
-                                phi_630_ = _e346.member_2;
-                                phi_631_ = _e346.member_1;
+                            let _e365 = phi_602_;
+                            let _e366 = (_e365 == 0u);
+                            if _e366 {
+                                phi_627_ = _e330.member_4;
+                                phi_628_ = _e330.member_3;
+                                phi_629_ = _e330.member_2;
+                                phi_630_ = _e330.member_1;
                             } else {
-                                if (_e381 == 1u) {
-                                    phi_624_ = _e344.member_4;
-                                    phi_625_ = _e344.member_3;
-                                    phi_626_ = _e344.member_2;
-                                    phi_627_ = _e344.member_1;
+                                if (_e365 == 1u) {
+                                    phi_623_ = _e328.member_4;
+                                    phi_624_ = _e328.member_3;
+                                    phi_625_ = _e328.member_2;
+                                    phi_626_ = _e328.member_1;
                                 } else {
-                                    phi_624_ = _e342.member_4;
-                                    phi_625_ = _e342.member_3;
-                                    phi_626_ = _e342.member_2;
-                                    phi_627_ = _e342.member_1;
+                                    phi_623_ = _e326.member_4;
+                                    phi_624_ = _e326.member_3;
+                                    phi_625_ = _e326.member_2;
+                                    phi_626_ = _e326.member_1;
                                 }
-                                let _e392 = phi_624_;
-                                let _e394 = phi_625_;
-                                let _e396 = phi_626_;
-                                let _e398 = phi_627_;
-                                phi_628_ = _e392;
-                                phi_629_ = _e394;
-                                phi_630_ = _e396;
-                                phi_631_ = _e398;
+                                let _e376 = phi_623_;
+                                let _e378 = phi_624_;
+                                let _e380 = phi_625_;
+                                let _e382 = phi_626_;
+                                phi_627_ = _e376;
+                                phi_628_ = _e378;
+                                phi_629_ = _e380;
+                                phi_630_ = _e382;
                             }
-                            let _e403 = phi_628_;
-                            let _e405 = phi_629_;
-                            let _e407 = phi_630_;
-                            let _e409 = phi_631_;
-                            if (_e403 >= 340282350000000000000000000000000000000f) {
-                                phi_2181_ = _e336;
-                                phi_2002_ = vec3<f32>();
-                                phi_2003_ = type_41();
-                                phi_2004_ = type_41();
-                                phi_2005_ = type_41();
-                                phi_2006_ = f32();
-                                phi_2007_ = f32();
-                                phi_2008_ = false;
+                            let _e387 = phi_627_;
+                            let _e389 = phi_628_;
+                            let _e391 = phi_629_;
+                            let _e393 = phi_630_;
+                            if (_e387 >= 340282350000000000000000000000000000000f) {
+                                phi_1870_ = vec3<f32>();
+                                phi_1871_ = type_41();
+                                phi_1872_ = type_41();
+                                phi_1873_ = type_41();
+                                phi_1874_ = f32();
+                                phi_1875_ = f32();
+                                phi_1876_ = false;
                             } else {
-                                let _e411 = (1f - _e348);
-                                let _e412 = (_e350 * _e411);
-                                let _e413 = (_e412 < 0.001f);
-                                if _e413 {
-                                    phi_2182_ = _e336;
-                                    phi_1995_ = vec3<f32>();
-                                    phi_1996_ = type_41();
-                                    phi_1997_ = type_41();
-                                    phi_1998_ = type_41();
-                                    phi_1999_ = f32();
-                                    phi_2000_ = f32();
+                                let _e395 = (1f - _e332);
+                                let _e396 = (_e334 * _e395);
+                                let _e397 = (_e396 < 0.001f);
+                                if _e397 {
+                                    phi_1863_ = vec3<f32>();
+                                    phi_1864_ = type_41();
+                                    phi_1865_ = type_41();
+                                    phi_1866_ = type_41();
+                                    phi_1867_ = f32();
+                                    phi_1868_ = f32();
                                 } else {
-                                    let _e420 = (_e409 < 0f);
-                                    if (_e407 < 10u) {
+                                    let _e404 = (_e393 < 0f);
+                                    if (_e391 < 10u) {
                                     } else {
-                                        phi_2179_ = true;
+                                        phi_1931_ = true;
                                         break;
                                     }
-                                    let _e425 = params.member.member_2[_e407];
-                                    let _e426 = (_e407 & 31u);
-                                    let _e428 = (1u << bitcast<u32>(_e426));
-                                    let _e429 = (_e428 - 1u);
-                                    let _e432 = ((_e193.x + _e429) >> bitcast<u32>(_e426));
-                                    let _e435 = ((_e193.y + _e429) >> bitcast<u32>(_e426));
-                                    let _e438 = ((_e193.z + _e429) >> bitcast<u32>(_e426));
-                                    let _e440 = (1f / f32(_e428));
-                                    if _e382 {
-                                        phi_687_ = _e432;
+                                    let _e409 = params.member.member_2[_e391];
+                                    let _e410 = (_e391 & 31u);
+                                    let _e412 = (1u << bitcast<u32>(_e410));
+                                    let _e413 = (_e412 - 1u);
+                                    let _e416 = ((_e179.x + _e413) >> bitcast<u32>(_e410));
+                                    let _e419 = ((_e179.y + _e413) >> bitcast<u32>(_e410));
+                                    let _e422 = ((_e179.z + _e413) >> bitcast<u32>(_e410));
+                                    let _e424 = (1f / f32(_e412));
+                                    if _e366 {
+                                        phi_686_ = _e416;
                                     } else {
-                                        phi_687_ = select(_e438, _e435, (_e381 == 1u));
+                                        phi_686_ = select(_e422, _e419, (_e365 == 1u));
                                     }
-                                    let _e444 = phi_687_;
-                                    if (_e405 < 0i) {
-                                        phi_2197_ = _e336;
-                                        phi_1673_ = vec4<f32>();
-                                        phi_1674_ = true;
+                                    let _e428 = phi_686_;
+                                    if (_e389 < 0i) {
+                                        phi_1541_ = vec4<f32>();
+                                        phi_1542_ = true;
                                     } else {
-                                        let _e447 = (_e405 >= bitcast<i32>(_e444));
-                                        if _e447 {
-                                            phi_2198_ = _e336;
-                                            phi_1672_ = vec4<f32>();
+                                        let _e431 = (_e389 >= bitcast<i32>(_e428));
+                                        if _e431 {
+                                            phi_1540_ = vec4<f32>();
                                         } else {
-                                            let _e448 = f32(_e405);
-                                            if _e382 {
-                                                phi_704_ = _e448;
+                                            let _e432 = f32(_e389);
+                                            if _e366 {
+                                                phi_703_ = _e432;
                                             } else {
-                                                phi_704_ = (((_e171 + (_e146 * _e403)) * _e440) - 0.5f);
+                                                phi_703_ = (((_e157 + (_e132 * _e387)) * _e424) - 0.5f);
                                             }
-                                            let _e452 = phi_704_;
-                                            let _e453 = floor(_e452);
-                                            let _e461 = select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < -2147483600f)), 2147483647i, (_e453 > 2147483500f)), (_e453 == _e453));
-                                            let _e463 = (bitcast<i32>(_e432) - 1i);
-                                            if (_e452 >= -0.5f) {
-                                                phi_725_ = (_e452 <= (f32(_e463) + 0.5f));
+                                            let _e436 = phi_703_;
+                                            let _e437 = floor(_e436);
+                                            let _e445 = select(0i, select(select(i32(_e437), i32(-2147483648), (_e437 < -2147483600f)), 2147483647i, (_e437 > 2147483500f)), (_e437 == _e437));
+                                            let _e447 = (bitcast<i32>(_e416) - 1i);
+                                            if (_e436 >= -0.5f) {
+                                                phi_724_ = (_e436 <= (f32(_e447) + 0.5f));
                                             } else {
-                                                phi_725_ = false;
+                                                phi_724_ = false;
                                             }
-                                            let _e469 = phi_725_;
-                                            let _e470 = (_e461 >= 0i);
-                                            let _e471 = (_e461 < _e463);
-                                            if _e470 {
-                                                phi_737_ = bitcast<u32>(select(_e461, _e463, (_e463 < _e461)));
+                                            let _e453 = phi_724_;
+                                            let _e454 = (_e445 >= 0i);
+                                            let _e455 = (_e445 < _e447);
+                                            if _e454 {
+                                                phi_736_ = bitcast<u32>(select(_e445, _e447, (_e447 < _e445)));
                                             } else {
-                                                phi_737_ = 0u;
+                                                phi_736_ = 0u;
                                             }
-                                            let _e476 = phi_737_;
-                                            if _e471 {
-                                                let _e477 = (_e461 + 1i);
-                                                phi_748_ = bitcast<u32>(select(0i, _e477, (0i < _e477)));
+                                            let _e460 = phi_736_;
+                                            if _e455 {
+                                                let _e461 = (_e445 + 1i);
+                                                phi_747_ = bitcast<u32>(select(0i, _e461, (0i < _e461)));
                                             } else {
-                                                phi_748_ = 0u;
+                                                phi_747_ = 0u;
                                             }
-                                            let _e482 = phi_748_;
-                                            if _e470 {
-                                                phi_756_ = select(0f, (_e452 - _e453), _e471);
+                                            let _e466 = phi_747_;
+                                            if _e454 {
+                                                phi_755_ = select(0f, (_e436 - _e437), _e455);
                                             } else {
-                                                phi_756_ = 1f;
+                                                phi_755_ = 1f;
                                             }
-                                            let _e485 = phi_756_;
-                                            let _e487 = (_e476 >> bitcast<u32>(2u));
-                                            let _e489 = (_e482 >> bitcast<u32>(2u));
-                                            let _e496 = ((_e476 & 1u) | (((_e476 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            let _e503 = ((_e482 & 1u) | (((_e482 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            if _e469 {
-                                                phi_795_ = (1f - _e485);
+                                            let _e469 = phi_755_;
+                                            let _e471 = (_e460 >> bitcast<u32>(2u));
+                                            let _e473 = (_e466 >> bitcast<u32>(2u));
+                                            let _e480 = ((_e460 & 1u) | (((_e460 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                            let _e487 = ((_e466 & 1u) | (((_e466 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                            if _e453 {
+                                                phi_794_ = (1f - _e469);
                                             } else {
-                                                phi_795_ = 0f;
+                                                phi_794_ = 0f;
                                             }
-                                            let _e506 = phi_795_;
-                                            let _e507 = select(0f, _e485, _e469);
-                                            let _e508 = (_e381 == 1u);
-                                            if _e508 {
-                                                phi_806_ = _e448;
+                                            let _e490 = phi_794_;
+                                            let _e491 = select(0f, _e469, _e453);
+                                            let _e492 = (_e365 == 1u);
+                                            if _e492 {
+                                                phi_805_ = _e432;
                                             } else {
-                                                phi_806_ = (((_e172 + (_e147 * _e403)) * _e440) - 0.5f);
+                                                phi_805_ = (((_e158 + (_e133 * _e387)) * _e424) - 0.5f);
                                             }
-                                            let _e512 = phi_806_;
-                                            let _e514 = floor(_e512);
-                                            let _e522 = select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < -2147483600f)), 2147483647i, (_e514 > 2147483500f)), (_e514 == _e514));
-                                            let _e524 = (bitcast<i32>(_e435) - 1i);
-                                            if (_e512 >= -0.5f) {
-                                                phi_828_ = (_e512 <= (f32(_e524) + 0.5f));
+                                            let _e496 = phi_805_;
+                                            let _e498 = floor(_e496);
+                                            let _e506 = select(0i, select(select(i32(_e498), i32(-2147483648), (_e498 < -2147483600f)), 2147483647i, (_e498 > 2147483500f)), (_e498 == _e498));
+                                            let _e508 = (bitcast<i32>(_e419) - 1i);
+                                            if (_e496 >= -0.5f) {
+                                                phi_827_ = (_e496 <= (f32(_e508) + 0.5f));
                                             } else {
-                                                phi_828_ = false;
+                                                phi_827_ = false;
                                             }
-                                            let _e530 = phi_828_;
-                                            let _e531 = (_e522 >= 0i);
-                                            let _e532 = (_e522 < _e524);
-                                            if _e531 {
-                                                phi_840_ = bitcast<u32>(select(_e522, _e524, (_e524 < _e522)));
+                                            let _e514 = phi_827_;
+                                            let _e515 = (_e506 >= 0i);
+                                            let _e516 = (_e506 < _e508);
+                                            if _e515 {
+                                                phi_839_ = bitcast<u32>(select(_e506, _e508, (_e508 < _e506)));
                                             } else {
-                                                phi_840_ = 0u;
+                                                phi_839_ = 0u;
                                             }
-                                            let _e537 = phi_840_;
-                                            if _e532 {
-                                                let _e538 = (_e522 + 1i);
-                                                phi_851_ = bitcast<u32>(select(0i, _e538, (0i < _e538)));
+                                            let _e521 = phi_839_;
+                                            if _e516 {
+                                                let _e522 = (_e506 + 1i);
+                                                phi_850_ = bitcast<u32>(select(0i, _e522, (0i < _e522)));
                                             } else {
-                                                phi_851_ = 0u;
+                                                phi_850_ = 0u;
                                             }
-                                            let _e543 = phi_851_;
-                                            if _e531 {
-                                                phi_859_ = select(0f, (_e512 - _e514), _e532);
+                                            let _e527 = phi_850_;
+                                            if _e515 {
+                                                phi_858_ = select(0f, (_e496 - _e498), _e516);
                                             } else {
-                                                phi_859_ = 1f;
+                                                phi_858_ = 1f;
                                             }
-                                            let _e546 = phi_859_;
-                                            let _e549 = ((_e537 >> bitcast<u32>(2u)) * _e425.x);
-                                            let _e552 = ((_e543 >> bitcast<u32>(2u)) * _e425.x);
-                                            let _e561 = (((_e537 & 1u) << bitcast<u32>(1u)) | (((_e537 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            let _e570 = (((_e543 & 1u) << bitcast<u32>(1u)) | (((_e543 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            if _e530 {
-                                                phi_898_ = (1f - _e546);
+                                            let _e530 = phi_858_;
+                                            let _e533 = ((_e521 >> bitcast<u32>(2u)) * _e409.x);
+                                            let _e536 = ((_e527 >> bitcast<u32>(2u)) * _e409.x);
+                                            let _e545 = (((_e521 & 1u) << bitcast<u32>(1u)) | (((_e521 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                            let _e554 = (((_e527 & 1u) << bitcast<u32>(1u)) | (((_e527 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                            if _e514 {
+                                                phi_897_ = (1f - _e530);
                                             } else {
-                                                phi_898_ = 0f;
+                                                phi_897_ = 0f;
                                             }
-                                            let _e573 = phi_898_;
-                                            let _e574 = select(0f, _e546, _e530);
-                                            let _e575 = (_e381 == 2u);
-                                            if _e575 {
-                                                phi_909_ = _e448;
+                                            let _e557 = phi_897_;
+                                            let _e558 = select(0f, _e530, _e514);
+                                            let _e559 = (_e365 == 2u);
+                                            if _e559 {
+                                                phi_908_ = _e432;
                                             } else {
-                                                phi_909_ = (((_e173 + (_e148 * _e403)) * _e440) - 0.5f);
+                                                phi_908_ = (((_e159 + (_e134 * _e387)) * _e424) - 0.5f);
                                             }
-                                            let _e579 = phi_909_;
-                                            let _e581 = floor(_e579);
-                                            let _e589 = select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581));
-                                            let _e591 = (bitcast<i32>(_e438) - 1i);
-                                            if (_e579 >= -0.5f) {
-                                                phi_931_ = (_e579 <= (f32(_e591) + 0.5f));
+                                            let _e563 = phi_908_;
+                                            let _e565 = floor(_e563);
+                                            let _e573 = select(0i, select(select(i32(_e565), i32(-2147483648), (_e565 < -2147483600f)), 2147483647i, (_e565 > 2147483500f)), (_e565 == _e565));
+                                            let _e575 = (bitcast<i32>(_e422) - 1i);
+                                            if (_e563 >= -0.5f) {
+                                                phi_930_ = (_e563 <= (f32(_e575) + 0.5f));
                                             } else {
-                                                phi_931_ = false;
+                                                phi_930_ = false;
                                             }
-                                            let _e597 = phi_931_;
-                                            let _e598 = (_e589 >= 0i);
-                                            let _e599 = (_e589 < _e591);
-                                            if _e598 {
-                                                phi_943_ = bitcast<u32>(select(_e589, _e591, (_e591 < _e589)));
+                                            let _e581 = phi_930_;
+                                            let _e582 = (_e573 >= 0i);
+                                            let _e583 = (_e573 < _e575);
+                                            if _e582 {
+                                                phi_942_ = bitcast<u32>(select(_e573, _e575, (_e575 < _e573)));
                                             } else {
-                                                phi_943_ = 0u;
+                                                phi_942_ = 0u;
                                             }
-                                            let _e604 = phi_943_;
-                                            if _e599 {
-                                                let _e605 = (_e589 + 1i);
-                                                phi_954_ = bitcast<u32>(select(0i, _e605, (0i < _e605)));
+                                            let _e588 = phi_942_;
+                                            if _e583 {
+                                                let _e589 = (_e573 + 1i);
+                                                phi_953_ = bitcast<u32>(select(0i, _e589, (0i < _e589)));
                                             } else {
-                                                phi_954_ = 0u;
+                                                phi_953_ = 0u;
                                             }
-                                            let _e610 = phi_954_;
-                                            if _e598 {
-                                                phi_962_ = select(0f, (_e579 - _e581), _e599);
+                                            let _e594 = phi_953_;
+                                            if _e582 {
+                                                phi_961_ = select(0f, (_e563 - _e565), _e583);
                                             } else {
-                                                phi_962_ = 1f;
+                                                phi_961_ = 1f;
                                             }
-                                            let _e613 = phi_962_;
-                                            let _e616 = ((_e604 >> bitcast<u32>(1u)) * _e425.y);
-                                            let _e619 = ((_e610 >> bitcast<u32>(1u)) * _e425.y);
-                                            let _e622 = ((_e604 & 1u) << bitcast<u32>(2u));
-                                            let _e625 = ((_e610 & 1u) << bitcast<u32>(2u));
-                                            if _e597 {
-                                                phi_1001_ = (1f - _e613);
+                                            let _e597 = phi_961_;
+                                            let _e600 = ((_e588 >> bitcast<u32>(1u)) * _e409.y);
+                                            let _e603 = ((_e594 >> bitcast<u32>(1u)) * _e409.y);
+                                            let _e606 = ((_e588 & 1u) << bitcast<u32>(2u));
+                                            let _e609 = ((_e594 & 1u) << bitcast<u32>(2u));
+                                            if _e581 {
+                                                phi_1000_ = (1f - _e597);
                                             } else {
-                                                phi_1001_ = 0f;
+                                                phi_1000_ = 0f;
                                             }
-                                            let _e628 = phi_1001_;
-                                            let _e629 = select(0f, _e613, _e597);
-                                            if _e382 {
-                                                phi_1028_ = _e629;
-                                                phi_1029_ = _e628;
-                                                phi_1030_ = _e625;
-                                                phi_1031_ = _e622;
-                                                phi_1032_ = _e619;
-                                                phi_1033_ = _e616;
-                                                phi_1034_ = _e574;
-                                                phi_1035_ = _e573;
-                                                phi_1036_ = _e570;
-                                                phi_1037_ = _e561;
-                                                phi_1038_ = _e552;
-                                                phi_1039_ = _e549;
-                                                phi_1040_ = _e496;
-                                                phi_1041_ = _e487;
+                                            let _e612 = phi_1000_;
+                                            let _e613 = select(0f, _e597, _e581);
+                                            if _e366 {
+                                                phi_1027_ = _e613;
+                                                phi_1028_ = _e612;
+                                                phi_1029_ = _e609;
+                                                phi_1030_ = _e606;
+                                                phi_1031_ = _e603;
+                                                phi_1032_ = _e600;
+                                                phi_1033_ = _e558;
+                                                phi_1034_ = _e557;
+                                                phi_1035_ = _e554;
+                                                phi_1036_ = _e545;
+                                                phi_1037_ = _e536;
+                                                phi_1038_ = _e533;
+                                                phi_1039_ = _e480;
+                                                phi_1040_ = _e471;
                                             } else {
-                                                phi_1028_ = select(_e574, _e507, _e508);
-                                                phi_1029_ = select(_e573, _e506, _e508);
-                                                phi_1030_ = select(_e570, _e503, _e508);
-                                                phi_1031_ = select(_e561, _e496, _e508);
-                                                phi_1032_ = select(_e552, _e489, _e508);
-                                                phi_1033_ = select(_e549, _e487, _e508);
-                                                phi_1034_ = select(_e507, _e629, _e508);
-                                                phi_1035_ = select(_e506, _e628, _e508);
-                                                phi_1036_ = select(_e503, _e625, _e508);
-                                                phi_1037_ = select(_e496, _e622, _e508);
-                                                phi_1038_ = select(_e489, _e619, _e508);
-                                                phi_1039_ = select(_e487, _e616, _e508);
-                                                phi_1040_ = select(_e622, _e561, _e508);
-                                                phi_1041_ = select(_e616, _e549, _e508);
+                                                phi_1027_ = select(_e558, _e491, _e492);
+                                                phi_1028_ = select(_e557, _e490, _e492);
+                                                phi_1029_ = select(_e554, _e487, _e492);
+                                                phi_1030_ = select(_e545, _e480, _e492);
+                                                phi_1031_ = select(_e536, _e473, _e492);
+                                                phi_1032_ = select(_e533, _e471, _e492);
+                                                phi_1033_ = select(_e491, _e613, _e492);
+                                                phi_1034_ = select(_e490, _e612, _e492);
+                                                phi_1035_ = select(_e487, _e609, _e492);
+                                                phi_1036_ = select(_e480, _e606, _e492);
+                                                phi_1037_ = select(_e473, _e603, _e492);
+                                                phi_1038_ = select(_e471, _e600, _e492);
+                                                phi_1039_ = select(_e606, _e545, _e492);
+                                                phi_1040_ = select(_e600, _e533, _e492);
                                             }
-                                            let _e645 = phi_1028_;
-                                            let _e647 = phi_1029_;
-                                            let _e649 = phi_1030_;
-                                            let _e651 = phi_1031_;
-                                            let _e653 = phi_1032_;
-                                            let _e655 = phi_1033_;
-                                            let _e657 = phi_1034_;
-                                            let _e659 = phi_1035_;
-                                            let _e661 = phi_1036_;
-                                            let _e663 = phi_1037_;
-                                            let _e665 = phi_1038_;
-                                            let _e667 = phi_1039_;
-                                            let _e669 = phi_1040_;
-                                            let _e671 = phi_1041_;
-                                            phi_2082_ = _e336;
-                                            phi_1044_ = type_8(0u, 4u);
-                                            phi_1047_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                            let _e629 = phi_1027_;
+                                            let _e631 = phi_1028_;
+                                            let _e633 = phi_1029_;
+                                            let _e635 = phi_1030_;
+                                            let _e637 = phi_1031_;
+                                            let _e639 = phi_1032_;
+                                            let _e641 = phi_1033_;
+                                            let _e643 = phi_1034_;
+                                            let _e645 = phi_1035_;
+                                            let _e647 = phi_1036_;
+                                            let _e649 = phi_1037_;
+                                            let _e651 = phi_1038_;
+                                            let _e653 = phi_1039_;
+                                            let _e655 = phi_1040_;
+                                            phi_1043_ = type_8(0u, 4u);
+                                            phi_1046_ = vec4<f32>(0f, 0f, 0f, 0f);
                                             loop {
-                                                let _e673 = phi_2082_;
-                                                let _e675 = phi_1044_;
-                                                let _e677 = phi_1047_;
-                                                local_17 = _e677;
-                                                if (_e675.member < _e675.member_1) {
-                                                    phi_1045_ = type_8((_e675.member + 1u), _e675.member_1);
-                                                    phi_1070_ = type_8(1u, _e675.member);
+                                                let _e657 = phi_1043_;
+                                                let _e659 = phi_1046_;
+                                                local_13 = _e659;
+                                                if (_e657.member < _e657.member_1) {
+                                                    phi_1044_ = type_8((_e657.member + 1u), _e657.member_1);
+                                                    phi_1069_ = type_8(1u, _e657.member);
                                                 } else {
-                                                    phi_1045_ = _e675;
-                                                    phi_1070_ = type_8(0u, type_8().member_1);
+                                                    phi_1044_ = _e657;
+                                                    phi_1069_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e690 = phi_1045_;
-                                                let _e692 = phi_1070_;
-                                                let _e696 = (bitcast<i32>(_e692.member) != 0i);
-                                                if _e696 {
-                                                    let _e698 = ((_e692.member_1 & 1u) == 1u);
-                                                    let _e700 = ((_e692.member_1 & 2u) == 2u);
-                                                    let _e703 = (select(_e659, _e657, _e698) * select(_e647, _e645, _e700));
-                                                    let _e709 = (((_e425.z + _e671) + select(_e667, _e665, _e698)) + select(_e655, _e653, _e700));
-                                                    let _e714 = (2u * _e709);
-                                                    if (_e714 < _e62) {
-                                                    } else {
-                                                        phi_2169_ = true;
-                                                        break;
-                                                    }
-                                                    let _e717 = cells.member[_e714];
-                                                    if (_e703 > 0f) {
-                                                        let _e719 = (((_e669 | select(_e663, _e661, _e698)) | select(_e651, _e649, _e700)) & 31u);
-                                                        if (((_e717 >> bitcast<u32>(_e719)) & 1u) == 1u) {
-                                                            let _e726 = params.member.member_8;
-                                                            let _e727 = (_e726 == 1u);
-                                                            if (_e407 == 0u) {
-                                                                let _e756 = (_e709 * 6u);
-                                                                let _e757 = (_e714 + 1u);
-                                                                if (_e757 < _e62) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e760 = cells.member[_e757];
-                                                                phi_1157_ = type_8(0u, 6u);
-                                                                phi_1160_ = _e760;
-                                                                loop {
-                                                                    let _e762 = phi_1157_;
-                                                                    let _e764 = phi_1160_;
-                                                                    local = _e764;
-                                                                    local_1 = _e764;
-                                                                    local_8 = _e764;
-                                                                    local_9 = _e764;
-                                                                    if (_e762.member < _e762.member_1) {
-                                                                        phi_1158_ = type_8((_e762.member + 1u), _e762.member_1);
-                                                                        phi_1183_ = type_8(1u, _e762.member);
-                                                                    } else {
-                                                                        phi_1158_ = _e762;
-                                                                        phi_1183_ = type_8(0u, type_8().member_1);
-                                                                    }
-                                                                    let _e777 = phi_1158_;
-                                                                    let _e779 = phi_1183_;
-                                                                    let _e783 = (bitcast<i32>(_e779.member) != 0i);
-                                                                    if _e783 {
-                                                                        let _e784 = (_e756 + _e779.member_1);
-                                                                        if (_e784 < _e65) {
-                                                                        } else {
-                                                                            phi_2071_ = true;
-                                                                            break;
-                                                                        }
-                                                                        let _e787 = facet_bits.member[_e784];
-                                                                        phi_1161_ = (_e764 + countOneBits((_e787 & ((1u << bitcast<u32>(_e719)) - 1u))));
-                                                                    } else {
-                                                                        phi_1161_ = u32();
-                                                                    }
-                                                                    let _e795 = phi_1161_;
-                                                                    continue;
-                                                                    continuing {
-                                                                        phi_1157_ = _e777;
-                                                                        phi_1160_ = _e795;
-                                                                        phi_2071_ = _e673;
-                                                                        break if !(_e783);
-                                                                    }
-                                                                }
-                                                                let _e798 = phi_2071_;
-                                                                phi_2169_ = _e798;
-                                                                if _e798 {
-                                                                    break;
-                                                                }
-                                                                if (_e756 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e801 = facet_bits.member[_e756];
-                                                                let _e805 = (_e756 + 1u);
-                                                                if (_e805 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e808 = facet_bits.member[_e805];
-                                                                let _e813 = (_e756 + 2u);
-                                                                if (_e813 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e816 = facet_bits.member[_e813];
-                                                                let _e821 = (_e756 + 3u);
-                                                                if (_e821 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e824 = facet_bits.member[_e821];
-                                                                let _e829 = (_e756 + 4u);
-                                                                if (_e829 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e832 = facet_bits.member[_e829];
-                                                                let _e837 = (_e756 + 5u);
-                                                                if (_e837 < _e65) {
-                                                                } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e840 = facet_bits.member[_e837];
-                                                                let _e844 = (((((((_e801 >> bitcast<u32>(_e719)) & 1u) + ((_e808 >> bitcast<u32>(_e719)) & 1u)) + ((_e816 >> bitcast<u32>(_e719)) & 1u)) + ((_e824 >> bitcast<u32>(_e719)) & 1u)) + ((_e832 >> bitcast<u32>(_e719)) & 1u)) + ((_e840 >> bitcast<u32>(_e719)) & 1u));
-                                                                if _e727 {
-                                                                    let _e972 = local_8;
-                                                                    let _e975 = local_9;
-                                                                    phi_1297_ = type_8(_e975, (_e972 + _e844));
-                                                                    phi_1300_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                let _e672 = phi_1044_;
+                                                let _e674 = phi_1069_;
+                                                let _e678 = (bitcast<i32>(_e674.member) != 0i);
+                                                if _e678 {
+                                                    let _e680 = ((_e674.member_1 & 1u) == 1u);
+                                                    let _e682 = ((_e674.member_1 & 2u) == 2u);
+                                                    let _e685 = (select(_e643, _e641, _e680) * select(_e631, _e629, _e682));
+                                                    let _e691 = (((_e409.z + _e655) + select(_e651, _e649, _e680)) + select(_e639, _e637, _e682));
+                                                    let _e696 = (2u * _e691);
+                                                    let _e698 = cells.member[_e696];
+                                                    if (_e685 > 0f) {
+                                                        let _e700 = (((_e653 | select(_e647, _e645, _e680)) | select(_e635, _e633, _e682)) & 31u);
+                                                        if (((_e698 >> bitcast<u32>(_e700)) & 1u) == 1u) {
+                                                            let _e707 = params.member.member_8;
+                                                            let _e708 = (_e707 == 1u);
+                                                            if (_e391 == 0u) {
+                                                                let _e734 = (_e691 * 6u);
+                                                                let _e737 = cells.member[(_e696 + 1u)];
+                                                                let _e739 = facet_bits.member[_e734];
+                                                                let _e742 = ((1u << bitcast<u32>(_e700)) - 1u);
+                                                                let _e751 = facet_bits.member[(_e734 + 1u)];
+                                                                let _e761 = facet_bits.member[(_e734 + 2u)];
+                                                                let _e771 = facet_bits.member[(_e734 + 3u)];
+                                                                let _e781 = facet_bits.member[(_e734 + 4u)];
+                                                                let _e791 = facet_bits.member[(_e734 + 5u)];
+                                                                let _e794 = ((((((_e737 + countOneBits((_e739 & _e742))) + countOneBits((_e751 & _e742))) + countOneBits((_e761 & _e742))) + countOneBits((_e771 & _e742))) + countOneBits((_e781 & _e742))) + countOneBits((_e791 & _e742)));
+                                                                let _e798 = (((((((_e739 >> bitcast<u32>(_e700)) & 1u) + ((_e751 >> bitcast<u32>(_e700)) & 1u)) + ((_e761 >> bitcast<u32>(_e700)) & 1u)) + ((_e771 >> bitcast<u32>(_e700)) & 1u)) + ((_e781 >> bitcast<u32>(_e700)) & 1u)) + ((_e791 >> bitcast<u32>(_e700)) & 1u));
+                                                                if _e708 {
+                                                                    phi_1227_ = type_8(_e794, (_e794 + _e798));
+                                                                    phi_1230_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                     loop {
-                                                                        let _e978 = phi_1297_;
-                                                                        let _e980 = phi_1300_;
-                                                                        local_16 = _e980;
-                                                                        if (_e978.member < _e978.member_1) {
-                                                                            phi_1298_ = type_8((_e978.member + 1u), _e978.member_1);
-                                                                            phi_1323_ = type_8(1u, _e978.member);
+                                                                        let _e919 = phi_1227_;
+                                                                        let _e921 = phi_1230_;
+                                                                        local_12 = _e921;
+                                                                        if (_e919.member < _e919.member_1) {
+                                                                            phi_1228_ = type_8((_e919.member + 1u), _e919.member_1);
+                                                                            phi_1253_ = type_8(1u, _e919.member);
                                                                         } else {
-                                                                            phi_1298_ = _e978;
-                                                                            phi_1323_ = type_8(0u, type_8().member_1);
+                                                                            phi_1228_ = _e919;
+                                                                            phi_1253_ = type_8(0u, type_8().member_1);
                                                                         }
-                                                                        let _e993 = phi_1298_;
-                                                                        let _e995 = phi_1323_;
-                                                                        let _e999 = (bitcast<i32>(_e995.member) != 0i);
-                                                                        if _e999 {
-                                                                            let _e1000 = (2u * _e995.member_1);
-                                                                            if (_e1000 < _e71) {
-                                                                            } else {
-                                                                                phi_2162_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1004 = radiance.member[_e1000][0u];
-                                                                            let _e1007 = radiance.member[_e1000][1u];
-                                                                            let _e1010 = radiance.member[_e1000][2u];
-                                                                            let _e1011 = (_e1000 + 1u);
-                                                                            if (_e1011 < _e71) {
-                                                                            } else {
-                                                                                phi_2162_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1015 = radiance.member[_e1011][0u];
-                                                                            let _e1018 = radiance.member[_e1011][1u];
-                                                                            let _e1021 = radiance.member[_e1011][2u];
-                                                                            if (_e995.member_1 < _e68) {
-                                                                            } else {
-                                                                                phi_2162_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1031 = facets.member[_e995.member_1].member_2;
-                                                                            let _e1040 = sqrt((((_e1031[0] * _e1031[0]) + (_e1031[1] * _e1031[1])) + (_e1031[2] * _e1031[2])));
-                                                                            phi_1301_ = vec4<f32>((_e980.x + (select(_e1015, _e1004, (_e1004 > _e1015)) * _e1040)), (_e980.y + (select(_e1018, _e1007, (_e1007 > _e1018)) * _e1040)), (_e980.z + (select(_e1021, _e1010, (_e1010 > _e1021)) * _e1040)), (_e980.w + _e1040));
+                                                                        let _e934 = phi_1228_;
+                                                                        let _e936 = phi_1253_;
+                                                                        let _e940 = (bitcast<i32>(_e936.member) != 0i);
+                                                                        if _e940 {
+                                                                            let _e941 = (2u * _e936.member_1);
+                                                                            let _e944 = radiance.member[_e941][0u];
+                                                                            let _e947 = radiance.member[_e941][1u];
+                                                                            let _e950 = radiance.member[_e941][2u];
+                                                                            let _e951 = (_e941 + 1u);
+                                                                            let _e954 = radiance.member[_e951][0u];
+                                                                            let _e957 = radiance.member[_e951][1u];
+                                                                            let _e960 = radiance.member[_e951][2u];
+                                                                            let _e969 = facets.member[_e936.member_1].member_2;
+                                                                            let _e978 = sqrt((((_e969[0] * _e969[0]) + (_e969[1] * _e969[1])) + (_e969[2] * _e969[2])));
+                                                                            phi_1231_ = vec4<f32>((_e921.x + (select(_e954, _e944, (_e944 > _e954)) * _e978)), (_e921.y + (select(_e957, _e947, (_e947 > _e957)) * _e978)), (_e921.z + (select(_e960, _e950, (_e950 > _e960)) * _e978)), (_e921.w + _e978));
                                                                         } else {
-                                                                            phi_1301_ = vec4<f32>();
+                                                                            phi_1231_ = vec4<f32>();
                                                                         }
-                                                                        let _e1054 = phi_1301_;
+                                                                        let _e992 = phi_1231_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_1297_ = _e993;
-                                                                            phi_1300_ = _e1054;
-                                                                            phi_2162_ = _e798;
-                                                                            break if !(_e999);
+                                                                            phi_1227_ = _e934;
+                                                                            phi_1230_ = _e992;
+                                                                            break if !(_e940);
                                                                         }
                                                                     }
-                                                                    let _e1057 = phi_2162_;
-                                                                    phi_2169_ = _e1057;
-                                                                    if _e1057 {
-                                                                        break;
-                                                                    }
-                                                                    phi_2177_ = _e1057;
-                                                                    let _e1606 = local_16;
-                                                                    phi_1584_ = _e1606;
+                                                                    let _e1505 = local_12;
+                                                                    phi_1470_ = _e1505;
                                                                 } else {
-                                                                    let _e845 = select(1f, -1f, _e420);
-                                                                    let _e850 = local;
-                                                                    let _e853 = local_1;
-                                                                    phi_1448_ = type_8(_e853, (_e850 + _e844));
-                                                                    phi_1451_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                    phi_1453_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                    let _e799 = select(1f, -1f, _e404);
+                                                                    phi_1349_ = type_8(_e794, (_e794 + _e798));
+                                                                    phi_1352_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                    phi_1354_ = vec4<f32>(0f, 0f, 0f, 0f);
                                                                     loop {
-                                                                        let _e856 = phi_1448_;
-                                                                        let _e858 = phi_1451_;
-                                                                        let _e860 = phi_1453_;
-                                                                        local_2 = _e858;
-                                                                        local_3 = _e860;
-                                                                        local_4 = _e858;
-                                                                        local_5 = _e858;
-                                                                        local_6 = _e858;
-                                                                        local_7 = _e860;
-                                                                        local_15 = _e860;
-                                                                        if (_e856.member < _e856.member_1) {
-                                                                            phi_1449_ = type_8((_e856.member + 1u), _e856.member_1);
-                                                                            phi_1476_ = type_8(1u, _e856.member);
+                                                                        let _e806 = phi_1349_;
+                                                                        let _e808 = phi_1352_;
+                                                                        let _e810 = phi_1354_;
+                                                                        local = _e808;
+                                                                        local_1 = _e810;
+                                                                        local_2 = _e808;
+                                                                        local_3 = _e808;
+                                                                        local_4 = _e808;
+                                                                        local_5 = _e810;
+                                                                        local_11 = _e810;
+                                                                        if (_e806.member < _e806.member_1) {
+                                                                            phi_1350_ = type_8((_e806.member + 1u), _e806.member_1);
+                                                                            phi_1377_ = type_8(1u, _e806.member);
                                                                         } else {
-                                                                            phi_1449_ = _e856;
-                                                                            phi_1476_ = type_8(0u, type_8().member_1);
+                                                                            phi_1350_ = _e806;
+                                                                            phi_1377_ = type_8(0u, type_8().member_1);
                                                                         }
-                                                                        let _e873 = phi_1449_;
-                                                                        let _e875 = phi_1476_;
-                                                                        let _e879 = (bitcast<i32>(_e875.member) != 0i);
-                                                                        if _e879 {
-                                                                            if (_e875.member_1 < _e68) {
+                                                                        let _e823 = phi_1350_;
+                                                                        let _e825 = phi_1377_;
+                                                                        let _e829 = (bitcast<i32>(_e825.member) != 0i);
+                                                                        if _e829 {
+                                                                            let _e832 = facets.member[_e825.member_1].member_2;
+                                                                            let _e841 = -((((select(0f, _e799, _e366) * _e832[0]) + (select(0f, _e799, _e492) * _e832[1])) + (select(0f, _e799, _e559) * _e832[2])));
+                                                                            if (_e841 > 0f) {
+                                                                                let _e864 = radiance.member[(2u * _e825.member_1)];
+                                                                                phi_1446_ = _e808;
+                                                                                phi_1447_ = vec4<f32>((_e810.x + (_e864.x * _e841)), (_e810.y + (_e864.y * _e841)), (_e810.z + (_e864.z * _e841)), (_e810.w + _e841));
                                                                             } else {
-                                                                                phi_2153_ = true;
-                                                                                break;
+                                                                                let _e846 = radiance.member[((2u * _e825.member_1) + 1u)];
+                                                                                phi_1446_ = vec4<f32>((_e808.x - (_e846.x * _e841)), (_e808.y - (_e846.y * _e841)), (_e808.z - (_e846.z * _e841)), (_e808.w - _e841));
+                                                                                phi_1447_ = _e810;
                                                                             }
-                                                                            let _e883 = facets.member[_e875.member_1].member_2;
-                                                                            let _e892 = -((((select(0f, _e845, _e382) * _e883[0]) + (select(0f, _e845, _e508) * _e883[1])) + (select(0f, _e845, _e575) * _e883[2])));
-                                                                            if (_e892 > 0f) {
-                                                                                let _e914 = (2u * _e875.member_1);
-                                                                                if (_e914 < _e71) {
-                                                                                } else {
-                                                                                    phi_2153_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e917 = radiance.member[_e914];
-                                                                                phi_1560_ = _e858;
-                                                                                phi_1561_ = vec4<f32>((_e860.x + (_e917.x * _e892)), (_e860.y + (_e917.y * _e892)), (_e860.z + (_e917.z * _e892)), (_e860.w + _e892));
-                                                                            } else {
-                                                                                let _e895 = ((2u * _e875.member_1) + 1u);
-                                                                                if (_e895 < _e71) {
-                                                                                } else {
-                                                                                    phi_2153_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e898 = radiance.member[_e895];
-                                                                                phi_1560_ = vec4<f32>((_e858.x - (_e898.x * _e892)), (_e858.y - (_e898.y * _e892)), (_e858.z - (_e898.z * _e892)), (_e858.w - _e892));
-                                                                                phi_1561_ = _e860;
-                                                                            }
-                                                                            let _e934 = phi_1560_;
-                                                                            let _e936 = phi_1561_;
-                                                                            phi_1452_ = _e934;
-                                                                            phi_1454_ = _e936;
+                                                                            let _e881 = phi_1446_;
+                                                                            let _e883 = phi_1447_;
+                                                                            phi_1353_ = _e881;
+                                                                            phi_1355_ = _e883;
                                                                         } else {
-                                                                            phi_1452_ = vec4<f32>();
-                                                                            phi_1454_ = vec4<f32>();
+                                                                            phi_1353_ = vec4<f32>();
+                                                                            phi_1355_ = vec4<f32>();
                                                                         }
-                                                                        let _e938 = phi_1452_;
-                                                                        let _e940 = phi_1454_;
+                                                                        let _e885 = phi_1353_;
+                                                                        let _e887 = phi_1355_;
                                                                         continue;
                                                                         continuing {
-                                                                            phi_1448_ = _e873;
-                                                                            phi_1451_ = _e938;
-                                                                            phi_1453_ = _e940;
-                                                                            phi_2153_ = _e798;
-                                                                            break if !(_e879);
+                                                                            phi_1349_ = _e823;
+                                                                            phi_1352_ = _e885;
+                                                                            phi_1354_ = _e887;
+                                                                            break if !(_e829);
                                                                         }
                                                                     }
-                                                                    let _e943 = phi_2153_;
-                                                                    phi_2169_ = _e943;
-                                                                    if _e943 {
-                                                                        break;
-                                                                    }
-                                                                    let _e945 = local_2;
-                                                                    let _e948 = local_3;
-                                                                    if (_e945.w > _e948.w) {
-                                                                        let _e951 = (_e945.w - _e948.w);
-                                                                        let _e952 = (_e951 / _e945.w);
-                                                                        let _e954 = local_4;
-                                                                        let _e958 = local_5;
-                                                                        let _e962 = local_6;
-                                                                        let _e967 = local_7;
-                                                                        phi_1583_ = (_e967 + vec4<f32>((_e954.x * _e952), (_e958.y * _e952), (_e962.z * _e952), _e951));
+                                                                    let _e890 = local;
+                                                                    let _e893 = local_1;
+                                                                    if (_e890.w > _e893.w) {
+                                                                        let _e896 = (_e890.w - _e893.w);
+                                                                        let _e897 = (_e896 / _e890.w);
+                                                                        let _e899 = local_2;
+                                                                        let _e903 = local_3;
+                                                                        let _e907 = local_4;
+                                                                        let _e912 = local_5;
+                                                                        phi_1469_ = (_e912 + vec4<f32>((_e899.x * _e897), (_e903.y * _e897), (_e907.z * _e897), _e896));
                                                                     } else {
-                                                                        let _e1594 = local_15;
-                                                                        phi_1583_ = _e1594;
+                                                                        let _e1497 = local_11;
+                                                                        phi_1469_ = _e1497;
                                                                     }
-                                                                    let _e970 = phi_1583_;
-                                                                    phi_2177_ = _e943;
-                                                                    phi_1584_ = _e970;
+                                                                    let _e915 = phi_1469_;
+                                                                    phi_1470_ = _e915;
                                                                 }
-                                                                let _e1059 = phi_2177_;
-                                                                let _e1061 = phi_1584_;
-                                                                if (_e1061.w > 1f) {
-                                                                    phi_1598_ = vec4<f32>((_e1061.x / _e1061.w), (_e1061.y / _e1061.w), (_e1061.z / _e1061.w), 1f);
+                                                                let _e995 = phi_1470_;
+                                                                if (_e995.w > 1f) {
+                                                                    phi_1484_ = vec4<f32>((_e995.x / _e995.w), (_e995.y / _e995.w), (_e995.z / _e995.w), 1f);
                                                                 } else {
-                                                                    phi_1598_ = _e1061;
+                                                                    phi_1484_ = _e995;
                                                                 }
-                                                                let _e1072 = phi_1598_;
-                                                                phi_2173_ = _e1059;
-                                                                phi_1649_ = _e1072;
+                                                                let _e1006 = phi_1484_;
+                                                                phi_1517_ = _e1006;
                                                             } else {
-                                                                let _e729 = (_e714 + 1u);
-                                                                if (_e729 < _e62) {
+                                                                let _e712 = cells.member[(_e696 + 1u)];
+                                                                let _e718 = (_e712 + countOneBits((_e698 & ((1u << bitcast<u32>(_e700)) - 1u))));
+                                                                if _e708 {
+                                                                    phi_1504_ = _e718;
                                                                 } else {
-                                                                    phi_2169_ = true;
-                                                                    break;
+                                                                    phi_1504_ = (((6u * _e718) + (2u * _e365)) + select(0u, 1u, _e404));
                                                                 }
-                                                                let _e732 = cells.member[_e729];
-                                                                let _e738 = (_e732 + countOneBits((_e717 & ((1u << bitcast<u32>(_e719)) - 1u))));
-                                                                if _e727 {
-                                                                    phi_1624_ = _e738;
+                                                                let _e725 = phi_1504_;
+                                                                if ((_e391 & 1u) == 1u) {
+                                                                    let _e731 = odd.member[_e725];
+                                                                    phi_1516_ = _e731;
                                                                 } else {
-                                                                    phi_1624_ = (((6u * _e738) + (2u * _e381)) + select(0u, 1u, _e420));
+                                                                    let _e729 = even.member[_e725];
+                                                                    phi_1516_ = _e729;
                                                                 }
-                                                                let _e745 = phi_1624_;
-                                                                if ((_e407 & 1u) == 1u) {
-                                                                    if (_e745 < arrayLength((&odd.member))) {
-                                                                    } else {
-                                                                        phi_2169_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e753 = odd.member[_e745];
-                                                                    phi_1648_ = _e753;
-                                                                } else {
-                                                                    if (_e745 < arrayLength((&even.member))) {
-                                                                    } else {
-                                                                        phi_2169_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e750 = even.member[_e745];
-                                                                    phi_1648_ = _e750;
-                                                                }
-                                                                let _e755 = phi_1648_;
-                                                                phi_2173_ = _e673;
-                                                                phi_1649_ = _e755;
+                                                                let _e733 = phi_1516_;
+                                                                phi_1517_ = _e733;
                                                             }
-                                                            let _e1074 = phi_2173_;
-                                                            let _e1076 = phi_1649_;
-                                                            phi_2172_ = _e1074;
-                                                            phi_1670_ = vec4<f32>((_e677.x + (_e1076.x * _e703)), (_e677.y + (_e1076.y * _e703)), (_e677.z + (_e1076.z * _e703)), (_e677.w + (_e1076.w * _e703)));
+                                                            let _e1008 = phi_1517_;
+                                                            phi_1538_ = vec4<f32>((_e659.x + (_e1008.x * _e685)), (_e659.y + (_e1008.y * _e685)), (_e659.z + (_e1008.z * _e685)), (_e659.w + (_e1008.w * _e685)));
                                                         } else {
-                                                            phi_2172_ = _e673;
-                                                            phi_1670_ = _e677;
+                                                            phi_1538_ = _e659;
                                                         }
-                                                        let _e1095 = phi_2172_;
-                                                        let _e1097 = phi_1670_;
-                                                        phi_2171_ = _e1095;
-                                                        phi_1671_ = _e1097;
+                                                        let _e1027 = phi_1538_;
+                                                        phi_1539_ = _e1027;
                                                     } else {
-                                                        phi_2171_ = _e673;
-                                                        phi_1671_ = _e677;
+                                                        phi_1539_ = _e659;
                                                     }
-                                                    let _e1099 = phi_2171_;
-                                                    let _e1101 = phi_1671_;
-                                                    phi_2170_ = _e1099;
-                                                    phi_1048_ = _e1101;
+                                                    let _e1029 = phi_1539_;
+                                                    phi_1047_ = _e1029;
                                                 } else {
-                                                    phi_2170_ = _e673;
-                                                    phi_1048_ = vec4<f32>();
+                                                    phi_1047_ = vec4<f32>();
                                                 }
-                                                let _e1103 = phi_2170_;
-                                                let _e1105 = phi_1048_;
+                                                let _e1031 = phi_1047_;
                                                 continue;
                                                 continuing {
-                                                    phi_2082_ = _e1103;
-                                                    phi_1044_ = _e690;
-                                                    phi_1047_ = _e1105;
-                                                    phi_2169_ = _e1103;
-                                                    break if !(_e696);
+                                                    phi_1043_ = _e672;
+                                                    phi_1046_ = _e1031;
+                                                    break if !(_e678);
                                                 }
                                             }
-                                            let _e1108 = phi_2169_;
-                                            phi_2179_ = _e1108;
-                                            if _e1108 {
-                                                break;
-                                            }
-                                            phi_2198_ = _e1108;
-                                            let _e1620 = local_17;
-                                            phi_1672_ = _e1620;
+                                            let _e1513 = local_13;
+                                            phi_1540_ = _e1513;
                                         }
-                                        let _e1110 = phi_2198_;
-                                        let _e1112 = phi_1672_;
-                                        phi_2197_ = _e1110;
-                                        phi_1673_ = _e1112;
-                                        phi_1674_ = _e447;
+                                        let _e1034 = phi_1540_;
+                                        phi_1541_ = _e1034;
+                                        phi_1542_ = _e431;
                                     }
-                                    let _e1114 = phi_2197_;
-                                    let _e1116 = phi_1673_;
-                                    let _e1118 = phi_1674_;
-                                    let _e1120 = select(_e1116, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1118));
-                                    if (_e1120.w > 0f) {
-                                        let _e1127 = select(_e411, _e1120.w, (_e1120.w < _e411));
-                                        let _e1132 = ((_e350 * _e1127) / _e1120.w);
-                                        phi_1718_ = vec3<f32>((_e340.x + (_e1120.x * _e1132)), (_e340.y + (_e1120.y * _e1132)), (_e340.z + (_e1120.z * _e1132)));
-                                        phi_1719_ = (_e348 + _e1127);
-                                        phi_1720_ = _e350;
+                                    let _e1036 = phi_1541_;
+                                    let _e1038 = phi_1542_;
+                                    let _e1040 = select(_e1036, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1038));
+                                    if (_e1040.w > 0f) {
+                                        let _e1047 = select(_e395, _e1040.w, (_e1040.w < _e395));
+                                        let _e1052 = ((_e334 * _e1047) / _e1040.w);
+                                        phi_1586_ = vec3<f32>((_e324.x + (_e1040.x * _e1052)), (_e324.y + (_e1040.y * _e1052)), (_e324.z + (_e1040.z * _e1052)));
+                                        phi_1587_ = (_e332 + _e1047);
+                                        phi_1588_ = _e334;
                                     } else {
-                                        let _e1123 = (_e381 == _e205);
-                                        phi_1718_ = _e340;
-                                        phi_1719_ = select(_e348, 0f, _e1123);
-                                        phi_1720_ = select(_e350, _e412, _e1123);
+                                        let _e1043 = (_e365 == _e191);
+                                        phi_1586_ = _e324;
+                                        phi_1587_ = select(_e332, 0f, _e1043);
+                                        phi_1588_ = select(_e334, _e396, _e1043);
                                     }
-                                    let _e1145 = phi_1718_;
-                                    let _e1147 = phi_1719_;
-                                    let _e1149 = phi_1720_;
-                                    let _e1150 = ((2f * _e177) * _e403);
-                                    let _e1152 = ((_e181 * _e167) + ((_e181 * select(0f, _e187, (_e187 > 0f))) * _e403));
-                                    let _e1154 = select(_e1152, _e1150, (_e1150 < _e1152));
-                                    let _e1161 = ((bitcast<u32>((select(1f, _e1154, (_e1154 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
-                                    let _e1163 = (_e193.w - 1u);
-                                    let _e1165 = select(_e1161, _e1163, (_e1163 < _e1161));
-                                    if _e382 {
-                                        let _e1326 = (_e346.member_1 < 0f);
-                                        if _e1326 {
-                                            phi_1763_ = (_e346.member_3 - 1i);
+                                    let _e1065 = phi_1586_;
+                                    let _e1067 = phi_1587_;
+                                    let _e1069 = phi_1588_;
+                                    let _e1070 = ((2f * _e163) * _e387);
+                                    let _e1072 = ((_e167 * _e153) + ((_e167 * select(0f, _e173, (_e173 > 0f))) * _e387));
+                                    let _e1074 = select(_e1072, _e1070, (_e1070 < _e1072));
+                                    let _e1081 = ((bitcast<u32>((select(1f, _e1074, (_e1074 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
+                                    let _e1083 = (_e179.w - 1u);
+                                    let _e1085 = select(_e1081, _e1083, (_e1083 < _e1081));
+                                    if _e366 {
+                                        let _e1246 = (_e330.member_1 < 0f);
+                                        if _e1246 {
+                                            phi_1631_ = (_e330.member_3 - 1i);
                                         } else {
-                                            phi_1763_ = (_e346.member_3 + 1i);
+                                            phi_1631_ = (_e330.member_3 + 1i);
                                         }
-                                        let _e1334 = phi_1763_;
-                                        let _e1340 = type_41(_e346.member, _e346.member_1, _e346.member_2, _e1334, _e346.member_4);
-                                        if (((_e346.member_3 & 1i) == 0i) == _e1326) {
-                                            if (_e1165 > _e346.member_2) {
-                                                let _e1349 = type_41(_e1340.member, _e1340.member_1, (_e346.member_2 + 1u), _e1340.member_3, _e1340.member_4);
-                                                phi_1778_ = type_41(_e1349.member, _e1349.member_1, _e1349.member_2, (_e1334 >> bitcast<u32>(1i)), _e1349.member_4);
+                                        let _e1254 = phi_1631_;
+                                        let _e1260 = type_41(_e330.member, _e330.member_1, _e330.member_2, _e1254, _e330.member_4);
+                                        if (((_e330.member_3 & 1i) == 0i) == _e1246) {
+                                            if (_e1085 > _e330.member_2) {
+                                                let _e1269 = type_41(_e1260.member, _e1260.member_1, (_e330.member_2 + 1u), _e1260.member_3, _e1260.member_4);
+                                                phi_1646_ = type_41(_e1269.member, _e1269.member_1, _e1269.member_2, (_e1254 >> bitcast<u32>(1i)), _e1269.member_4);
                                             } else {
-                                                phi_1778_ = _e1340;
+                                                phi_1646_ = _e1260;
                                             }
-                                            let _e1359 = phi_1778_;
-                                            phi_1779_ = _e1359;
+                                            let _e1279 = phi_1646_;
+                                            phi_1647_ = _e1279;
                                         } else {
-                                            phi_1779_ = _e1340;
+                                            phi_1647_ = _e1260;
                                         }
-                                        let _e1361 = phi_1779_;
-                                        let _e1363 = (_e1361.member_2 & 31u);
-                                        let _e1365 = (1u << bitcast<u32>(_e1363));
-                                        if (_e1361.member_1 < 0f) {
-                                            phi_1798_ = (_e1361.member_3 < 0i);
+                                        let _e1281 = phi_1647_;
+                                        let _e1283 = (_e1281.member_2 & 31u);
+                                        let _e1285 = (1u << bitcast<u32>(_e1283));
+                                        if (_e1281.member_1 < 0f) {
+                                            phi_1666_ = (_e1281.member_3 < 0i);
                                         } else {
-                                            phi_1798_ = (_e1361.member_3 >= bitcast<i32>((((_e193.x + _e1365) - 1u) >> bitcast<u32>(_e1363))));
+                                            phi_1666_ = (_e1281.member_3 >= bitcast<i32>((((_e179.x + _e1285) - 1u) >> bitcast<u32>(_e1283))));
                                         }
-                                        let _e1378 = phi_1798_;
-                                        if _e1378 {
-                                            phi_1821_ = f32();
-                                            phi_1822_ = true;
+                                        let _e1298 = phi_1666_;
+                                        if _e1298 {
+                                            phi_1689_ = f32();
+                                            phi_1690_ = true;
                                         } else {
-                                            let _e1385 = (abs(_e1361.member_1) < 0.000001f);
-                                            if _e1385 {
-                                                phi_1820_ = f32();
+                                            let _e1305 = (abs(_e1281.member_1) < 0.000001f);
+                                            if _e1305 {
+                                                phi_1688_ = f32();
                                             } else {
-                                                phi_1820_ = ((((f32(_e1361.member_3) + 0.5f) * f32(_e1365)) - _e1361.member) / _e1361.member_1);
+                                                phi_1688_ = ((((f32(_e1281.member_3) + 0.5f) * f32(_e1285)) - _e1281.member) / _e1281.member_1);
                                             }
-                                            let _e1390 = phi_1820_;
-                                            phi_1821_ = _e1390;
-                                            phi_1822_ = _e1385;
+                                            let _e1310 = phi_1688_;
+                                            phi_1689_ = _e1310;
+                                            phi_1690_ = _e1305;
                                         }
-                                        let _e1392 = phi_1821_;
-                                        let _e1394 = phi_1822_;
-                                        phi_1992_ = _e342;
-                                        phi_1993_ = _e344;
-                                        phi_1994_ = type_41(_e1361.member, _e1361.member_1, _e1361.member_2, _e1361.member_3, select(_e1392, 340282350000000000000000000000000000000f, _e1394));
+                                        let _e1312 = phi_1689_;
+                                        let _e1314 = phi_1690_;
+                                        phi_1860_ = _e326;
+                                        phi_1861_ = _e328;
+                                        phi_1862_ = type_41(_e1281.member, _e1281.member_1, _e1281.member_2, _e1281.member_3, select(_e1312, 340282350000000000000000000000000000000f, _e1314));
                                     } else {
-                                        if (_e381 == 1u) {
-                                            let _e1245 = (_e344.member_1 < 0f);
-                                            if _e1245 {
-                                                phi_1846_ = (_e344.member_3 - 1i);
+                                        if (_e365 == 1u) {
+                                            let _e1165 = (_e328.member_1 < 0f);
+                                            if _e1165 {
+                                                phi_1714_ = (_e328.member_3 - 1i);
                                             } else {
-                                                phi_1846_ = (_e344.member_3 + 1i);
+                                                phi_1714_ = (_e328.member_3 + 1i);
                                             }
-                                            let _e1253 = phi_1846_;
-                                            let _e1259 = type_41(_e344.member, _e344.member_1, _e344.member_2, _e1253, _e344.member_4);
-                                            if (((_e344.member_3 & 1i) == 0i) == _e1245) {
-                                                if (_e1165 > _e344.member_2) {
-                                                    let _e1268 = type_41(_e1259.member, _e1259.member_1, (_e344.member_2 + 1u), _e1259.member_3, _e1259.member_4);
-                                                    phi_1861_ = type_41(_e1268.member, _e1268.member_1, _e1268.member_2, (_e1253 >> bitcast<u32>(1i)), _e1268.member_4);
+                                            let _e1173 = phi_1714_;
+                                            let _e1179 = type_41(_e328.member, _e328.member_1, _e328.member_2, _e1173, _e328.member_4);
+                                            if (((_e328.member_3 & 1i) == 0i) == _e1165) {
+                                                if (_e1085 > _e328.member_2) {
+                                                    let _e1188 = type_41(_e1179.member, _e1179.member_1, (_e328.member_2 + 1u), _e1179.member_3, _e1179.member_4);
+                                                    phi_1729_ = type_41(_e1188.member, _e1188.member_1, _e1188.member_2, (_e1173 >> bitcast<u32>(1i)), _e1188.member_4);
                                                 } else {
-                                                    phi_1861_ = _e1259;
+                                                    phi_1729_ = _e1179;
                                                 }
-                                                let _e1278 = phi_1861_;
-                                                phi_1862_ = _e1278;
+                                                let _e1198 = phi_1729_;
+                                                phi_1730_ = _e1198;
                                             } else {
-                                                phi_1862_ = _e1259;
+                                                phi_1730_ = _e1179;
                                             }
-                                            let _e1280 = phi_1862_;
-                                            let _e1282 = (_e1280.member_2 & 31u);
-                                            let _e1284 = (1u << bitcast<u32>(_e1282));
-                                            if (_e1280.member_1 < 0f) {
-                                                phi_1881_ = (_e1280.member_3 < 0i);
+                                            let _e1200 = phi_1730_;
+                                            let _e1202 = (_e1200.member_2 & 31u);
+                                            let _e1204 = (1u << bitcast<u32>(_e1202));
+                                            if (_e1200.member_1 < 0f) {
+                                                phi_1749_ = (_e1200.member_3 < 0i);
                                             } else {
-                                                phi_1881_ = (_e1280.member_3 >= bitcast<i32>((((_e193.y + _e1284) - 1u) >> bitcast<u32>(_e1282))));
+                                                phi_1749_ = (_e1200.member_3 >= bitcast<i32>((((_e179.y + _e1204) - 1u) >> bitcast<u32>(_e1202))));
                                             }
-                                            let _e1297 = phi_1881_;
-                                            if _e1297 {
-                                                phi_1904_ = f32();
-                                                phi_1905_ = true;
+                                            let _e1217 = phi_1749_;
+                                            if _e1217 {
+                                                phi_1772_ = f32();
+                                                phi_1773_ = true;
                                             } else {
-                                                let _e1304 = (abs(_e1280.member_1) < 0.000001f);
-                                                if _e1304 {
-                                                    phi_1903_ = f32();
+                                                let _e1224 = (abs(_e1200.member_1) < 0.000001f);
+                                                if _e1224 {
+                                                    phi_1771_ = f32();
                                                 } else {
-                                                    phi_1903_ = ((((f32(_e1280.member_3) + 0.5f) * f32(_e1284)) - _e1280.member) / _e1280.member_1);
+                                                    phi_1771_ = ((((f32(_e1200.member_3) + 0.5f) * f32(_e1204)) - _e1200.member) / _e1200.member_1);
                                                 }
-                                                let _e1309 = phi_1903_;
-                                                phi_1904_ = _e1309;
-                                                phi_1905_ = _e1304;
+                                                let _e1229 = phi_1771_;
+                                                phi_1772_ = _e1229;
+                                                phi_1773_ = _e1224;
                                             }
-                                            let _e1311 = phi_1904_;
-                                            let _e1313 = phi_1905_;
-                                            phi_1990_ = _e342;
-                                            phi_1991_ = type_41(_e1280.member, _e1280.member_1, _e1280.member_2, _e1280.member_3, select(_e1311, 340282350000000000000000000000000000000f, _e1313));
+                                            let _e1231 = phi_1772_;
+                                            let _e1233 = phi_1773_;
+                                            phi_1858_ = _e326;
+                                            phi_1859_ = type_41(_e1200.member, _e1200.member_1, _e1200.member_2, _e1200.member_3, select(_e1231, 340282350000000000000000000000000000000f, _e1233));
                                         } else {
-                                            let _e1168 = (_e342.member_1 < 0f);
-                                            if _e1168 {
-                                                phi_1925_ = (_e342.member_3 - 1i);
+                                            let _e1088 = (_e326.member_1 < 0f);
+                                            if _e1088 {
+                                                phi_1793_ = (_e326.member_3 - 1i);
                                             } else {
-                                                phi_1925_ = (_e342.member_3 + 1i);
+                                                phi_1793_ = (_e326.member_3 + 1i);
                                             }
-                                            let _e1176 = phi_1925_;
-                                            let _e1182 = type_41(_e342.member, _e342.member_1, _e342.member_2, _e1176, _e342.member_4);
-                                            if (((_e342.member_3 & 1i) == 0i) == _e1168) {
-                                                if (_e1165 > _e342.member_2) {
-                                                    let _e1191 = type_41(_e1182.member, _e1182.member_1, (_e342.member_2 + 1u), _e1182.member_3, _e1182.member_4);
-                                                    phi_1940_ = type_41(_e1191.member, _e1191.member_1, _e1191.member_2, (_e1176 >> bitcast<u32>(1i)), _e1191.member_4);
+                                            let _e1096 = phi_1793_;
+                                            let _e1102 = type_41(_e326.member, _e326.member_1, _e326.member_2, _e1096, _e326.member_4);
+                                            if (((_e326.member_3 & 1i) == 0i) == _e1088) {
+                                                if (_e1085 > _e326.member_2) {
+                                                    let _e1111 = type_41(_e1102.member, _e1102.member_1, (_e326.member_2 + 1u), _e1102.member_3, _e1102.member_4);
+                                                    phi_1808_ = type_41(_e1111.member, _e1111.member_1, _e1111.member_2, (_e1096 >> bitcast<u32>(1i)), _e1111.member_4);
                                                 } else {
-                                                    phi_1940_ = _e1182;
+                                                    phi_1808_ = _e1102;
                                                 }
-                                                let _e1201 = phi_1940_;
-                                                phi_1941_ = _e1201;
+                                                let _e1121 = phi_1808_;
+                                                phi_1809_ = _e1121;
                                             } else {
-                                                phi_1941_ = _e1182;
+                                                phi_1809_ = _e1102;
                                             }
-                                            let _e1203 = phi_1941_;
-                                            let _e1205 = (_e1203.member_2 & 31u);
-                                            let _e1207 = (1u << bitcast<u32>(_e1205));
-                                            if (_e1203.member_1 < 0f) {
-                                                phi_1960_ = (_e1203.member_3 < 0i);
+                                            let _e1123 = phi_1809_;
+                                            let _e1125 = (_e1123.member_2 & 31u);
+                                            let _e1127 = (1u << bitcast<u32>(_e1125));
+                                            if (_e1123.member_1 < 0f) {
+                                                phi_1828_ = (_e1123.member_3 < 0i);
                                             } else {
-                                                phi_1960_ = (_e1203.member_3 >= bitcast<i32>((((_e193.z + _e1207) - 1u) >> bitcast<u32>(_e1205))));
+                                                phi_1828_ = (_e1123.member_3 >= bitcast<i32>((((_e179.z + _e1127) - 1u) >> bitcast<u32>(_e1125))));
                                             }
-                                            let _e1220 = phi_1960_;
-                                            if _e1220 {
-                                                phi_1983_ = f32();
-                                                phi_1984_ = true;
+                                            let _e1140 = phi_1828_;
+                                            if _e1140 {
+                                                phi_1851_ = f32();
+                                                phi_1852_ = true;
                                             } else {
-                                                let _e1227 = (abs(_e1203.member_1) < 0.000001f);
-                                                if _e1227 {
-                                                    phi_1982_ = f32();
+                                                let _e1147 = (abs(_e1123.member_1) < 0.000001f);
+                                                if _e1147 {
+                                                    phi_1850_ = f32();
                                                 } else {
-                                                    phi_1982_ = ((((f32(_e1203.member_3) + 0.5f) * f32(_e1207)) - _e1203.member) / _e1203.member_1);
+                                                    phi_1850_ = ((((f32(_e1123.member_3) + 0.5f) * f32(_e1127)) - _e1123.member) / _e1123.member_1);
                                                 }
-                                                let _e1232 = phi_1982_;
-                                                phi_1983_ = _e1232;
-                                                phi_1984_ = _e1227;
+                                                let _e1152 = phi_1850_;
+                                                phi_1851_ = _e1152;
+                                                phi_1852_ = _e1147;
                                             }
-                                            let _e1234 = phi_1983_;
-                                            let _e1236 = phi_1984_;
-                                            phi_1990_ = type_41(_e1203.member, _e1203.member_1, _e1203.member_2, _e1203.member_3, select(_e1234, 340282350000000000000000000000000000000f, _e1236));
-                                            phi_1991_ = _e344;
+                                            let _e1154 = phi_1851_;
+                                            let _e1156 = phi_1852_;
+                                            phi_1858_ = type_41(_e1123.member, _e1123.member_1, _e1123.member_2, _e1123.member_3, select(_e1154, 340282350000000000000000000000000000000f, _e1156));
+                                            phi_1859_ = _e328;
                                         }
-                                        let _e1322 = phi_1990_;
-                                        let _e1324 = phi_1991_;
-                                        phi_1992_ = _e1322;
-                                        phi_1993_ = _e1324;
-                                        phi_1994_ = _e346;
+                                        let _e1242 = phi_1858_;
+                                        let _e1244 = phi_1859_;
+                                        phi_1860_ = _e1242;
+                                        phi_1861_ = _e1244;
+                                        phi_1862_ = _e330;
                                     }
-                                    let _e1403 = phi_1992_;
-                                    let _e1405 = phi_1993_;
-                                    let _e1407 = phi_1994_;
-                                    phi_2182_ = _e1114;
-                                    phi_1995_ = _e1145;
-                                    phi_1996_ = _e1403;
-                                    phi_1997_ = _e1405;
-                                    phi_1998_ = _e1407;
-                                    phi_1999_ = _e1147;
-                                    phi_2000_ = _e1149;
+                                    let _e1323 = phi_1860_;
+                                    let _e1325 = phi_1861_;
+                                    let _e1327 = phi_1862_;
+                                    phi_1863_ = _e1065;
+                                    phi_1864_ = _e1323;
+                                    phi_1865_ = _e1325;
+                                    phi_1866_ = _e1327;
+                                    phi_1867_ = _e1067;
+                                    phi_1868_ = _e1069;
                                 }
-                                let _e1409 = phi_2182_;
-                                let _e1411 = phi_1995_;
-                                let _e1413 = phi_1996_;
-                                let _e1415 = phi_1997_;
-                                let _e1417 = phi_1998_;
-                                let _e1419 = phi_1999_;
-                                let _e1421 = phi_2000_;
-                                phi_2181_ = _e1409;
-                                phi_2002_ = _e1411;
-                                phi_2003_ = _e1413;
-                                phi_2004_ = _e1415;
-                                phi_2005_ = _e1417;
-                                phi_2006_ = _e1419;
-                                phi_2007_ = _e1421;
-                                phi_2008_ = select(true, false, _e413);
+                                let _e1329 = phi_1863_;
+                                let _e1331 = phi_1864_;
+                                let _e1333 = phi_1865_;
+                                let _e1335 = phi_1866_;
+                                let _e1337 = phi_1867_;
+                                let _e1339 = phi_1868_;
+                                phi_1870_ = _e1329;
+                                phi_1871_ = _e1331;
+                                phi_1872_ = _e1333;
+                                phi_1873_ = _e1335;
+                                phi_1874_ = _e1337;
+                                phi_1875_ = _e1339;
+                                phi_1876_ = select(true, false, _e397);
                             }
-                            let _e1424 = phi_2181_;
-                            let _e1426 = phi_2002_;
-                            let _e1428 = phi_2003_;
-                            let _e1430 = phi_2004_;
-                            let _e1432 = phi_2005_;
-                            let _e1434 = phi_2006_;
-                            let _e1436 = phi_2007_;
-                            let _e1438 = phi_2008_;
-                            phi_2180_ = _e1424;
-                            phi_540_ = _e1426;
-                            phi_542_ = _e1428;
-                            phi_544_ = _e1430;
-                            phi_546_ = _e1432;
-                            phi_548_ = _e1434;
-                            phi_550_ = _e1436;
-                            phi_2010_ = _e1438;
+                            let _e1342 = phi_1870_;
+                            let _e1344 = phi_1871_;
+                            let _e1346 = phi_1872_;
+                            let _e1348 = phi_1873_;
+                            let _e1350 = phi_1874_;
+                            let _e1352 = phi_1875_;
+                            let _e1354 = phi_1876_;
+                            phi_539_ = _e1342;
+                            phi_541_ = _e1344;
+                            phi_543_ = _e1346;
+                            phi_545_ = _e1348;
+                            phi_547_ = _e1350;
+                            phi_549_ = _e1352;
+                            phi_1878_ = _e1354;
                         } else {
-                            phi_2180_ = _e336;
-                            phi_540_ = vec3<f32>();
-                            phi_542_ = type_41();
-                            phi_544_ = type_41();
-                            phi_546_ = type_41();
-                            phi_548_ = f32();
-                            phi_550_ = f32();
-                            phi_2010_ = false;
+                            phi_539_ = vec3<f32>();
+                            phi_541_ = type_41();
+                            phi_543_ = type_41();
+                            phi_545_ = type_41();
+                            phi_547_ = f32();
+                            phi_549_ = f32();
+                            phi_1878_ = false;
                         }
-                        let _e1440 = phi_2180_;
-                        let _e1442 = phi_540_;
-                        let _e1444 = phi_542_;
-                        let _e1446 = phi_544_;
-                        let _e1448 = phi_546_;
-                        let _e1450 = phi_548_;
-                        let _e1452 = phi_550_;
-                        let _e1454 = phi_2010_;
+                        let _e1356 = phi_539_;
+                        let _e1358 = phi_541_;
+                        let _e1360 = phi_543_;
+                        let _e1362 = phi_545_;
+                        let _e1364 = phi_547_;
+                        let _e1366 = phi_549_;
+                        let _e1368 = phi_1878_;
                         continue;
                         continuing {
-                            phi_2119_ = _e1440;
-                            phi_536_ = _e363;
-                            phi_539_ = _e1442;
-                            phi_541_ = _e1444;
-                            phi_543_ = _e1446;
-                            phi_545_ = _e1448;
-                            phi_547_ = _e1450;
-                            phi_549_ = _e1452;
-                            phi_2179_ = _e1440;
-                            break if !(_e1454);
+                            phi_535_ = _e347;
+                            phi_538_ = _e1356;
+                            phi_540_ = _e1358;
+                            phi_542_ = _e1360;
+                            phi_544_ = _e1362;
+                            phi_546_ = _e1364;
+                            phi_548_ = _e1366;
+                            phi_1931_ = false;
+                            break if !(_e1368);
                         }
                     }
-                    let _e1457 = phi_2179_;
-                    if _e1457 {
+                    let _e1371 = phi_1931_;
+                    if _e1371 {
                         break;
                     }
-                    let _e1459 = local_10;
-                    let _e1462 = local_11;
-                    let _e1463 = (_e1462 * (1f - _e1459));
-                    let _e1465 = local_12;
-                    let _e1468 = local_13;
-                    let _e1471 = local_14;
-                    let _e1475 = params.member.member_5;
-                    phi_2037_ = vec4<f32>((_e1465.x + (_e1475.x * _e1463)), (_e1468.y + (_e1475.y * _e1463)), (_e1471.z + (_e1475.z * _e1463)), _e1463);
+                    let _e1373 = local_6;
+                    let _e1376 = local_7;
+                    let _e1377 = (_e1376 * (1f - _e1373));
+                    let _e1379 = local_8;
+                    let _e1382 = local_9;
+                    let _e1385 = local_10;
+                    let _e1389 = params.member.member_5;
+                    phi_1905_ = vec4<f32>((_e1379.x + (_e1389.x * _e1377)), (_e1382.y + (_e1389.y * _e1377)), (_e1385.z + (_e1389.z * _e1377)), _e1377);
                 }
-                let _e1487 = phi_2037_;
-                if _e86 {
+                let _e1401 = phi_1905_;
+                if _e72 {
                 } else {
                     break;
                 }
-                out.member[_e85] = _e1487;
+                out.member[_e71] = _e1401;
             }
             break;
         }

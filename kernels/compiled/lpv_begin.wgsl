@@ -48,307 +48,256 @@ var<storage> before: type_5;
 
 fn function_() {
     var local: array<f32, 11>;
-    var phi_122_: u32;
+    var phi_120_: u32;
+    var phi_203_: bool;
     var phi_205_: bool;
-    var phi_207_: bool;
-    var phi_208_: bool;
-    var phi_839_: bool;
-    var phi_761_: array<f32, 11>;
-    var phi_776_: type_11;
-    var phi_777_: type_11;
-    var phi_800_: type_11;
-    var phi_844_: bool;
+    var phi_206_: bool;
+    var phi_787_: bool;
+    var phi_709_: array<f32, 11>;
+    var phi_724_: type_11;
+    var phi_725_: type_11;
+    var phi_748_: type_11;
+    var phi_792_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e50 = gid_1;
-            let _e52 = arrayLength((&source.member));
-            let _e54 = arrayLength((&before.member));
-            let _e59 = params.member.member_2;
-            let _e61 = (_e59.x + 1u);
-            let _e63 = (_e59.y + 1u);
-            let _e64 = (_e63 * _e61);
-            let _e69 = ((_e64 + _e61) + ((_e59.z + 1u) * _e64));
-            if (_e59.x > 0u) {
-                if (_e61 == 0u) {
+            let _e55 = params.member.member_2;
+            let _e57 = (_e55.x + 1u);
+            let _e59 = (_e55.y + 1u);
+            let _e60 = (_e59 * _e57);
+            let _e65 = ((_e60 + _e57) + ((_e55.z + 1u) * _e60));
+            if (_e55.x > 0u) {
+                if (_e57 == 0u) {
                     break;
                 }
-                phi_122_ = (3u * (_e69 / _e61));
+                phi_120_ = (3u * (_e65 / _e57));
             } else {
-                phi_122_ = 0u;
+                phi_120_ = 0u;
             }
-            let _e75 = phi_122_;
-            let _e76 = (3u * _e69);
-            let _e80 = (_e50.x + (_e50.y * 2097152u));
-            if (_e80 < (_e75 * _e59.x)) {
-                if (_e59.x == 0u) {
+            let _e71 = phi_120_;
+            let _e72 = (3u * _e65);
+            let _e76 = (_e50.x + (_e50.y * 2097152u));
+            if (_e76 < (_e71 * _e55.x)) {
+                if (_e55.x == 0u) {
                     break;
                 }
-                let _e84 = (_e80 / _e59.x);
-                let _e88 = ((_e84 * _e61) + (_e80 - (_e84 * _e59.x)));
-                let _e89 = (_e61 == 0u);
-                if _e89 {
+                let _e80 = (_e76 / _e55.x);
+                let _e84 = ((_e80 * _e57) + (_e76 - (_e80 * _e55.x)));
+                let _e85 = (_e57 == 0u);
+                if _e85 {
                     break;
                 }
-                let _e90 = (_e69 / _e61);
-                if (_e90 == 0u) {
+                let _e86 = (_e65 / _e57);
+                if (_e86 == 0u) {
                     break;
                 }
-                if _e89 {
+                if _e85 {
                     break;
                 }
-                let _e94 = (_e84 - ((_e84 / _e90) * _e90));
-                let _e95 = (_e59.y + 2u);
-                let _e98 = (select(_e95, _e94, (_e95 < _e94)) - _e95);
-                if (_e63 == 0u) {
+                let _e90 = (_e80 - ((_e80 / _e86) * _e86));
+                let _e91 = (_e55.y + 2u);
+                let _e94 = (select(_e91, _e90, (_e91 < _e90)) - _e91);
+                if (_e59 == 0u) {
                     break;
                 }
-                let _e100 = (_e98 / _e63);
-                if (_e94 >= _e95) {
-                    let _e104 = ((_e98 - (_e100 * _e63)) < _e59.y);
-                    if _e104 {
-                        phi_205_ = (_e100 < _e59.z);
+                let _e96 = (_e94 / _e59);
+                if (_e90 >= _e91) {
+                    let _e100 = ((_e94 - (_e96 * _e59)) < _e55.y);
+                    if _e100 {
+                        phi_203_ = (_e96 < _e55.z);
                     } else {
-                        phi_205_ = bool();
+                        phi_203_ = bool();
                     }
-                    let _e107 = phi_205_;
-                    phi_207_ = _e107;
-                    phi_208_ = select(true, false, _e104);
+                    let _e103 = phi_203_;
+                    phi_205_ = _e103;
+                    phi_206_ = select(true, false, _e100);
                 } else {
-                    phi_207_ = bool();
-                    phi_208_ = true;
+                    phi_205_ = bool();
+                    phi_206_ = true;
                 }
-                let _e110 = phi_207_;
-                let _e112 = phi_208_;
-                if select(_e110, false, _e112) {
-                    let _e114 = (_e88 + _e76);
-                    if (_e114 < _e52) {
+                let _e106 = phi_205_;
+                let _e108 = phi_206_;
+                if select(_e106, false, _e108) {
+                    let _e113 = source.member[(_e84 + _e72)];
+                    let _e118 = source.member[(_e84 + (_e65 * 6u))];
+                    let _e123 = source.member[(_e84 + (_e65 * 9u))];
+                    let _e126 = source.member[_e84];
+                    let _e129 = params.member.member_9;
+                    let _e133 = params.member.member_4[3u];
+                    let _e136 = params.member.member_6;
+                    let _e137 = (0.000000000000000001f < _e126);
+                    let _e138 = select(0f, _e126, _e137);
+                    let _e140 = (1f / select(1f, _e138, _e137));
+                    let _e141 = (_e113 * _e140);
+                    let _e142 = (_e118 * _e140);
+                    let _e143 = (_e123 * _e140);
+                    let _e148 = (((_e141 * _e141) + (_e142 * _e142)) + (_e143 * _e143));
+                    let _e152 = (1f / sqrt(select(1f, _e148, (1f < _e148))));
+                    let _e153 = (_e141 * _e152);
+                    let _e154 = (_e142 * _e152);
+                    let _e155 = (_e143 * _e152);
+                    let _e157 = ((_e148 * _e152) * _e152);
+                    let _e158 = sqrt(_e157);
+                    if (_e136 != _e136) {
+                        phi_787_ = true;
                     } else {
-                        break;
+                        phi_787_ = (0.33333334f >= _e136);
                     }
-                    let _e118 = source.member[_e114];
-                    let _e120 = (_e88 + (_e69 * 6u));
-                    if (_e120 < _e52) {
-                    } else {
-                        break;
-                    }
-                    let _e124 = source.member[_e120];
-                    let _e126 = (_e88 + (_e69 * 9u));
-                    if (_e126 < _e52) {
-                    } else {
-                        break;
-                    }
-                    let _e130 = source.member[_e126];
-                    if (_e88 < _e52) {
-                    } else {
-                        break;
-                    }
-                    let _e134 = source.member[_e88];
-                    let _e137 = params.member.member_9;
-                    let _e141 = params.member.member_4[3u];
-                    let _e144 = params.member.member_6;
-                    let _e145 = (0.000000000000000001f < _e134);
-                    let _e146 = select(0f, _e134, _e145);
-                    let _e148 = (1f / select(1f, _e146, _e145));
-                    let _e149 = (_e118 * _e148);
-                    let _e150 = (_e124 * _e148);
-                    let _e151 = (_e130 * _e148);
-                    let _e156 = (((_e149 * _e149) + (_e150 * _e150)) + (_e151 * _e151));
-                    let _e160 = (1f / sqrt(select(1f, _e156, (1f < _e156))));
-                    let _e161 = (_e149 * _e160);
-                    let _e162 = (_e150 * _e160);
-                    let _e163 = (_e151 * _e160);
-                    let _e165 = ((_e156 * _e160) * _e160);
-                    let _e166 = sqrt(_e165);
-                    if (_e144 != _e144) {
-                        phi_839_ = true;
-                    } else {
-                        phi_839_ = (0.33333334f >= _e144);
-                    }
-                    let _e170 = phi_839_;
-                    let _e171 = select(_e144, 0.33333334f, _e170);
-                    let _e174 = (3f * select(_e171, _e166, (_e166 < _e171)));
-                    let _e176 = (3f - _e174);
-                    let _e178 = (0.31830987f / (_e176 * _e176));
-                    let _e181 = (_e166 < select(2f, 0.33333334f, (_e144 > 0.33333334f)));
-                    let _e186 = select(((2f - _e174) * _e178), 0.07957747f, _e181);
-                    let _e187 = select((_e178 / select(0.33333334f, _e166, (0.33333334f < _e166))), 0.2387324f, _e181);
-                    let _e188 = (_e161 * _e187);
-                    let _e189 = (_e162 * _e187);
-                    let _e190 = (_e163 * _e187);
-                    let _e192 = (_e186 + (_e188 * 0.8944272f));
-                    let _e193 = (_e189 * 0.4472136f);
-                    let _e194 = (_e190 * 0.4472136f);
-                    let _e195 = (_e192 + _e193);
-                    let _e197 = select(0f, _e195, (0f < _e195));
-                    let _e198 = (_e192 - _e193);
-                    let _e200 = select(0f, _e198, (0f < _e198));
-                    let _e201 = (_e192 + _e194);
-                    let _e203 = select(0f, _e201, (0f < _e201));
-                    let _e204 = (_e192 - _e194);
-                    let _e206 = select(0f, _e204, (0f < _e204));
-                    let _e207 = (_e186 + _e188);
-                    let _e210 = (select(0f, _e207, (0f < _e207)) * 0.4006697f);
-                    let _e214 = (((_e197 + _e200) + (_e203 + _e206)) * 0.42343134f);
-                    let _e219 = (_e186 + (_e188 * -0.8944272f));
-                    let _e220 = (_e219 + _e193);
-                    let _e222 = select(0f, _e220, (0f < _e220));
-                    let _e223 = (_e219 - _e193);
-                    let _e225 = select(0f, _e223, (0f < _e223));
-                    let _e226 = (_e219 + _e194);
-                    let _e228 = select(0f, _e226, (0f < _e226));
-                    let _e229 = (_e219 - _e194);
-                    let _e231 = select(0f, _e229, (0f < _e229));
-                    let _e232 = (_e186 + -(_e188));
-                    let _e235 = (select(0f, _e232, (0f < _e232)) * 0.4006697f);
-                    let _e239 = (((_e222 + _e225) + (_e228 + _e231)) * 0.42343134f);
-                    let _e242 = (_e210 + _e214);
-                    let _e243 = (_e235 + _e239);
-                    let _e252 = (_e186 + (_e189 * 0.8944272f));
-                    let _e253 = (_e188 * 0.4472136f);
-                    let _e254 = (_e252 + _e194);
-                    let _e256 = select(0f, _e254, (0f < _e254));
-                    let _e257 = (_e252 - _e194);
-                    let _e259 = select(0f, _e257, (0f < _e257));
-                    let _e260 = (_e252 + _e253);
-                    let _e262 = select(0f, _e260, (0f < _e260));
-                    let _e263 = (_e252 - _e253);
-                    let _e265 = select(0f, _e263, (0f < _e263));
-                    let _e266 = (_e186 + _e189);
-                    let _e269 = (select(0f, _e266, (0f < _e266)) * 0.4006697f);
-                    let _e273 = (((_e256 + _e259) + (_e262 + _e265)) * 0.42343134f);
-                    let _e278 = (_e186 + (_e189 * -0.8944272f));
-                    let _e279 = (_e278 + _e194);
-                    let _e281 = select(0f, _e279, (0f < _e279));
-                    let _e282 = (_e278 - _e194);
-                    let _e284 = select(0f, _e282, (0f < _e282));
-                    let _e285 = (_e278 + _e253);
-                    let _e287 = select(0f, _e285, (0f < _e285));
-                    let _e288 = (_e278 - _e253);
-                    let _e290 = select(0f, _e288, (0f < _e288));
-                    let _e291 = (_e186 + -(_e189));
-                    let _e294 = (select(0f, _e291, (0f < _e291)) * 0.4006697f);
-                    let _e298 = (((_e281 + _e284) + (_e287 + _e290)) * 0.42343134f);
-                    let _e301 = (_e269 + _e273);
-                    let _e302 = (_e294 + _e298);
-                    let _e315 = (_e186 + (_e190 * 0.8944272f));
-                    let _e316 = (_e315 + _e253);
-                    let _e318 = select(0f, _e316, (0f < _e316));
-                    let _e319 = (_e315 - _e253);
-                    let _e321 = select(0f, _e319, (0f < _e319));
-                    let _e322 = (_e315 + _e193);
-                    let _e324 = select(0f, _e322, (0f < _e322));
-                    let _e325 = (_e315 - _e193);
-                    let _e327 = select(0f, _e325, (0f < _e325));
-                    let _e328 = (_e186 + _e190);
-                    let _e331 = (select(0f, _e328, (0f < _e328)) * 0.4006697f);
-                    let _e335 = (((_e318 + _e321) + (_e324 + _e327)) * 0.42343134f);
-                    let _e340 = (_e186 + (_e190 * -0.8944272f));
-                    let _e341 = (_e340 + _e253);
-                    let _e343 = select(0f, _e341, (0f < _e341));
-                    let _e344 = (_e340 - _e253);
-                    let _e346 = select(0f, _e344, (0f < _e344));
-                    let _e347 = (_e340 + _e193);
-                    let _e349 = select(0f, _e347, (0f < _e347));
-                    let _e350 = (_e340 - _e193);
-                    let _e352 = select(0f, _e350, (0f < _e350));
-                    let _e353 = (_e186 + -(_e190));
-                    let _e356 = (select(0f, _e353, (0f < _e353)) * 0.4006697f);
-                    let _e360 = (((_e343 + _e346) + (_e349 + _e352)) * 0.42343134f);
-                    let _e363 = (_e331 + _e335);
-                    let _e364 = (_e356 + _e360);
-                    let _e369 = (((0.18936425f * (((_e203 - _e206) + (_e228 - _e231)) + ((_e256 - _e259) + (_e281 - _e284)))) + (_e331 - _e356)) + ((_e335 - _e360) * 0.8944272f));
-                    let _e372 = ((((_e210 - _e235) + ((_e214 - _e239) * 0.8944272f)) + (((_e262 - _e265) + (_e287 - _e290)) * 0.18936425f)) + (((_e318 - _e321) + (_e343 - _e346)) * 0.18936425f));
-                    let _e375 = ((((((_e197 - _e200) + (_e222 - _e225)) * 0.18936425f) + (_e269 - _e294)) + ((_e273 - _e298) * 0.8944272f)) + (((_e324 - _e327) + (_e349 - _e352)) * 0.18936425f));
-                    let _e376 = (_e242 + _e243);
-                    let _e377 = (_e301 + _e302);
-                    let _e379 = (_e363 + _e364);
-                    let _e381 = (1f / ((_e376 + _e377) + _e379));
-                    let _e384 = ((_e381 * _e137) + (1f - _e137));
-                    let _e396 = (_e146 * _e384);
-                    let _e398 = (_e396 * _e187);
-                    let _e400 = ((_e146 * _e381) * 0.7329038f);
-                    let _e425 = params.member.member_10;
-                    let _e434 = params.member.member_11;
-                    let _e436 = ((_e69 * 15u) + _e88);
-                    if (_e436 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e440 = before.member[_e436];
-                    let _e444 = ((_e69 * 18u) + _e88);
-                    if (_e444 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e448 = before.member[_e444];
-                    let _e452 = ((_e69 * 21u) + _e88);
-                    if (_e452 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e456 = before.member[_e452];
-                    let _e460 = ((_e69 * 24u) + _e88);
-                    if (_e460 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e464 = before.member[_e460];
-                    let _e468 = ((_e69 * 27u) + _e88);
-                    if (_e468 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e472 = before.member[_e468];
-                    let _e476 = ((_e69 * 30u) + _e88);
-                    if (_e476 < _e54) {
-                    } else {
-                        break;
-                    }
-                    let _e480 = before.member[_e476];
-                    phi_761_ = array<f32, 11>((_e396 * _e186), (_e161 * _e398), (_e162 * _e398), (_e163 * _e398), select(1f, ((sqrt(((_e165 + 0.0001f) / ((((((_e372 * _e372) + (_e375 * _e375)) + (_e369 * _e369)) * _e384) * _e384) + 0.0001f))) * _e141) + (1f - _e141)), _e145), (((_e146 * 0.2820948f) * _e425) + (_e434 * _e440)), ((((_e301 - _e302) * _e400) * _e425) + (_e434 * _e448)), ((((_e363 - _e364) * _e400) * _e425) + (_e434 * _e456)), ((((_e242 - _e243) * _e400) * _e425) + (_e434 * _e464)), ((((((_e379 * _e381) - 0.33333334f) * _e146) * 1.5138805f) * _e425) + (_e434 * _e472)), ((((((_e376 - _e377) * _e381) * _e146) * 0.8740393f) * _e425) + (_e434 * _e480)));
+                    let _e162 = phi_787_;
+                    let _e163 = select(_e136, 0.33333334f, _e162);
+                    let _e166 = (3f * select(_e163, _e158, (_e158 < _e163)));
+                    let _e168 = (3f - _e166);
+                    let _e170 = (0.31830987f / (_e168 * _e168));
+                    let _e173 = (_e158 < select(2f, 0.33333334f, (_e136 > 0.33333334f)));
+                    let _e178 = select(((2f - _e166) * _e170), 0.07957747f, _e173);
+                    let _e179 = select((_e170 / select(0.33333334f, _e158, (0.33333334f < _e158))), 0.2387324f, _e173);
+                    let _e180 = (_e153 * _e179);
+                    let _e181 = (_e154 * _e179);
+                    let _e182 = (_e155 * _e179);
+                    let _e184 = (_e178 + (_e180 * 0.8944272f));
+                    let _e185 = (_e181 * 0.4472136f);
+                    let _e186 = (_e182 * 0.4472136f);
+                    let _e187 = (_e184 + _e185);
+                    let _e189 = select(0f, _e187, (0f < _e187));
+                    let _e190 = (_e184 - _e185);
+                    let _e192 = select(0f, _e190, (0f < _e190));
+                    let _e193 = (_e184 + _e186);
+                    let _e195 = select(0f, _e193, (0f < _e193));
+                    let _e196 = (_e184 - _e186);
+                    let _e198 = select(0f, _e196, (0f < _e196));
+                    let _e199 = (_e178 + _e180);
+                    let _e202 = (select(0f, _e199, (0f < _e199)) * 0.4006697f);
+                    let _e206 = (((_e189 + _e192) + (_e195 + _e198)) * 0.42343134f);
+                    let _e211 = (_e178 + (_e180 * -0.8944272f));
+                    let _e212 = (_e211 + _e185);
+                    let _e214 = select(0f, _e212, (0f < _e212));
+                    let _e215 = (_e211 - _e185);
+                    let _e217 = select(0f, _e215, (0f < _e215));
+                    let _e218 = (_e211 + _e186);
+                    let _e220 = select(0f, _e218, (0f < _e218));
+                    let _e221 = (_e211 - _e186);
+                    let _e223 = select(0f, _e221, (0f < _e221));
+                    let _e224 = (_e178 + -(_e180));
+                    let _e227 = (select(0f, _e224, (0f < _e224)) * 0.4006697f);
+                    let _e231 = (((_e214 + _e217) + (_e220 + _e223)) * 0.42343134f);
+                    let _e234 = (_e202 + _e206);
+                    let _e235 = (_e227 + _e231);
+                    let _e244 = (_e178 + (_e181 * 0.8944272f));
+                    let _e245 = (_e180 * 0.4472136f);
+                    let _e246 = (_e244 + _e186);
+                    let _e248 = select(0f, _e246, (0f < _e246));
+                    let _e249 = (_e244 - _e186);
+                    let _e251 = select(0f, _e249, (0f < _e249));
+                    let _e252 = (_e244 + _e245);
+                    let _e254 = select(0f, _e252, (0f < _e252));
+                    let _e255 = (_e244 - _e245);
+                    let _e257 = select(0f, _e255, (0f < _e255));
+                    let _e258 = (_e178 + _e181);
+                    let _e261 = (select(0f, _e258, (0f < _e258)) * 0.4006697f);
+                    let _e265 = (((_e248 + _e251) + (_e254 + _e257)) * 0.42343134f);
+                    let _e270 = (_e178 + (_e181 * -0.8944272f));
+                    let _e271 = (_e270 + _e186);
+                    let _e273 = select(0f, _e271, (0f < _e271));
+                    let _e274 = (_e270 - _e186);
+                    let _e276 = select(0f, _e274, (0f < _e274));
+                    let _e277 = (_e270 + _e245);
+                    let _e279 = select(0f, _e277, (0f < _e277));
+                    let _e280 = (_e270 - _e245);
+                    let _e282 = select(0f, _e280, (0f < _e280));
+                    let _e283 = (_e178 + -(_e181));
+                    let _e286 = (select(0f, _e283, (0f < _e283)) * 0.4006697f);
+                    let _e290 = (((_e273 + _e276) + (_e279 + _e282)) * 0.42343134f);
+                    let _e293 = (_e261 + _e265);
+                    let _e294 = (_e286 + _e290);
+                    let _e307 = (_e178 + (_e182 * 0.8944272f));
+                    let _e308 = (_e307 + _e245);
+                    let _e310 = select(0f, _e308, (0f < _e308));
+                    let _e311 = (_e307 - _e245);
+                    let _e313 = select(0f, _e311, (0f < _e311));
+                    let _e314 = (_e307 + _e185);
+                    let _e316 = select(0f, _e314, (0f < _e314));
+                    let _e317 = (_e307 - _e185);
+                    let _e319 = select(0f, _e317, (0f < _e317));
+                    let _e320 = (_e178 + _e182);
+                    let _e323 = (select(0f, _e320, (0f < _e320)) * 0.4006697f);
+                    let _e327 = (((_e310 + _e313) + (_e316 + _e319)) * 0.42343134f);
+                    let _e332 = (_e178 + (_e182 * -0.8944272f));
+                    let _e333 = (_e332 + _e245);
+                    let _e335 = select(0f, _e333, (0f < _e333));
+                    let _e336 = (_e332 - _e245);
+                    let _e338 = select(0f, _e336, (0f < _e336));
+                    let _e339 = (_e332 + _e185);
+                    let _e341 = select(0f, _e339, (0f < _e339));
+                    let _e342 = (_e332 - _e185);
+                    let _e344 = select(0f, _e342, (0f < _e342));
+                    let _e345 = (_e178 + -(_e182));
+                    let _e348 = (select(0f, _e345, (0f < _e345)) * 0.4006697f);
+                    let _e352 = (((_e335 + _e338) + (_e341 + _e344)) * 0.42343134f);
+                    let _e355 = (_e323 + _e327);
+                    let _e356 = (_e348 + _e352);
+                    let _e361 = (((0.18936425f * (((_e195 - _e198) + (_e220 - _e223)) + ((_e248 - _e251) + (_e273 - _e276)))) + (_e323 - _e348)) + ((_e327 - _e352) * 0.8944272f));
+                    let _e364 = ((((_e202 - _e227) + ((_e206 - _e231) * 0.8944272f)) + (((_e254 - _e257) + (_e279 - _e282)) * 0.18936425f)) + (((_e310 - _e313) + (_e335 - _e338)) * 0.18936425f));
+                    let _e367 = ((((((_e189 - _e192) + (_e214 - _e217)) * 0.18936425f) + (_e261 - _e286)) + ((_e265 - _e290) * 0.8944272f)) + (((_e316 - _e319) + (_e341 - _e344)) * 0.18936425f));
+                    let _e368 = (_e234 + _e235);
+                    let _e369 = (_e293 + _e294);
+                    let _e371 = (_e355 + _e356);
+                    let _e373 = (1f / ((_e368 + _e369) + _e371));
+                    let _e376 = ((_e373 * _e129) + (1f - _e129));
+                    let _e388 = (_e138 * _e376);
+                    let _e390 = (_e388 * _e179);
+                    let _e392 = ((_e138 * _e373) * 0.7329038f);
+                    let _e417 = params.member.member_10;
+                    let _e426 = params.member.member_11;
+                    let _e431 = before.member[((_e65 * 15u) + _e84)];
+                    let _e438 = before.member[((_e65 * 18u) + _e84)];
+                    let _e445 = before.member[((_e65 * 21u) + _e84)];
+                    let _e452 = before.member[((_e65 * 24u) + _e84)];
+                    let _e459 = before.member[((_e65 * 27u) + _e84)];
+                    let _e466 = before.member[((_e65 * 30u) + _e84)];
+                    phi_709_ = array<f32, 11>((_e388 * _e178), (_e153 * _e390), (_e154 * _e390), (_e155 * _e390), select(1f, ((sqrt(((_e157 + 0.0001f) / ((((((_e364 * _e364) + (_e367 * _e367)) + (_e361 * _e361)) * _e376) * _e376) + 0.0001f))) * _e133) + (1f - _e133)), _e137), (((_e138 * 0.2820948f) * _e417) + (_e426 * _e431)), ((((_e293 - _e294) * _e392) * _e417) + (_e426 * _e438)), ((((_e355 - _e356) * _e392) * _e417) + (_e426 * _e445)), ((((_e234 - _e235) * _e392) * _e417) + (_e426 * _e452)), ((((((_e371 * _e373) - 0.33333334f) * _e138) * 1.5138805f) * _e417) + (_e426 * _e459)), ((((((_e368 - _e369) * _e373) * _e138) * 0.8740393f) * _e417) + (_e426 * _e466)));
                 } else {
-                    phi_761_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_709_ = array<f32, 11>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 }
-                let _e485 = phi_761_;
-                local = array<f32, 11>(_e485[0], _e485[1], _e485[2], _e485[3], _e485[4], _e485[5], _e485[6], _e485[7], _e485[8], _e485[9], _e485[10]);
-                phi_776_ = type_11(0u, 11u);
+                let _e471 = phi_709_;
+                local = array<f32, 11>(_e471[0], _e471[1], _e471[2], _e471[3], _e471[4], _e471[5], _e471[6], _e471[7], _e471[8], _e471[9], _e471[10]);
+                phi_724_ = type_11(0u, 11u);
                 loop {
-                    let _e499 = phi_776_;
-                    if (_e499.member < _e499.member_1) {
-                        phi_777_ = type_11((_e499.member + 1u), _e499.member_1);
-                        phi_800_ = type_11(1u, _e499.member);
+                    let _e485 = phi_724_;
+                    if (_e485.member < _e485.member_1) {
+                        phi_725_ = type_11((_e485.member + 1u), _e485.member_1);
+                        phi_748_ = type_11(1u, _e485.member);
                     } else {
-                        phi_777_ = _e499;
-                        phi_800_ = type_11(0u, type_11().member_1);
+                        phi_725_ = _e485;
+                        phi_748_ = type_11(0u, type_11().member_1);
                     }
-                    let _e512 = phi_777_;
-                    let _e514 = phi_800_;
-                    let _e518 = (bitcast<i32>(_e514.member) != 0i);
-                    if _e518 {
-                        if (_e514.member_1 < 11u) {
+                    let _e498 = phi_725_;
+                    let _e500 = phi_748_;
+                    let _e504 = (bitcast<i32>(_e500.member) != 0i);
+                    if _e504 {
+                        if (_e500.member_1 < 11u) {
                         } else {
-                            phi_844_ = true;
+                            phi_792_ = true;
                             break;
                         }
-                        let _e521 = local[_e514.member_1];
-                        let _e523 = ((_e514.member_1 * _e76) + _e88);
-                        if (_e523 < arrayLength((&out.member))) {
+                        let _e507 = local[_e500.member_1];
+                        let _e509 = ((_e500.member_1 * _e72) + _e84);
+                        if (_e509 < arrayLength((&out.member))) {
                         } else {
-                            phi_844_ = true;
+                            phi_792_ = true;
                             break;
                         }
-                        out.member[_e523] = _e521;
+                        out.member[_e509] = _e507;
                     }
                     continue;
                     continuing {
-                        phi_776_ = _e512;
-                        phi_844_ = false;
-                        break if !(_e518);
+                        phi_724_ = _e498;
+                        phi_792_ = false;
+                        break if !(_e504);
                     }
                 }
-                let _e529 = phi_844_;
-                if _e529 {
+                let _e515 = phi_792_;
+                if _e515 {
                     break;
                 }
             }

@@ -2,7 +2,12 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_15 {
+struct type_12 {
+    member: u32,
+    member_1: u32,
+}
+
+struct type_18 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -27,13 +32,13 @@ struct type_15 {
     member_21: vec4<f32>,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_19 {
+    member: type_18,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_16;
+var<uniform> params: type_19;
 @group(0) @binding(1) 
 var<storage> before: type_5;
 @group(0) @binding(2) 
@@ -48,263 +53,278 @@ var<storage> coarse_opacity: type_5;
 var<storage, read_write> out: type_5;
 
 fn function_() {
-    var phi_134_: bool;
-    var phi_135_: bool;
-    var phi_136_: bool;
-    var phi_137_: bool;
-    var phi_138_: bool;
-    var phi_292_: u32;
-    var phi_304_: u32;
-    var phi_324_: u32;
-    var phi_336_: u32;
-    var phi_358_: u32;
-    var phi_370_: u32;
-    var phi_519_: f32;
-    var phi_520_: f32;
+    var local: array<f32, 6>;
+    var phi_94_: u32;
+    var phi_178_: bool;
+    var phi_180_: bool;
+    var phi_181_: bool;
+    var phi_988_: array<f32, 6>;
+    var phi_989_: array<f32, 6>;
+    var phi_999_: type_12;
+    var phi_1000_: type_12;
+    var phi_1023_: type_12;
+    var phi_1052_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e22 = gid_1;
-            let _e28 = arrayLength((&coarse.member));
-            let _e30 = arrayLength((&opacity.member));
-            let _e32 = arrayLength((&coarse_opacity.member));
-            let _e38 = (_e22.x + (_e22.y * 2097152u));
-            let _e39 = (_e38 < arrayLength((&out.member)));
-            if _e39 {
-                let _e42 = params.member.member_2;
-                let _e44 = (_e42.x + 1u);
-                let _e47 = ((_e42.y + 1u) * _e44);
-                let _e48 = (_e47 + _e44);
-                let _e52 = (_e48 + ((_e42.z + 1u) * _e47));
-                if (_e52 == 0u) {
+            let _e33 = gid_1;
+            let _e38 = params.member.member_2;
+            let _e40 = (_e38.x + 1u);
+            let _e42 = (_e38.y + 1u);
+            let _e43 = (_e42 * _e40);
+            let _e48 = ((_e43 + _e40) + ((_e38.z + 1u) * _e43));
+            if (_e38.x > 0u) {
+                if (_e40 == 0u) {
                     break;
                 }
-                let _e54 = (_e38 / _e52);
-                let _e56 = (_e38 - (_e54 * _e52));
-                let _e59 = (select(_e48, _e56, (_e48 < _e56)) - _e48);
-                if (_e47 == 0u) {
+                phi_94_ = (3u * (_e48 / _e40));
+            } else {
+                phi_94_ = 0u;
+            }
+            let _e54 = phi_94_;
+            let _e55 = (3u * _e48);
+            let _e59 = (_e33.x + (_e33.y * 2097152u));
+            if (_e59 < (_e54 * _e38.x)) {
+                if (_e38.x == 0u) {
                     break;
                 }
-                let _e61 = (_e59 / _e47);
-                let _e63 = (_e59 - (_e61 * _e47));
-                if (_e44 == 0u) {
+                let _e63 = (_e59 / _e38.x);
+                let _e65 = (_e59 - (_e63 * _e38.x));
+                let _e67 = ((_e63 * _e40) + _e65);
+                let _e68 = (_e48 * 15u);
+                let _e69 = (_e40 == 0u);
+                if _e69 {
                     break;
                 }
-                let _e65 = (_e63 / _e44);
-                let _e67 = (_e63 - (_e65 * _e44));
-                if (_e56 >= _e48) {
-                    if (_e67 < _e42.x) {
-                        let _e70 = (_e65 < _e42.y);
-                        if _e70 {
-                            phi_134_ = select(true, false, (_e61 < _e42.z));
-                        } else {
-                            phi_134_ = false;
-                        }
-                        let _e74 = phi_134_;
-                        phi_135_ = select(true, false, _e70);
-                        phi_136_ = _e74;
+                let _e70 = (_e48 / _e40);
+                if (_e70 == 0u) {
+                    break;
+                }
+                let _e72 = (_e63 / _e70);
+                if _e69 {
+                    break;
+                }
+                let _e74 = (_e63 - (_e72 * _e70));
+                let _e75 = (_e38.y + 2u);
+                let _e78 = (select(_e75, _e74, (_e75 < _e74)) - _e75);
+                if (_e42 == 0u) {
+                    break;
+                }
+                let _e80 = (_e78 / _e42);
+                let _e82 = (_e78 - (_e80 * _e42));
+                if (_e74 >= _e75) {
+                    let _e84 = (_e82 < _e38.y);
+                    if _e84 {
+                        phi_178_ = (_e80 < _e38.z);
                     } else {
-                        phi_135_ = true;
-                        phi_136_ = false;
+                        phi_178_ = bool();
                     }
-                    let _e77 = phi_135_;
-                    let _e79 = phi_136_;
-                    phi_137_ = _e77;
-                    phi_138_ = _e79;
+                    let _e87 = phi_178_;
+                    phi_180_ = _e87;
+                    phi_181_ = select(true, false, _e84);
                 } else {
-                    phi_137_ = true;
-                    phi_138_ = false;
+                    phi_180_ = bool();
+                    phi_181_ = true;
                 }
-                let _e81 = phi_137_;
-                let _e83 = phi_138_;
-                let _e85 = select(_e67, _e42.x, select(_e83, true, _e81));
-                let _e89 = params.member.member_2[0u];
-                if (_e85 < _e89) {
-                    if (_e38 < arrayLength((&before.member))) {
+                let _e90 = phi_180_;
+                let _e92 = phi_181_;
+                if select(_e90, false, _e92) {
+                    let _e96 = params.member.member_11;
+                    let _e99 = before.member[_e67];
+                    let _e101 = (_e68 + _e67);
+                    let _e104 = state.member[_e101];
+                    let _e105 = ((_e99 * _e96) + _e104);
+                    let _e109 = before.member[(_e55 + _e67)];
+                    let _e115 = state.member[((_e68 + _e55) + _e67)];
+                    let _e116 = ((_e109 * _e96) + _e115);
+                    let _e117 = (_e48 * 6u);
+                    let _e121 = before.member[(_e117 + _e67)];
+                    let _e127 = state.member[((_e68 + _e117) + _e67)];
+                    let _e128 = ((_e121 * _e96) + _e127);
+                    let _e129 = (_e48 * 9u);
+                    let _e133 = before.member[(_e129 + _e67)];
+                    let _e139 = state.member[((_e68 + _e129) + _e67)];
+                    let _e140 = ((_e133 * _e96) + _e139);
+                    let _e141 = (_e48 * 12u);
+                    let _e145 = before.member[(_e141 + _e67)];
+                    let _e151 = state.member[((_e68 + _e141) + _e67)];
+                    let _e152 = ((_e145 * _e96) + _e151);
+                    let _e155 = before.member[_e101];
+                    let _e161 = state.member[((_e68 + _e68) + _e67)];
+                    let _e162 = ((_e155 * _e96) + _e161);
+                    let _e166 = params.member.member_12;
+                    if (_e166 > 0f) {
+                        let _e170 = params.member.member_3;
+                        let _e172 = (_e170.x + 1u);
+                        let _e175 = ((_e170.y + 1u) * _e172);
+                        let _e176 = (_e175 + _e172);
+                        let _e180 = (_e176 + ((_e170.z + 1u) * _e175));
+                        let _e181 = (_e82 / 2u);
+                        let _e182 = (_e80 / 2u);
+                        let _e186 = params.member.member_3[1u];
+                        let _e187 = (_e181 + 1u);
+                        let _e188 = (_e186 - 1u);
+                        let _e195 = ((_e82 & 1u) == 1u);
+                        let _e200 = params.member.member_3[2u];
+                        let _e201 = (_e182 + 1u);
+                        let _e202 = (_e200 - 1u);
+                        let _e209 = ((_e80 & 1u) == 1u);
+                        let _e212 = (_e67 - (_e72 * _e48));
+                        let _e214 = (_e176 + (_e181 * _e172));
+                        let _e215 = (_e182 * _e175);
+                        let _e216 = (_e214 + _e215);
+                        let _e217 = (_e65 & 1u);
+                        let _e223 = opacity.member[(_e212 - 1u)];
+                        let _e226 = opacity.member[_e212];
+                        let _e234 = coarse_opacity.member[((_e216 - 1u) + ((_e65 + 1u) / 2u))];
+                        let _e245 = (_e65 / 2u);
+                        let _e249 = coarse_opacity.member[(((_e180 + _e216) - select(_e172, 0u, _e195)) + _e245)];
+                        let _e252 = opacity.member[((_e48 + _e212) - select(0u, _e40, _e195))];
+                        let _e256 = ((0.25f * (1f - _e249)) + (_e249 * _e252));
+                        let _e268 = coarse_opacity.member[((((2u * _e180) + _e216) - select(_e175, 0u, _e209)) + _e245)];
+                        let _e271 = opacity.member[(((2u * _e48) + _e212) - select(0u, _e43, _e209))];
+                        let _e275 = ((0.25f * (1f - _e268)) + (_e268 * _e271));
+                        let _e276 = f32(_e65);
+                        let _e280 = params.member.member_3[0u];
+                        let _e287 = select(select(((0.25f * (1f - _e234)) + (_e234 * select(_e226, _e223, (0.5f < f32(_e217))))), 0f, (_e276 < 0.5f)), 0f, (((2f * f32(_e280)) - 1.5f) < _e276));
+                        let _e288 = (_e72 * _e180);
+                        let _e289 = (_e288 + _e216);
+                        let _e291 = (_e176 + (select((select(1u, _e181, (1u < _e181)) - 1u), select(_e187, _e188, (_e188 < _e187)), _e195) * _e172));
+                        let _e293 = (_e288 + (_e291 + _e215));
+                        let _e294 = (select((select(1u, _e182, (1u < _e182)) - 1u), select(_e201, _e202, (_e202 < _e201)), _e209) * _e175);
+                        let _e296 = (_e288 + (_e214 + _e294));
+                        let _e298 = (_e288 + (_e291 + _e294));
+                        let _e299 = (3u * _e180);
+                        let _e300 = (_e289 + _e245);
+                        let _e303 = coarse.member[_e300];
+                        let _e304 = (1f - _e287);
+                        let _e306 = (2u * _e217);
+                        let _e311 = coarse.member[((_e300 + _e306) - 1u)];
+                        let _e314 = (_e293 + _e245);
+                        let _e317 = coarse.member[_e314];
+                        let _e323 = coarse.member[((_e314 + _e306) - 1u)];
+                        let _e326 = (_e296 + _e245);
+                        let _e329 = coarse.member[_e326];
+                        let _e335 = coarse.member[((_e326 + _e306) - 1u)];
+                        let _e338 = (_e298 + _e245);
+                        let _e341 = coarse.member[_e338];
+                        let _e347 = coarse.member[((_e338 + _e306) - 1u)];
+                        let _e350 = (1f - _e256);
+                        let _e357 = (1f - _e275);
+                        let _e364 = ((_e299 + _e289) + _e245);
+                        let _e367 = coarse.member[_e364];
+                        let _e373 = coarse.member[((_e364 + _e306) - 1u)];
+                        let _e377 = ((_e299 + _e293) + _e245);
+                        let _e380 = coarse.member[_e377];
+                        let _e386 = coarse.member[((_e377 + _e306) - 1u)];
+                        let _e390 = ((_e299 + _e296) + _e245);
+                        let _e393 = coarse.member[_e390];
+                        let _e399 = coarse.member[((_e390 + _e306) - 1u)];
+                        let _e403 = ((_e299 + _e298) + _e245);
+                        let _e406 = coarse.member[_e403];
+                        let _e412 = coarse.member[((_e403 + _e306) - 1u)];
+                        let _e426 = (_e180 * 6u);
+                        let _e428 = ((_e426 + _e289) + _e245);
+                        let _e431 = coarse.member[_e428];
+                        let _e437 = coarse.member[((_e428 + _e306) - 1u)];
+                        let _e441 = ((_e426 + _e293) + _e245);
+                        let _e444 = coarse.member[_e441];
+                        let _e450 = coarse.member[((_e441 + _e306) - 1u)];
+                        let _e454 = ((_e426 + _e296) + _e245);
+                        let _e457 = coarse.member[_e454];
+                        let _e463 = coarse.member[((_e454 + _e306) - 1u)];
+                        let _e467 = ((_e426 + _e298) + _e245);
+                        let _e470 = coarse.member[_e467];
+                        let _e476 = coarse.member[((_e467 + _e306) - 1u)];
+                        let _e490 = (_e180 * 9u);
+                        let _e492 = ((_e490 + _e289) + _e245);
+                        let _e495 = coarse.member[_e492];
+                        let _e501 = coarse.member[((_e492 + _e306) - 1u)];
+                        let _e505 = ((_e490 + _e293) + _e245);
+                        let _e508 = coarse.member[_e505];
+                        let _e514 = coarse.member[((_e505 + _e306) - 1u)];
+                        let _e518 = ((_e490 + _e296) + _e245);
+                        let _e521 = coarse.member[_e518];
+                        let _e527 = coarse.member[((_e518 + _e306) - 1u)];
+                        let _e531 = ((_e490 + _e298) + _e245);
+                        let _e534 = coarse.member[_e531];
+                        let _e540 = coarse.member[((_e531 + _e306) - 1u)];
+                        let _e554 = (_e180 * 12u);
+                        let _e556 = ((_e554 + _e289) + _e245);
+                        let _e559 = coarse.member[_e556];
+                        let _e565 = coarse.member[((_e556 + _e306) - 1u)];
+                        let _e569 = ((_e554 + _e293) + _e245);
+                        let _e572 = coarse.member[_e569];
+                        let _e578 = coarse.member[((_e569 + _e306) - 1u)];
+                        let _e582 = ((_e554 + _e296) + _e245);
+                        let _e585 = coarse.member[_e582];
+                        let _e591 = coarse.member[((_e582 + _e306) - 1u)];
+                        let _e595 = ((_e554 + _e298) + _e245);
+                        let _e598 = coarse.member[_e595];
+                        let _e604 = coarse.member[((_e595 + _e306) - 1u)];
+                        let _e618 = (_e180 * 15u);
+                        let _e620 = ((_e618 + _e289) + _e245);
+                        let _e623 = coarse.member[_e620];
+                        let _e629 = coarse.member[((_e620 + _e306) - 1u)];
+                        let _e633 = ((_e618 + _e293) + _e245);
+                        let _e636 = coarse.member[_e633];
+                        let _e642 = coarse.member[((_e633 + _e306) - 1u)];
+                        let _e646 = ((_e618 + _e296) + _e245);
+                        let _e649 = coarse.member[_e646];
+                        let _e655 = coarse.member[((_e646 + _e306) - 1u)];
+                        let _e659 = ((_e618 + _e298) + _e245);
+                        let _e662 = coarse.member[_e659];
+                        let _e668 = coarse.member[((_e659 + _e306) - 1u)];
+                        phi_988_ = array<f32, 6>((_e105 + (((((((_e303 * _e304) + (_e311 * _e287)) * _e350) + (((_e317 * _e304) + (_e323 * _e287)) * _e256)) * _e357) + (((((_e329 * _e304) + (_e335 * _e287)) * _e350) + (((_e341 * _e304) + (_e347 * _e287)) * _e256)) * _e275)) * _e166)), (_e116 + (((((((_e367 * _e304) + (_e373 * _e287)) * _e350) + (((_e380 * _e304) + (_e386 * _e287)) * _e256)) * _e357) + (((((_e393 * _e304) + (_e399 * _e287)) * _e350) + (((_e406 * _e304) + (_e412 * _e287)) * _e256)) * _e275)) * _e166)), (_e128 + (((((((_e431 * _e304) + (_e437 * _e287)) * _e350) + (((_e444 * _e304) + (_e450 * _e287)) * _e256)) * _e357) + (((((_e457 * _e304) + (_e463 * _e287)) * _e350) + (((_e470 * _e304) + (_e476 * _e287)) * _e256)) * _e275)) * _e166)), (_e140 + (((((((_e495 * _e304) + (_e501 * _e287)) * _e350) + (((_e508 * _e304) + (_e514 * _e287)) * _e256)) * _e357) + (((((_e521 * _e304) + (_e527 * _e287)) * _e350) + (((_e534 * _e304) + (_e540 * _e287)) * _e256)) * _e275)) * _e166)), (_e152 + (((((((_e559 * _e304) + (_e565 * _e287)) * _e350) + (((_e572 * _e304) + (_e578 * _e287)) * _e256)) * _e357) + (((((_e585 * _e304) + (_e591 * _e287)) * _e350) + (((_e598 * _e304) + (_e604 * _e287)) * _e256)) * _e275)) * _e166)), (_e162 + (((((((_e623 * _e304) + (_e629 * _e287)) * _e350) + (((_e636 * _e304) + (_e642 * _e287)) * _e256)) * _e357) + (((((_e649 * _e304) + (_e655 * _e287)) * _e350) + (((_e662 * _e304) + (_e668 * _e287)) * _e256)) * _e275)) * _e166)));
                     } else {
-                        break;
+                        phi_988_ = array<f32, 6>(_e105, _e116, _e128, _e140, _e152, _e162);
                     }
-                    let _e94 = before.member[_e38];
-                    let _e97 = params.member.member_11;
-                    let _e100 = ((_e52 * 15u) + _e38);
-                    if (_e100 < arrayLength((&state.member))) {
-                    } else {
-                        break;
-                    }
-                    let _e104 = state.member[_e100];
-                    let _e105 = ((_e94 * _e97) + _e104);
-                    let _e108 = params.member.member_12;
-                    if (_e108 > 0f) {
-                        let _e112 = params.member.member_3;
-                        let _e114 = (_e112.x + 1u);
-                        let _e117 = ((_e112.y + 1u) * _e114);
-                        let _e118 = (_e117 + _e114);
-                        let _e122 = (_e118 + ((_e112.z + 1u) * _e117));
-                        let _e126 = params.member.member_3[0u];
-                        let _e130 = params.member.member_3[1u];
-                        let _e134 = params.member.member_3[2u];
-                        let _e135 = (_e85 / 2u);
-                        let _e136 = (_e65 / 2u);
-                        let _e137 = (_e61 / 2u);
-                        let _e138 = (_e135 + 1u);
-                        let _e139 = (_e126 - 1u);
-                        let _e146 = ((_e85 & 1u) == 1u);
-                        let _e148 = (_e136 + 1u);
-                        let _e149 = (_e130 - 1u);
-                        let _e156 = ((_e65 & 1u) == 1u);
-                        let _e158 = (_e137 + 1u);
-                        let _e159 = (_e134 - 1u);
-                        let _e166 = ((_e61 & 1u) == 1u);
-                        let _e168 = (_e118 + _e135);
-                        let _e169 = (_e136 * _e114);
-                        let _e170 = (_e168 + _e169);
-                        let _e171 = (_e137 * _e117);
-                        let _e172 = (_e170 + _e171);
-                        if _e146 {
-                            phi_292_ = _e172;
-                        } else {
-                            phi_292_ = (_e172 - 1u);
-                        }
-                        let _e175 = phi_292_;
-                        if (_e175 < _e32) {
-                        } else {
-                            break;
-                        }
-                        let _e179 = coarse_opacity.member[_e175];
-                        if _e146 {
-                            phi_304_ = (_e56 - 1u);
-                        } else {
-                            phi_304_ = _e56;
-                        }
-                        let _e182 = phi_304_;
-                        if (_e182 < _e30) {
-                        } else {
-                            break;
-                        }
-                        let _e186 = opacity.member[_e182];
-                        let _e190 = ((0.25f * (1f - _e179)) + (_e179 * _e186));
-                        let _e191 = (_e52 + _e56);
-                        let _e192 = (_e122 + _e172);
-                        if _e156 {
-                            phi_324_ = _e192;
-                        } else {
-                            phi_324_ = (_e192 - _e114);
-                        }
-                        let _e195 = phi_324_;
-                        if (_e195 < _e32) {
-                        } else {
-                            break;
-                        }
-                        let _e199 = coarse_opacity.member[_e195];
-                        if _e156 {
-                            phi_336_ = (_e191 - _e44);
-                        } else {
-                            phi_336_ = _e191;
-                        }
-                        let _e202 = phi_336_;
-                        if (_e202 < _e30) {
-                        } else {
-                            break;
-                        }
-                        let _e206 = opacity.member[_e202];
-                        let _e210 = ((0.25f * (1f - _e199)) + (_e199 * _e206));
-                        let _e212 = ((2u * _e52) + _e56);
-                        let _e214 = ((2u * _e122) + _e172);
-                        if _e166 {
-                            phi_358_ = _e214;
-                        } else {
-                            phi_358_ = (_e214 - _e117);
-                        }
-                        let _e217 = phi_358_;
-                        if (_e217 < _e32) {
-                        } else {
-                            break;
-                        }
-                        let _e221 = coarse_opacity.member[_e217];
-                        if _e166 {
-                            phi_370_ = (_e212 - _e47);
-                        } else {
-                            phi_370_ = _e212;
-                        }
-                        let _e224 = phi_370_;
-                        if (_e224 < _e30) {
-                        } else {
-                            break;
-                        }
-                        let _e228 = opacity.member[_e224];
-                        let _e232 = ((0.25f * (1f - _e221)) + (_e221 * _e228));
-                        let _e233 = (_e54 * _e122);
-                        let _e234 = (_e233 + _e172);
-                        if (_e234 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e238 = coarse.member[_e234];
-                        let _e239 = (1f - _e190);
-                        let _e241 = (_e118 + select((select(1u, _e135, (1u < _e135)) - 1u), select(_e138, _e139, (_e139 < _e138)), _e146));
-                        let _e242 = (_e241 + _e169);
-                        let _e244 = (_e233 + (_e242 + _e171));
-                        if (_e244 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e248 = coarse.member[_e244];
-                        let _e251 = (1f - _e210);
-                        let _e253 = (select((select(1u, _e136, (1u < _e136)) - 1u), select(_e148, _e149, (_e149 < _e148)), _e156) * _e114);
-                        let _e254 = (_e168 + _e253);
-                        let _e256 = (_e233 + (_e254 + _e171));
-                        if (_e256 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e260 = coarse.member[_e256];
-                        let _e262 = (_e241 + _e253);
-                        let _e264 = (_e233 + (_e262 + _e171));
-                        if (_e264 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e268 = coarse.member[_e264];
-                        let _e273 = (select((select(1u, _e137, (1u < _e137)) - 1u), select(_e158, _e159, (_e159 < _e158)), _e166) * _e117);
-                        let _e275 = (_e233 + (_e170 + _e273));
-                        if (_e275 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e279 = coarse.member[_e275];
-                        let _e282 = (_e233 + (_e242 + _e273));
-                        if (_e282 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e286 = coarse.member[_e282];
-                        let _e291 = (_e233 + (_e254 + _e273));
-                        if (_e291 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e295 = coarse.member[_e291];
-                        let _e298 = (_e233 + (_e262 + _e273));
-                        if (_e298 < _e28) {
-                        } else {
-                            break;
-                        }
-                        let _e302 = coarse.member[_e298];
-                        phi_519_ = (_e105 + (((((((_e238 * _e239) + (_e248 * _e190)) * _e251) + (((_e260 * _e239) + (_e268 * _e190)) * _e210)) * (1f - _e232)) + (((((_e279 * _e239) + (_e286 * _e190)) * _e251) + (((_e295 * _e239) + (_e302 * _e190)) * _e210)) * _e232)) * _e108));
-                    } else {
-                        phi_519_ = _e105;
-                    }
-                    let _e314 = phi_519_;
-                    phi_520_ = _e314;
+                    let _e684 = phi_988_;
+                    phi_989_ = _e684;
                 } else {
-                    phi_520_ = 0f;
+                    phi_989_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
                 }
-                let _e316 = phi_520_;
-                if _e39 {
-                } else {
+                let _e686 = phi_989_;
+                local = array<f32, 6>(_e686[0], _e686[1], _e686[2], _e686[3], _e686[4], _e686[5]);
+                phi_999_ = type_12(0u, 6u);
+                loop {
+                    let _e695 = phi_999_;
+                    if (_e695.member < _e695.member_1) {
+                        phi_1000_ = type_12((_e695.member + 1u), _e695.member_1);
+                        phi_1023_ = type_12(1u, _e695.member);
+                    } else {
+                        phi_1000_ = _e695;
+                        phi_1023_ = type_12(0u, type_12().member_1);
+                    }
+                    let _e708 = phi_1000_;
+                    let _e710 = phi_1023_;
+                    let _e714 = (bitcast<i32>(_e710.member) != 0i);
+                    if _e714 {
+                        if (_e710.member_1 < 6u) {
+                        } else {
+                            phi_1052_ = true;
+                            break;
+                        }
+                        let _e717 = local[_e710.member_1];
+                        let _e719 = ((_e710.member_1 * _e55) + _e67);
+                        if (_e719 < arrayLength((&out.member))) {
+                        } else {
+                            phi_1052_ = true;
+                            break;
+                        }
+                        out.member[_e719] = _e717;
+                    }
+                    continue;
+                    continuing {
+                        phi_999_ = _e708;
+                        phi_1052_ = false;
+                        break if !(_e714);
+                    }
+                }
+                let _e725 = phi_1052_;
+                if _e725 {
                     break;
                 }
-                out.member[_e38] = _e316;
             }
             break;
         }

@@ -28,179 +28,179 @@ var<storage, read_write> table: type_5;
 
 fn function_() {
     var local: array<f32, 4>;
-    var phi_95_: u32;
-    var phi_158_: u32;
-    var phi_159_: u32;
-    var phi_176_: bool;
+    var phi_94_: u32;
+    var phi_137_: u32;
+    var phi_138_: u32;
+    var phi_155_: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_189_: u32;
+    var phi_168_: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_208_: type_11;
-    var phi_211_: f32;
-    var phi_209_: type_11;
-    var phi_234_: type_11;
+    var phi_187_: type_11;
+    var phi_190_: f32;
+    var phi_188_: type_11;
+    var phi_213_: type_11;
     var local_5: u32;
-    var phi_212_: f32;
+    var phi_191_: f32;
     var local_6: u32;
-    var phi_258_: type_11;
-    var phi_261_: f32;
-    var phi_259_: type_11;
-    var phi_284_: type_11;
-    var phi_262_: f32;
+    var phi_237_: type_11;
+    var phi_240_: f32;
+    var phi_238_: type_11;
+    var phi_263_: type_11;
+    var phi_241_: f32;
     var local_7: f32;
     var local_8: f32;
-    var phi_296_: f32;
-    var phi_299_: u32;
-    var phi_300_: u32;
-    var phi_317_: bool;
+    var phi_275_: f32;
+    var phi_278_: u32;
+    var phi_279_: u32;
+    var phi_296_: bool;
     var local_9: u32;
     var local_10: u32;
-    var phi_330_: u32;
+    var phi_309_: u32;
     var local_11: u32;
     var local_12: u32;
-    var phi_349_: type_11;
-    var phi_352_: f32;
-    var phi_350_: type_11;
-    var phi_375_: type_11;
+    var phi_328_: type_11;
+    var phi_331_: f32;
+    var phi_329_: type_11;
+    var phi_354_: type_11;
     var local_13: u32;
-    var phi_353_: f32;
+    var phi_332_: f32;
     var local_14: u32;
-    var phi_399_: type_11;
-    var phi_402_: f32;
-    var phi_400_: type_11;
-    var phi_425_: type_11;
-    var phi_403_: f32;
+    var phi_378_: type_11;
+    var phi_381_: f32;
+    var phi_379_: type_11;
+    var phi_404_: type_11;
+    var phi_382_: f32;
     var local_15: f32;
     var local_16: f32;
-    var phi_437_: f32;
-    var phi_440_: u32;
-    var phi_441_: u32;
-    var phi_458_: bool;
+    var phi_416_: f32;
+    var phi_419_: u32;
+    var phi_420_: u32;
+    var phi_437_: bool;
     var local_17: u32;
     var local_18: u32;
-    var phi_471_: u32;
+    var phi_450_: u32;
     var local_19: u32;
     var local_20: u32;
-    var phi_490_: type_11;
-    var phi_493_: f32;
-    var phi_491_: type_11;
-    var phi_516_: type_11;
+    var phi_469_: type_11;
+    var phi_472_: f32;
+    var phi_470_: type_11;
+    var phi_495_: type_11;
     var local_21: u32;
-    var phi_494_: f32;
+    var phi_473_: f32;
     var local_22: u32;
-    var phi_540_: type_11;
-    var phi_543_: f32;
-    var phi_541_: type_11;
-    var phi_566_: type_11;
-    var phi_544_: f32;
+    var phi_519_: type_11;
+    var phi_522_: f32;
+    var phi_520_: type_11;
+    var phi_545_: type_11;
+    var phi_523_: f32;
     var local_23: f32;
     var local_24: f32;
-    var phi_578_: f32;
-    var phi_581_: u32;
-    var phi_582_: u32;
-    var phi_599_: bool;
+    var phi_557_: f32;
+    var phi_560_: u32;
+    var phi_561_: u32;
+    var phi_578_: bool;
     var local_25: u32;
     var local_26: u32;
-    var phi_612_: u32;
+    var phi_591_: u32;
     var local_27: u32;
     var local_28: u32;
-    var phi_631_: type_11;
-    var phi_634_: f32;
-    var phi_632_: type_11;
-    var phi_657_: type_11;
+    var phi_610_: type_11;
+    var phi_613_: f32;
+    var phi_611_: type_11;
+    var phi_636_: type_11;
     var local_29: u32;
-    var phi_635_: f32;
+    var phi_614_: f32;
     var local_30: u32;
-    var phi_681_: type_11;
-    var phi_684_: f32;
-    var phi_682_: type_11;
-    var phi_707_: type_11;
-    var phi_685_: f32;
+    var phi_660_: type_11;
+    var phi_663_: f32;
+    var phi_661_: type_11;
+    var phi_686_: type_11;
+    var phi_664_: f32;
     var local_31: f32;
     var local_32: f32;
-    var phi_719_: f32;
-    var phi_732_: f32;
-    var phi_739_: type_11;
-    var phi_742_: f32;
-    var phi_744_: f32;
-    var phi_740_: type_11;
-    var phi_766_: type_11;
-    var phi_743_: f32;
+    var phi_698_: f32;
+    var phi_711_: f32;
+    var phi_718_: type_11;
+    var phi_721_: f32;
+    var phi_723_: f32;
+    var phi_719_: type_11;
+    var phi_745_: type_11;
+    var phi_722_: f32;
     var local_33: u32;
-    var phi_781_: type_11;
-    var phi_784_: f32;
-    var phi_786_: f32;
-    var phi_788_: f32;
-    var phi_790_: f32;
-    var phi_782_: type_11;
-    var phi_812_: type_11;
-    var phi_785_: f32;
-    var phi_787_: f32;
-    var phi_789_: f32;
+    var phi_760_: type_11;
+    var phi_763_: f32;
+    var phi_765_: f32;
+    var phi_767_: f32;
+    var phi_769_: f32;
+    var phi_761_: type_11;
+    var phi_791_: type_11;
+    var phi_764_: f32;
+    var phi_766_: f32;
+    var phi_768_: f32;
     var local_34: f32;
-    var phi_839_: f32;
-    var phi_846_: type_11;
-    var phi_849_: f32;
-    var phi_851_: f32;
-    var phi_847_: type_11;
-    var phi_873_: type_11;
-    var phi_850_: f32;
+    var phi_818_: f32;
+    var phi_825_: type_11;
+    var phi_828_: f32;
+    var phi_830_: f32;
+    var phi_826_: type_11;
+    var phi_852_: type_11;
+    var phi_829_: f32;
     var local_35: u32;
-    var phi_888_: type_11;
-    var phi_891_: f32;
-    var phi_893_: f32;
-    var phi_895_: f32;
-    var phi_897_: f32;
-    var phi_889_: type_11;
-    var phi_919_: type_11;
-    var phi_892_: f32;
-    var phi_894_: f32;
-    var phi_896_: f32;
+    var phi_867_: type_11;
+    var phi_870_: f32;
+    var phi_872_: f32;
+    var phi_874_: f32;
+    var phi_876_: f32;
+    var phi_868_: type_11;
+    var phi_898_: type_11;
+    var phi_871_: f32;
+    var phi_873_: f32;
+    var phi_875_: f32;
     var local_36: f32;
-    var phi_946_: f32;
-    var phi_953_: type_11;
-    var phi_956_: f32;
-    var phi_958_: f32;
-    var phi_954_: type_11;
-    var phi_980_: type_11;
-    var phi_957_: f32;
+    var phi_925_: f32;
+    var phi_932_: type_11;
+    var phi_935_: f32;
+    var phi_937_: f32;
+    var phi_933_: type_11;
+    var phi_959_: type_11;
+    var phi_936_: f32;
     var local_37: u32;
-    var phi_995_: type_11;
-    var phi_998_: f32;
-    var phi_1000_: f32;
-    var phi_1002_: f32;
-    var phi_1004_: f32;
-    var phi_996_: type_11;
-    var phi_1026_: type_11;
-    var phi_999_: f32;
-    var phi_1001_: f32;
-    var phi_1003_: f32;
+    var phi_974_: type_11;
+    var phi_977_: f32;
+    var phi_979_: f32;
+    var phi_981_: f32;
+    var phi_983_: f32;
+    var phi_975_: type_11;
+    var phi_1005_: type_11;
+    var phi_978_: f32;
+    var phi_980_: f32;
+    var phi_982_: f32;
     var local_38: f32;
-    var phi_1053_: f32;
-    var phi_1060_: type_11;
-    var phi_1063_: f32;
-    var phi_1065_: f32;
-    var phi_1061_: type_11;
-    var phi_1087_: type_11;
-    var phi_1064_: f32;
+    var phi_1032_: f32;
+    var phi_1039_: type_11;
+    var phi_1042_: f32;
+    var phi_1044_: f32;
+    var phi_1040_: type_11;
+    var phi_1066_: type_11;
+    var phi_1043_: f32;
     var local_39: u32;
-    var phi_1102_: type_11;
-    var phi_1105_: f32;
-    var phi_1107_: f32;
-    var phi_1109_: f32;
-    var phi_1111_: f32;
-    var phi_1103_: type_11;
-    var phi_1133_: type_11;
-    var phi_1106_: f32;
-    var phi_1108_: f32;
-    var phi_1110_: f32;
+    var phi_1081_: type_11;
+    var phi_1084_: f32;
+    var phi_1086_: f32;
+    var phi_1088_: f32;
+    var phi_1090_: f32;
+    var phi_1082_: type_11;
+    var phi_1112_: type_11;
+    var phi_1085_: f32;
+    var phi_1087_: f32;
+    var phi_1089_: f32;
     var local_40: f32;
-    var phi_1156_: type_11;
-    var phi_1157_: type_11;
-    var phi_1180_: type_11;
-    var phi_1209_: bool;
+    var phi_1135_: type_11;
+    var phi_1136_: type_11;
+    var phi_1159_: type_11;
+    var phi_1188_: bool;
     var local_41: f32;
     var local_42: f32;
     var local_43: f32;
@@ -213,885 +213,865 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e25 = gid_1;
-            let _e27 = arrayLength((&directions.member));
-            let _e32 = params.member.member_2;
-            let _e35 = (select(_e32, 9u, (_e32 > 9u)) + 1u);
-            let _e36 = (_e35 * _e35);
-            let _e37 = (_e36 / 4u);
-            if ((_e36 % 4u) > 0u) {
-                phi_95_ = (_e37 + 1u);
+            let _e30 = params.member.member_2;
+            let _e33 = (select(_e30, 9u, (_e30 > 9u)) + 1u);
+            let _e34 = (_e33 * _e33);
+            let _e35 = (_e34 / 4u);
+            if ((_e34 % 4u) > 0u) {
+                phi_94_ = (_e35 + 1u);
             } else {
-                phi_95_ = _e37;
+                phi_94_ = _e35;
             }
-            let _e42 = phi_95_;
-            let _e45 = params.member.member_1;
-            let _e46 = (_e42 * _e45);
-            let _e50 = (_e25.x + (_e25.y * 2097152u));
-            if (_e50 < _e46) {
-                if (_e45 == 0u) {
+            let _e40 = phi_94_;
+            let _e43 = params.member.member_1;
+            let _e44 = (_e40 * _e43);
+            let _e48 = (_e25.x + (_e25.y * 2097152u));
+            if (_e48 < _e44) {
+                if (_e43 == 0u) {
                     break;
                 }
-                let _e53 = (_e50 / _e45);
-                let _e55 = (_e50 - (_e53 * _e45));
-                if (_e55 < _e27) {
-                } else {
-                    break;
-                }
-                let _e59 = directions.member[_e55];
-                let _e60 = (_e45 + _e55);
-                if (_e60 < _e27) {
-                } else {
-                    break;
-                }
-                let _e64 = directions.member[_e60];
-                let _e66 = ((2u * _e45) + _e55);
-                if (_e66 < _e27) {
-                } else {
-                    break;
-                }
-                let _e70 = directions.member[_e66];
-                let _e72 = ((3u * _e45) + _e55);
-                if (_e72 < _e27) {
-                } else {
-                    break;
-                }
-                let _e76 = directions.member[_e72];
-                let _e77 = (_e53 * 4u);
-                phi_158_ = 0u;
+                let _e51 = (_e48 / _e43);
+                let _e53 = (_e48 - (_e51 * _e43));
+                let _e56 = directions.member[_e53];
+                let _e60 = directions.member[(_e43 + _e53)];
+                let _e65 = directions.member[((2u * _e43) + _e53)];
+                let _e70 = directions.member[((3u * _e43) + _e53)];
+                let _e71 = (_e51 * 4u);
+                phi_137_ = 0u;
                 loop {
-                    let _e79 = phi_158_;
-                    local_1 = _e79;
-                    local_3 = _e79;
-                    local_4 = _e79;
-                    local_5 = _e79;
-                    local_6 = _e79;
-                    local_33 = _e79;
-                    let _e80 = (_e79 + 1u);
-                    local_2 = _e80;
-                    if ((_e80 * _e80) <= _e77) {
-                        let _e83 = (_e79 < 9u);
-                        phi_159_ = select(u32(), _e80, _e83);
-                        phi_176_ = _e83;
+                    let _e73 = phi_137_;
+                    local_1 = _e73;
+                    local_3 = _e73;
+                    local_4 = _e73;
+                    local_5 = _e73;
+                    local_6 = _e73;
+                    local_33 = _e73;
+                    let _e74 = (_e73 + 1u);
+                    local_2 = _e74;
+                    if ((_e74 * _e74) <= _e71) {
+                        let _e77 = (_e73 < 9u);
+                        phi_138_ = select(u32(), _e74, _e77);
+                        phi_155_ = _e77;
                     } else {
-                        phi_159_ = u32();
-                        phi_176_ = false;
+                        phi_138_ = u32();
+                        phi_155_ = false;
                     }
-                    let _e86 = phi_159_;
-                    let _e88 = phi_176_;
+                    let _e80 = phi_138_;
+                    let _e82 = phi_155_;
                     continue;
                     continuing {
-                        phi_158_ = _e86;
-                        break if !(_e88);
+                        phi_137_ = _e80;
+                        break if !(_e82);
                     }
                 }
-                let _e91 = local_1;
-                let _e93 = local_2;
-                let _e94 = (_e91 * _e93);
-                let _e95 = (_e77 < _e94);
-                if _e95 {
-                    phi_189_ = (_e94 - _e77);
+                let _e85 = local_1;
+                let _e87 = local_2;
+                let _e88 = (_e85 * _e87);
+                let _e89 = (_e71 < _e88);
+                if _e89 {
+                    phi_168_ = (_e88 - _e71);
                 } else {
-                    phi_189_ = (_e77 - _e94);
+                    phi_168_ = (_e71 - _e88);
                 }
-                let _e99 = phi_189_;
-                let _e101 = local_3;
-                if (_e101 <= _e32) {
-                    let _e104 = local_4;
-                    phi_208_ = type_11(1u, (_e99 + 1u));
-                    phi_211_ = (f32(((2u * _e104) + 1u)) / select(6.2831855f, 12.566371f, (_e99 == 0u)));
+                let _e93 = phi_168_;
+                let _e95 = local_3;
+                if (_e95 <= _e30) {
+                    let _e98 = local_4;
+                    phi_187_ = type_11(1u, (_e93 + 1u));
+                    phi_190_ = (f32(((2u * _e98) + 1u)) / select(6.2831855f, 12.566371f, (_e93 == 0u)));
                     loop {
-                        let _e114 = phi_208_;
-                        let _e116 = phi_211_;
-                        local_7 = _e116;
-                        if (_e114.member < _e114.member_1) {
-                            phi_209_ = type_11((_e114.member + 1u), _e114.member_1);
-                            phi_234_ = type_11(1u, _e114.member);
+                        let _e108 = phi_187_;
+                        let _e110 = phi_190_;
+                        local_7 = _e110;
+                        if (_e108.member < _e108.member_1) {
+                            phi_188_ = type_11((_e108.member + 1u), _e108.member_1);
+                            phi_213_ = type_11(1u, _e108.member);
                         } else {
-                            phi_209_ = _e114;
-                            phi_234_ = type_11(0u, type_11().member_1);
+                            phi_188_ = _e108;
+                            phi_213_ = type_11(0u, type_11().member_1);
                         }
-                        let _e129 = phi_209_;
-                        let _e131 = phi_234_;
-                        let _e135 = (bitcast<i32>(_e131.member) != 0i);
-                        if _e135 {
-                            let _e136 = (2u * _e131.member_1);
-                            let _e138 = f32((_e136 - 1u));
-                            let _e140 = local_5;
-                            let _e143 = f32(((_e140 - _e99) + _e136));
-                            phi_212_ = (_e116 * ((_e138 * _e138) / (_e143 * (_e143 - 1f))));
+                        let _e123 = phi_188_;
+                        let _e125 = phi_213_;
+                        let _e129 = (bitcast<i32>(_e125.member) != 0i);
+                        if _e129 {
+                            let _e130 = (2u * _e125.member_1);
+                            let _e132 = f32((_e130 - 1u));
+                            let _e134 = local_5;
+                            let _e137 = f32(((_e134 - _e93) + _e130));
+                            phi_191_ = (_e110 * ((_e132 * _e132) / (_e137 * (_e137 - 1f))));
                         } else {
-                            phi_212_ = f32();
+                            phi_191_ = f32();
                         }
-                        let _e150 = phi_212_;
+                        let _e144 = phi_191_;
                         continue;
                         continuing {
-                            phi_208_ = _e129;
-                            phi_211_ = _e150;
-                            break if !(_e135);
+                            phi_187_ = _e123;
+                            phi_190_ = _e144;
+                            break if !(_e129);
                         }
                     }
-                    let _e153 = local_6;
-                    phi_258_ = type_11(1u, ((_e153 - _e99) + 1u));
-                    phi_261_ = 1f;
+                    let _e147 = local_6;
+                    phi_237_ = type_11(1u, ((_e147 - _e93) + 1u));
+                    phi_240_ = 1f;
                     loop {
-                        let _e158 = phi_258_;
-                        let _e160 = phi_261_;
-                        local_8 = _e160;
-                        if (_e158.member < _e158.member_1) {
-                            phi_259_ = type_11((_e158.member + 1u), _e158.member_1);
-                            phi_284_ = type_11(1u, _e158.member);
+                        let _e152 = phi_237_;
+                        let _e154 = phi_240_;
+                        local_8 = _e154;
+                        if (_e152.member < _e152.member_1) {
+                            phi_238_ = type_11((_e152.member + 1u), _e152.member_1);
+                            phi_263_ = type_11(1u, _e152.member);
                         } else {
-                            phi_259_ = _e158;
-                            phi_284_ = type_11(0u, type_11().member_1);
+                            phi_238_ = _e152;
+                            phi_263_ = type_11(0u, type_11().member_1);
                         }
-                        let _e173 = phi_259_;
-                        let _e175 = phi_284_;
-                        let _e179 = (bitcast<i32>(_e175.member) != 0i);
-                        if _e179 {
-                            phi_262_ = (_e160 * f32(_e175.member_1));
+                        let _e167 = phi_238_;
+                        let _e169 = phi_263_;
+                        let _e173 = (bitcast<i32>(_e169.member) != 0i);
+                        if _e173 {
+                            phi_241_ = (_e154 * f32(_e169.member_1));
                         } else {
-                            phi_262_ = f32();
+                            phi_241_ = f32();
                         }
-                        let _e183 = phi_262_;
+                        let _e177 = phi_241_;
                         continue;
                         continuing {
-                            phi_258_ = _e173;
-                            phi_261_ = _e183;
-                            break if !(_e179);
+                            phi_237_ = _e167;
+                            phi_240_ = _e177;
+                            break if !(_e173);
                         }
                     }
-                    let _e186 = local_7;
-                    let _e189 = local_8;
-                    phi_296_ = (sqrt(_e186) / _e189);
+                    let _e180 = local_7;
+                    let _e183 = local_8;
+                    phi_275_ = (sqrt(_e180) / _e183);
                 } else {
-                    phi_296_ = 0f;
+                    phi_275_ = 0f;
                 }
-                let _e192 = phi_296_;
-                let _e193 = (_e77 + 1u);
-                phi_299_ = 0u;
+                let _e186 = phi_275_;
+                let _e187 = (_e71 + 1u);
+                phi_278_ = 0u;
                 loop {
-                    let _e195 = phi_299_;
-                    local_9 = _e195;
-                    local_11 = _e195;
-                    local_12 = _e195;
-                    local_13 = _e195;
-                    local_14 = _e195;
-                    local_35 = _e195;
-                    let _e196 = (_e195 + 1u);
-                    local_10 = _e196;
-                    if ((_e196 * _e196) <= _e193) {
-                        let _e199 = (_e195 < 9u);
-                        phi_300_ = select(u32(), _e196, _e199);
-                        phi_317_ = _e199;
+                    let _e189 = phi_278_;
+                    local_9 = _e189;
+                    local_11 = _e189;
+                    local_12 = _e189;
+                    local_13 = _e189;
+                    local_14 = _e189;
+                    local_35 = _e189;
+                    let _e190 = (_e189 + 1u);
+                    local_10 = _e190;
+                    if ((_e190 * _e190) <= _e187) {
+                        let _e193 = (_e189 < 9u);
+                        phi_279_ = select(u32(), _e190, _e193);
+                        phi_296_ = _e193;
                     } else {
-                        phi_300_ = u32();
-                        phi_317_ = false;
+                        phi_279_ = u32();
+                        phi_296_ = false;
                     }
-                    let _e202 = phi_300_;
-                    let _e204 = phi_317_;
+                    let _e196 = phi_279_;
+                    let _e198 = phi_296_;
                     continue;
                     continuing {
-                        phi_299_ = _e202;
-                        break if !(_e204);
+                        phi_278_ = _e196;
+                        break if !(_e198);
                     }
                 }
-                let _e207 = local_9;
-                let _e209 = local_10;
-                let _e210 = (_e207 * _e209);
-                let _e211 = (_e193 < _e210);
-                if _e211 {
-                    phi_330_ = (_e210 - _e193);
+                let _e201 = local_9;
+                let _e203 = local_10;
+                let _e204 = (_e201 * _e203);
+                let _e205 = (_e187 < _e204);
+                if _e205 {
+                    phi_309_ = (_e204 - _e187);
                 } else {
-                    phi_330_ = (_e193 - _e210);
+                    phi_309_ = (_e187 - _e204);
                 }
-                let _e215 = phi_330_;
-                let _e217 = local_11;
-                if (_e217 <= _e32) {
-                    let _e220 = local_12;
-                    phi_349_ = type_11(1u, (_e215 + 1u));
-                    phi_352_ = (f32(((2u * _e220) + 1u)) / select(6.2831855f, 12.566371f, (_e215 == 0u)));
+                let _e209 = phi_309_;
+                let _e211 = local_11;
+                if (_e211 <= _e30) {
+                    let _e214 = local_12;
+                    phi_328_ = type_11(1u, (_e209 + 1u));
+                    phi_331_ = (f32(((2u * _e214) + 1u)) / select(6.2831855f, 12.566371f, (_e209 == 0u)));
                     loop {
-                        let _e230 = phi_349_;
-                        let _e232 = phi_352_;
-                        local_15 = _e232;
-                        if (_e230.member < _e230.member_1) {
-                            phi_350_ = type_11((_e230.member + 1u), _e230.member_1);
-                            phi_375_ = type_11(1u, _e230.member);
+                        let _e224 = phi_328_;
+                        let _e226 = phi_331_;
+                        local_15 = _e226;
+                        if (_e224.member < _e224.member_1) {
+                            phi_329_ = type_11((_e224.member + 1u), _e224.member_1);
+                            phi_354_ = type_11(1u, _e224.member);
                         } else {
-                            phi_350_ = _e230;
-                            phi_375_ = type_11(0u, type_11().member_1);
+                            phi_329_ = _e224;
+                            phi_354_ = type_11(0u, type_11().member_1);
                         }
-                        let _e245 = phi_350_;
-                        let _e247 = phi_375_;
-                        let _e251 = (bitcast<i32>(_e247.member) != 0i);
-                        if _e251 {
-                            let _e252 = (2u * _e247.member_1);
-                            let _e254 = f32((_e252 - 1u));
-                            let _e256 = local_13;
-                            let _e259 = f32(((_e256 - _e215) + _e252));
-                            phi_353_ = (_e232 * ((_e254 * _e254) / (_e259 * (_e259 - 1f))));
+                        let _e239 = phi_329_;
+                        let _e241 = phi_354_;
+                        let _e245 = (bitcast<i32>(_e241.member) != 0i);
+                        if _e245 {
+                            let _e246 = (2u * _e241.member_1);
+                            let _e248 = f32((_e246 - 1u));
+                            let _e250 = local_13;
+                            let _e253 = f32(((_e250 - _e209) + _e246));
+                            phi_332_ = (_e226 * ((_e248 * _e248) / (_e253 * (_e253 - 1f))));
                         } else {
-                            phi_353_ = f32();
+                            phi_332_ = f32();
                         }
-                        let _e266 = phi_353_;
+                        let _e260 = phi_332_;
                         continue;
                         continuing {
-                            phi_349_ = _e245;
-                            phi_352_ = _e266;
-                            break if !(_e251);
+                            phi_328_ = _e239;
+                            phi_331_ = _e260;
+                            break if !(_e245);
                         }
                     }
-                    let _e269 = local_14;
-                    phi_399_ = type_11(1u, ((_e269 - _e215) + 1u));
-                    phi_402_ = 1f;
+                    let _e263 = local_14;
+                    phi_378_ = type_11(1u, ((_e263 - _e209) + 1u));
+                    phi_381_ = 1f;
                     loop {
-                        let _e274 = phi_399_;
-                        let _e276 = phi_402_;
-                        local_16 = _e276;
-                        if (_e274.member < _e274.member_1) {
-                            phi_400_ = type_11((_e274.member + 1u), _e274.member_1);
-                            phi_425_ = type_11(1u, _e274.member);
+                        let _e268 = phi_378_;
+                        let _e270 = phi_381_;
+                        local_16 = _e270;
+                        if (_e268.member < _e268.member_1) {
+                            phi_379_ = type_11((_e268.member + 1u), _e268.member_1);
+                            phi_404_ = type_11(1u, _e268.member);
                         } else {
-                            phi_400_ = _e274;
-                            phi_425_ = type_11(0u, type_11().member_1);
+                            phi_379_ = _e268;
+                            phi_404_ = type_11(0u, type_11().member_1);
                         }
-                        let _e289 = phi_400_;
-                        let _e291 = phi_425_;
-                        let _e295 = (bitcast<i32>(_e291.member) != 0i);
-                        if _e295 {
-                            phi_403_ = (_e276 * f32(_e291.member_1));
+                        let _e283 = phi_379_;
+                        let _e285 = phi_404_;
+                        let _e289 = (bitcast<i32>(_e285.member) != 0i);
+                        if _e289 {
+                            phi_382_ = (_e270 * f32(_e285.member_1));
                         } else {
-                            phi_403_ = f32();
+                            phi_382_ = f32();
                         }
-                        let _e299 = phi_403_;
+                        let _e293 = phi_382_;
                         continue;
                         continuing {
-                            phi_399_ = _e289;
-                            phi_402_ = _e299;
-                            break if !(_e295);
+                            phi_378_ = _e283;
+                            phi_381_ = _e293;
+                            break if !(_e289);
                         }
                     }
-                    let _e302 = local_15;
-                    let _e305 = local_16;
-                    phi_437_ = (sqrt(_e302) / _e305);
+                    let _e296 = local_15;
+                    let _e299 = local_16;
+                    phi_416_ = (sqrt(_e296) / _e299);
                 } else {
-                    phi_437_ = 0f;
+                    phi_416_ = 0f;
                 }
-                let _e308 = phi_437_;
-                let _e309 = (_e77 + 2u);
-                phi_440_ = 0u;
+                let _e302 = phi_416_;
+                let _e303 = (_e71 + 2u);
+                phi_419_ = 0u;
                 loop {
-                    let _e311 = phi_440_;
-                    local_17 = _e311;
-                    local_19 = _e311;
-                    local_20 = _e311;
-                    local_21 = _e311;
-                    local_22 = _e311;
-                    local_37 = _e311;
-                    let _e312 = (_e311 + 1u);
-                    local_18 = _e312;
-                    if ((_e312 * _e312) <= _e309) {
-                        let _e315 = (_e311 < 9u);
-                        phi_441_ = select(u32(), _e312, _e315);
-                        phi_458_ = _e315;
+                    let _e305 = phi_419_;
+                    local_17 = _e305;
+                    local_19 = _e305;
+                    local_20 = _e305;
+                    local_21 = _e305;
+                    local_22 = _e305;
+                    local_37 = _e305;
+                    let _e306 = (_e305 + 1u);
+                    local_18 = _e306;
+                    if ((_e306 * _e306) <= _e303) {
+                        let _e309 = (_e305 < 9u);
+                        phi_420_ = select(u32(), _e306, _e309);
+                        phi_437_ = _e309;
                     } else {
-                        phi_441_ = u32();
-                        phi_458_ = false;
+                        phi_420_ = u32();
+                        phi_437_ = false;
                     }
-                    let _e318 = phi_441_;
-                    let _e320 = phi_458_;
+                    let _e312 = phi_420_;
+                    let _e314 = phi_437_;
                     continue;
                     continuing {
-                        phi_440_ = _e318;
-                        break if !(_e320);
+                        phi_419_ = _e312;
+                        break if !(_e314);
                     }
                 }
-                let _e323 = local_17;
-                let _e325 = local_18;
-                let _e326 = (_e323 * _e325);
-                let _e327 = (_e309 < _e326);
-                if _e327 {
-                    phi_471_ = (_e326 - _e309);
+                let _e317 = local_17;
+                let _e319 = local_18;
+                let _e320 = (_e317 * _e319);
+                let _e321 = (_e303 < _e320);
+                if _e321 {
+                    phi_450_ = (_e320 - _e303);
                 } else {
-                    phi_471_ = (_e309 - _e326);
+                    phi_450_ = (_e303 - _e320);
                 }
-                let _e331 = phi_471_;
-                let _e333 = local_19;
-                if (_e333 <= _e32) {
-                    let _e336 = local_20;
-                    phi_490_ = type_11(1u, (_e331 + 1u));
-                    phi_493_ = (f32(((2u * _e336) + 1u)) / select(6.2831855f, 12.566371f, (_e331 == 0u)));
+                let _e325 = phi_450_;
+                let _e327 = local_19;
+                if (_e327 <= _e30) {
+                    let _e330 = local_20;
+                    phi_469_ = type_11(1u, (_e325 + 1u));
+                    phi_472_ = (f32(((2u * _e330) + 1u)) / select(6.2831855f, 12.566371f, (_e325 == 0u)));
                     loop {
-                        let _e346 = phi_490_;
-                        let _e348 = phi_493_;
-                        local_23 = _e348;
-                        if (_e346.member < _e346.member_1) {
-                            phi_491_ = type_11((_e346.member + 1u), _e346.member_1);
-                            phi_516_ = type_11(1u, _e346.member);
+                        let _e340 = phi_469_;
+                        let _e342 = phi_472_;
+                        local_23 = _e342;
+                        if (_e340.member < _e340.member_1) {
+                            phi_470_ = type_11((_e340.member + 1u), _e340.member_1);
+                            phi_495_ = type_11(1u, _e340.member);
                         } else {
-                            phi_491_ = _e346;
-                            phi_516_ = type_11(0u, type_11().member_1);
+                            phi_470_ = _e340;
+                            phi_495_ = type_11(0u, type_11().member_1);
                         }
-                        let _e361 = phi_491_;
-                        let _e363 = phi_516_;
-                        let _e367 = (bitcast<i32>(_e363.member) != 0i);
-                        if _e367 {
-                            let _e368 = (2u * _e363.member_1);
-                            let _e370 = f32((_e368 - 1u));
-                            let _e372 = local_21;
-                            let _e375 = f32(((_e372 - _e331) + _e368));
-                            phi_494_ = (_e348 * ((_e370 * _e370) / (_e375 * (_e375 - 1f))));
+                        let _e355 = phi_470_;
+                        let _e357 = phi_495_;
+                        let _e361 = (bitcast<i32>(_e357.member) != 0i);
+                        if _e361 {
+                            let _e362 = (2u * _e357.member_1);
+                            let _e364 = f32((_e362 - 1u));
+                            let _e366 = local_21;
+                            let _e369 = f32(((_e366 - _e325) + _e362));
+                            phi_473_ = (_e342 * ((_e364 * _e364) / (_e369 * (_e369 - 1f))));
                         } else {
-                            phi_494_ = f32();
+                            phi_473_ = f32();
                         }
-                        let _e382 = phi_494_;
+                        let _e376 = phi_473_;
                         continue;
                         continuing {
-                            phi_490_ = _e361;
-                            phi_493_ = _e382;
-                            break if !(_e367);
+                            phi_469_ = _e355;
+                            phi_472_ = _e376;
+                            break if !(_e361);
                         }
                     }
-                    let _e385 = local_22;
-                    phi_540_ = type_11(1u, ((_e385 - _e331) + 1u));
-                    phi_543_ = 1f;
+                    let _e379 = local_22;
+                    phi_519_ = type_11(1u, ((_e379 - _e325) + 1u));
+                    phi_522_ = 1f;
                     loop {
-                        let _e390 = phi_540_;
-                        let _e392 = phi_543_;
-                        local_24 = _e392;
-                        if (_e390.member < _e390.member_1) {
-                            phi_541_ = type_11((_e390.member + 1u), _e390.member_1);
-                            phi_566_ = type_11(1u, _e390.member);
+                        let _e384 = phi_519_;
+                        let _e386 = phi_522_;
+                        local_24 = _e386;
+                        if (_e384.member < _e384.member_1) {
+                            phi_520_ = type_11((_e384.member + 1u), _e384.member_1);
+                            phi_545_ = type_11(1u, _e384.member);
                         } else {
-                            phi_541_ = _e390;
-                            phi_566_ = type_11(0u, type_11().member_1);
+                            phi_520_ = _e384;
+                            phi_545_ = type_11(0u, type_11().member_1);
                         }
-                        let _e405 = phi_541_;
-                        let _e407 = phi_566_;
-                        let _e411 = (bitcast<i32>(_e407.member) != 0i);
-                        if _e411 {
-                            phi_544_ = (_e392 * f32(_e407.member_1));
+                        let _e399 = phi_520_;
+                        let _e401 = phi_545_;
+                        let _e405 = (bitcast<i32>(_e401.member) != 0i);
+                        if _e405 {
+                            phi_523_ = (_e386 * f32(_e401.member_1));
                         } else {
-                            phi_544_ = f32();
+                            phi_523_ = f32();
                         }
-                        let _e415 = phi_544_;
+                        let _e409 = phi_523_;
                         continue;
                         continuing {
-                            phi_540_ = _e405;
-                            phi_543_ = _e415;
-                            break if !(_e411);
+                            phi_519_ = _e399;
+                            phi_522_ = _e409;
+                            break if !(_e405);
                         }
                     }
-                    let _e418 = local_23;
-                    let _e421 = local_24;
-                    phi_578_ = (sqrt(_e418) / _e421);
+                    let _e412 = local_23;
+                    let _e415 = local_24;
+                    phi_557_ = (sqrt(_e412) / _e415);
                 } else {
-                    phi_578_ = 0f;
+                    phi_557_ = 0f;
                 }
-                let _e424 = phi_578_;
-                let _e425 = (_e77 + 3u);
-                phi_581_ = 0u;
+                let _e418 = phi_557_;
+                let _e419 = (_e71 + 3u);
+                phi_560_ = 0u;
                 loop {
-                    let _e427 = phi_581_;
-                    local_25 = _e427;
-                    local_27 = _e427;
-                    local_28 = _e427;
-                    local_29 = _e427;
-                    local_30 = _e427;
-                    local_39 = _e427;
-                    let _e428 = (_e427 + 1u);
-                    local_26 = _e428;
-                    if ((_e428 * _e428) <= _e425) {
-                        let _e431 = (_e427 < 9u);
-                        phi_582_ = select(u32(), _e428, _e431);
-                        phi_599_ = _e431;
+                    let _e421 = phi_560_;
+                    local_25 = _e421;
+                    local_27 = _e421;
+                    local_28 = _e421;
+                    local_29 = _e421;
+                    local_30 = _e421;
+                    local_39 = _e421;
+                    let _e422 = (_e421 + 1u);
+                    local_26 = _e422;
+                    if ((_e422 * _e422) <= _e419) {
+                        let _e425 = (_e421 < 9u);
+                        phi_561_ = select(u32(), _e422, _e425);
+                        phi_578_ = _e425;
                     } else {
-                        phi_582_ = u32();
-                        phi_599_ = false;
+                        phi_561_ = u32();
+                        phi_578_ = false;
                     }
-                    let _e434 = phi_582_;
-                    let _e436 = phi_599_;
+                    let _e428 = phi_561_;
+                    let _e430 = phi_578_;
                     continue;
                     continuing {
-                        phi_581_ = _e434;
-                        break if !(_e436);
+                        phi_560_ = _e428;
+                        break if !(_e430);
                     }
                 }
-                let _e439 = local_25;
-                let _e441 = local_26;
-                let _e442 = (_e439 * _e441);
-                let _e443 = (_e425 < _e442);
-                if _e443 {
-                    phi_612_ = (_e442 - _e425);
+                let _e433 = local_25;
+                let _e435 = local_26;
+                let _e436 = (_e433 * _e435);
+                let _e437 = (_e419 < _e436);
+                if _e437 {
+                    phi_591_ = (_e436 - _e419);
                 } else {
-                    phi_612_ = (_e425 - _e442);
+                    phi_591_ = (_e419 - _e436);
                 }
-                let _e447 = phi_612_;
-                let _e449 = local_27;
-                if (_e449 <= _e32) {
-                    let _e452 = local_28;
-                    phi_631_ = type_11(1u, (_e447 + 1u));
-                    phi_634_ = (f32(((2u * _e452) + 1u)) / select(6.2831855f, 12.566371f, (_e447 == 0u)));
+                let _e441 = phi_591_;
+                let _e443 = local_27;
+                if (_e443 <= _e30) {
+                    let _e446 = local_28;
+                    phi_610_ = type_11(1u, (_e441 + 1u));
+                    phi_613_ = (f32(((2u * _e446) + 1u)) / select(6.2831855f, 12.566371f, (_e441 == 0u)));
                     loop {
-                        let _e462 = phi_631_;
-                        let _e464 = phi_634_;
-                        local_31 = _e464;
-                        if (_e462.member < _e462.member_1) {
-                            phi_632_ = type_11((_e462.member + 1u), _e462.member_1);
-                            phi_657_ = type_11(1u, _e462.member);
+                        let _e456 = phi_610_;
+                        let _e458 = phi_613_;
+                        local_31 = _e458;
+                        if (_e456.member < _e456.member_1) {
+                            phi_611_ = type_11((_e456.member + 1u), _e456.member_1);
+                            phi_636_ = type_11(1u, _e456.member);
                         } else {
-                            phi_632_ = _e462;
-                            phi_657_ = type_11(0u, type_11().member_1);
+                            phi_611_ = _e456;
+                            phi_636_ = type_11(0u, type_11().member_1);
                         }
-                        let _e477 = phi_632_;
-                        let _e479 = phi_657_;
-                        let _e483 = (bitcast<i32>(_e479.member) != 0i);
-                        if _e483 {
-                            let _e484 = (2u * _e479.member_1);
-                            let _e486 = f32((_e484 - 1u));
-                            let _e488 = local_29;
-                            let _e491 = f32(((_e488 - _e447) + _e484));
-                            phi_635_ = (_e464 * ((_e486 * _e486) / (_e491 * (_e491 - 1f))));
+                        let _e471 = phi_611_;
+                        let _e473 = phi_636_;
+                        let _e477 = (bitcast<i32>(_e473.member) != 0i);
+                        if _e477 {
+                            let _e478 = (2u * _e473.member_1);
+                            let _e480 = f32((_e478 - 1u));
+                            let _e482 = local_29;
+                            let _e485 = f32(((_e482 - _e441) + _e478));
+                            phi_614_ = (_e458 * ((_e480 * _e480) / (_e485 * (_e485 - 1f))));
                         } else {
-                            phi_635_ = f32();
+                            phi_614_ = f32();
                         }
-                        let _e498 = phi_635_;
+                        let _e492 = phi_614_;
                         continue;
                         continuing {
-                            phi_631_ = _e477;
-                            phi_634_ = _e498;
-                            break if !(_e483);
+                            phi_610_ = _e471;
+                            phi_613_ = _e492;
+                            break if !(_e477);
                         }
                     }
-                    let _e501 = local_30;
-                    phi_681_ = type_11(1u, ((_e501 - _e447) + 1u));
-                    phi_684_ = 1f;
+                    let _e495 = local_30;
+                    phi_660_ = type_11(1u, ((_e495 - _e441) + 1u));
+                    phi_663_ = 1f;
                     loop {
-                        let _e506 = phi_681_;
-                        let _e508 = phi_684_;
-                        local_32 = _e508;
-                        if (_e506.member < _e506.member_1) {
-                            phi_682_ = type_11((_e506.member + 1u), _e506.member_1);
-                            phi_707_ = type_11(1u, _e506.member);
+                        let _e500 = phi_660_;
+                        let _e502 = phi_663_;
+                        local_32 = _e502;
+                        if (_e500.member < _e500.member_1) {
+                            phi_661_ = type_11((_e500.member + 1u), _e500.member_1);
+                            phi_686_ = type_11(1u, _e500.member);
                         } else {
-                            phi_682_ = _e506;
-                            phi_707_ = type_11(0u, type_11().member_1);
+                            phi_661_ = _e500;
+                            phi_686_ = type_11(0u, type_11().member_1);
                         }
-                        let _e521 = phi_682_;
-                        let _e523 = phi_707_;
-                        let _e527 = (bitcast<i32>(_e523.member) != 0i);
-                        if _e527 {
-                            phi_685_ = (_e508 * f32(_e523.member_1));
+                        let _e515 = phi_661_;
+                        let _e517 = phi_686_;
+                        let _e521 = (bitcast<i32>(_e517.member) != 0i);
+                        if _e521 {
+                            phi_664_ = (_e502 * f32(_e517.member_1));
                         } else {
-                            phi_685_ = f32();
+                            phi_664_ = f32();
                         }
-                        let _e531 = phi_685_;
+                        let _e525 = phi_664_;
                         continue;
                         continuing {
-                            phi_681_ = _e521;
-                            phi_684_ = _e531;
-                            break if !(_e527);
+                            phi_660_ = _e515;
+                            phi_663_ = _e525;
+                            break if !(_e521);
                         }
                     }
-                    let _e534 = local_31;
-                    let _e537 = local_32;
-                    phi_719_ = (sqrt(_e534) / _e537);
+                    let _e528 = local_31;
+                    let _e531 = local_32;
+                    phi_698_ = (sqrt(_e528) / _e531);
                 } else {
-                    phi_719_ = 0f;
+                    phi_698_ = 0f;
                 }
-                let _e540 = phi_719_;
-                let _e541 = select(1f, 0f, _e95);
-                if (_e99 == 0u) {
-                    phi_732_ = _e541;
+                let _e534 = phi_698_;
+                let _e535 = select(1f, 0f, _e89);
+                if (_e93 == 0u) {
+                    phi_711_ = _e535;
                 } else {
-                    phi_732_ = select(_e59, _e64, _e95);
+                    phi_711_ = select(_e56, _e60, _e89);
                 }
-                let _e545 = phi_732_;
-                let _e546 = (_e59 + _e59);
-                let _e549 = ((_e59 * _e59) + (_e64 * _e64));
-                phi_739_ = type_11(1u, _e99);
-                phi_742_ = _e545;
-                phi_744_ = _e541;
+                let _e539 = phi_711_;
+                let _e540 = (_e56 + _e56);
+                let _e543 = ((_e56 * _e56) + (_e60 * _e60));
+                phi_718_ = type_11(1u, _e93);
+                phi_721_ = _e539;
+                phi_723_ = _e535;
                 loop {
-                    let _e552 = phi_739_;
-                    let _e554 = phi_742_;
-                    let _e556 = phi_744_;
-                    local_41 = _e554;
-                    local_42 = _e556;
-                    if (_e552.member < _e552.member_1) {
-                        phi_740_ = type_11((_e552.member + 1u), _e552.member_1);
-                        phi_766_ = type_11(1u, _e552.member);
+                    let _e546 = phi_718_;
+                    let _e548 = phi_721_;
+                    let _e550 = phi_723_;
+                    local_41 = _e548;
+                    local_42 = _e550;
+                    if (_e546.member < _e546.member_1) {
+                        phi_719_ = type_11((_e546.member + 1u), _e546.member_1);
+                        phi_745_ = type_11(1u, _e546.member);
                     } else {
-                        phi_740_ = _e552;
-                        phi_766_ = type_11(0u, type_11().member_1);
+                        phi_719_ = _e546;
+                        phi_745_ = type_11(0u, type_11().member_1);
                     }
-                    let _e569 = phi_740_;
-                    let _e571 = phi_766_;
-                    let _e574 = (bitcast<i32>(_e571.member) != 0i);
-                    if _e574 {
-                        phi_743_ = ((_e546 * _e554) - (_e549 * _e556));
+                    let _e563 = phi_719_;
+                    let _e565 = phi_745_;
+                    let _e568 = (bitcast<i32>(_e565.member) != 0i);
+                    if _e568 {
+                        phi_722_ = ((_e540 * _e548) - (_e543 * _e550));
                     } else {
-                        phi_743_ = f32();
+                        phi_722_ = f32();
                     }
-                    let _e579 = phi_743_;
+                    let _e573 = phi_722_;
                     continue;
                     continuing {
-                        phi_739_ = _e569;
-                        phi_742_ = _e579;
-                        phi_744_ = _e554;
-                        break if !(_e574);
+                        phi_718_ = _e563;
+                        phi_721_ = _e573;
+                        phi_723_ = _e548;
+                        break if !(_e568);
                     }
                 }
-                let _e585 = local_33;
-                phi_781_ = type_11(_e99, _e585);
-                let _e1030 = local_41;
-                phi_784_ = _e1030;
-                phi_786_ = f32(((2u * _e99) + 1u));
-                phi_788_ = 0f;
-                let _e1035 = local_42;
-                phi_790_ = _e1035;
+                let _e579 = local_33;
+                phi_760_ = type_11(_e93, _e579);
+                let _e1024 = local_41;
+                phi_763_ = _e1024;
+                phi_765_ = f32(((2u * _e93) + 1u));
+                phi_767_ = 0f;
+                let _e1029 = local_42;
+                phi_769_ = _e1029;
                 loop {
-                    let _e588 = phi_781_;
-                    let _e590 = phi_784_;
-                    let _e592 = phi_786_;
-                    let _e594 = phi_788_;
-                    let _e596 = phi_790_;
-                    local_34 = _e590;
-                    if (_e588.member < _e588.member_1) {
-                        phi_782_ = type_11((_e588.member + 1u), _e588.member_1);
-                        phi_812_ = type_11(1u, _e588.member);
+                    let _e582 = phi_760_;
+                    let _e584 = phi_763_;
+                    let _e586 = phi_765_;
+                    let _e588 = phi_767_;
+                    let _e590 = phi_769_;
+                    local_34 = _e584;
+                    if (_e582.member < _e582.member_1) {
+                        phi_761_ = type_11((_e582.member + 1u), _e582.member_1);
+                        phi_791_ = type_11(1u, _e582.member);
                     } else {
-                        phi_782_ = _e588;
-                        phi_812_ = type_11(0u, type_11().member_1);
+                        phi_761_ = _e582;
+                        phi_791_ = type_11(0u, type_11().member_1);
                     }
-                    let _e609 = phi_782_;
-                    let _e611 = phi_812_;
-                    let _e614 = (bitcast<i32>(_e611.member) != 0i);
-                    if _e614 {
-                        phi_785_ = (((_e70 * _e592) * _e590) - (_e594 * _e596));
-                        phi_787_ = (_e592 + 2f);
-                        phi_789_ = (_e594 + _e592);
+                    let _e603 = phi_761_;
+                    let _e605 = phi_791_;
+                    let _e608 = (bitcast<i32>(_e605.member) != 0i);
+                    if _e608 {
+                        phi_764_ = (((_e65 * _e586) * _e584) - (_e588 * _e590));
+                        phi_766_ = (_e586 + 2f);
+                        phi_768_ = (_e588 + _e586);
                     } else {
-                        phi_785_ = f32();
-                        phi_787_ = f32();
-                        phi_789_ = f32();
+                        phi_764_ = f32();
+                        phi_766_ = f32();
+                        phi_768_ = f32();
                     }
-                    let _e622 = phi_785_;
-                    let _e624 = phi_787_;
-                    let _e626 = phi_789_;
+                    let _e616 = phi_764_;
+                    let _e618 = phi_766_;
+                    let _e620 = phi_768_;
                     continue;
                     continuing {
-                        phi_781_ = _e609;
-                        phi_784_ = _e622;
-                        phi_786_ = _e624;
-                        phi_788_ = _e626;
-                        phi_790_ = _e590;
-                        break if !(_e614);
+                        phi_760_ = _e603;
+                        phi_763_ = _e616;
+                        phi_765_ = _e618;
+                        phi_767_ = _e620;
+                        phi_769_ = _e584;
+                        break if !(_e608);
                     }
                 }
-                let _e629 = local_34;
-                let _e632 = select(1f, 0f, _e211);
-                if (_e215 == 0u) {
-                    phi_839_ = _e632;
+                let _e623 = local_34;
+                let _e626 = select(1f, 0f, _e205);
+                if (_e209 == 0u) {
+                    phi_818_ = _e626;
                 } else {
-                    phi_839_ = select(_e59, _e64, _e211);
+                    phi_818_ = select(_e56, _e60, _e205);
                 }
-                let _e636 = phi_839_;
-                phi_846_ = type_11(1u, _e215);
-                phi_849_ = _e636;
-                phi_851_ = _e632;
+                let _e630 = phi_818_;
+                phi_825_ = type_11(1u, _e209);
+                phi_828_ = _e630;
+                phi_830_ = _e626;
                 loop {
-                    let _e639 = phi_846_;
-                    let _e641 = phi_849_;
-                    let _e643 = phi_851_;
-                    local_43 = _e641;
-                    local_44 = _e643;
-                    if (_e639.member < _e639.member_1) {
-                        phi_847_ = type_11((_e639.member + 1u), _e639.member_1);
-                        phi_873_ = type_11(1u, _e639.member);
+                    let _e633 = phi_825_;
+                    let _e635 = phi_828_;
+                    let _e637 = phi_830_;
+                    local_43 = _e635;
+                    local_44 = _e637;
+                    if (_e633.member < _e633.member_1) {
+                        phi_826_ = type_11((_e633.member + 1u), _e633.member_1);
+                        phi_852_ = type_11(1u, _e633.member);
                     } else {
-                        phi_847_ = _e639;
-                        phi_873_ = type_11(0u, type_11().member_1);
+                        phi_826_ = _e633;
+                        phi_852_ = type_11(0u, type_11().member_1);
                     }
-                    let _e656 = phi_847_;
-                    let _e658 = phi_873_;
-                    let _e661 = (bitcast<i32>(_e658.member) != 0i);
-                    if _e661 {
-                        phi_850_ = ((_e546 * _e641) - (_e549 * _e643));
+                    let _e650 = phi_826_;
+                    let _e652 = phi_852_;
+                    let _e655 = (bitcast<i32>(_e652.member) != 0i);
+                    if _e655 {
+                        phi_829_ = ((_e540 * _e635) - (_e543 * _e637));
                     } else {
-                        phi_850_ = f32();
+                        phi_829_ = f32();
                     }
-                    let _e666 = phi_850_;
+                    let _e660 = phi_829_;
                     continue;
                     continuing {
-                        phi_846_ = _e656;
-                        phi_849_ = _e666;
-                        phi_851_ = _e641;
-                        break if !(_e661);
+                        phi_825_ = _e650;
+                        phi_828_ = _e660;
+                        phi_830_ = _e635;
+                        break if !(_e655);
                     }
                 }
-                let _e672 = local_35;
-                phi_888_ = type_11(_e215, _e672);
-                let _e1053 = local_43;
-                phi_891_ = _e1053;
-                phi_893_ = f32(((2u * _e215) + 1u));
-                phi_895_ = 0f;
-                let _e1058 = local_44;
-                phi_897_ = _e1058;
+                let _e666 = local_35;
+                phi_867_ = type_11(_e209, _e666);
+                let _e1047 = local_43;
+                phi_870_ = _e1047;
+                phi_872_ = f32(((2u * _e209) + 1u));
+                phi_874_ = 0f;
+                let _e1052 = local_44;
+                phi_876_ = _e1052;
                 loop {
-                    let _e675 = phi_888_;
-                    let _e677 = phi_891_;
-                    let _e679 = phi_893_;
-                    let _e681 = phi_895_;
-                    let _e683 = phi_897_;
-                    local_36 = _e677;
-                    if (_e675.member < _e675.member_1) {
-                        phi_889_ = type_11((_e675.member + 1u), _e675.member_1);
-                        phi_919_ = type_11(1u, _e675.member);
+                    let _e669 = phi_867_;
+                    let _e671 = phi_870_;
+                    let _e673 = phi_872_;
+                    let _e675 = phi_874_;
+                    let _e677 = phi_876_;
+                    local_36 = _e671;
+                    if (_e669.member < _e669.member_1) {
+                        phi_868_ = type_11((_e669.member + 1u), _e669.member_1);
+                        phi_898_ = type_11(1u, _e669.member);
                     } else {
-                        phi_889_ = _e675;
-                        phi_919_ = type_11(0u, type_11().member_1);
+                        phi_868_ = _e669;
+                        phi_898_ = type_11(0u, type_11().member_1);
                     }
-                    let _e696 = phi_889_;
-                    let _e698 = phi_919_;
-                    let _e701 = (bitcast<i32>(_e698.member) != 0i);
-                    if _e701 {
-                        phi_892_ = (((_e70 * _e679) * _e677) - (_e681 * _e683));
-                        phi_894_ = (_e679 + 2f);
-                        phi_896_ = (_e681 + _e679);
+                    let _e690 = phi_868_;
+                    let _e692 = phi_898_;
+                    let _e695 = (bitcast<i32>(_e692.member) != 0i);
+                    if _e695 {
+                        phi_871_ = (((_e65 * _e673) * _e671) - (_e675 * _e677));
+                        phi_873_ = (_e673 + 2f);
+                        phi_875_ = (_e675 + _e673);
                     } else {
-                        phi_892_ = f32();
-                        phi_894_ = f32();
-                        phi_896_ = f32();
+                        phi_871_ = f32();
+                        phi_873_ = f32();
+                        phi_875_ = f32();
                     }
-                    let _e709 = phi_892_;
-                    let _e711 = phi_894_;
-                    let _e713 = phi_896_;
+                    let _e703 = phi_871_;
+                    let _e705 = phi_873_;
+                    let _e707 = phi_875_;
                     continue;
                     continuing {
-                        phi_888_ = _e696;
-                        phi_891_ = _e709;
-                        phi_893_ = _e711;
-                        phi_895_ = _e713;
-                        phi_897_ = _e677;
-                        break if !(_e701);
+                        phi_867_ = _e690;
+                        phi_870_ = _e703;
+                        phi_872_ = _e705;
+                        phi_874_ = _e707;
+                        phi_876_ = _e671;
+                        break if !(_e695);
                     }
                 }
-                let _e716 = local_36;
-                let _e719 = select(1f, 0f, _e327);
-                if (_e331 == 0u) {
-                    phi_946_ = _e719;
+                let _e710 = local_36;
+                let _e713 = select(1f, 0f, _e321);
+                if (_e325 == 0u) {
+                    phi_925_ = _e713;
                 } else {
-                    phi_946_ = select(_e59, _e64, _e327);
+                    phi_925_ = select(_e56, _e60, _e321);
                 }
-                let _e723 = phi_946_;
-                phi_953_ = type_11(1u, _e331);
-                phi_956_ = _e723;
-                phi_958_ = _e719;
+                let _e717 = phi_925_;
+                phi_932_ = type_11(1u, _e325);
+                phi_935_ = _e717;
+                phi_937_ = _e713;
                 loop {
-                    let _e726 = phi_953_;
-                    let _e728 = phi_956_;
-                    let _e730 = phi_958_;
-                    local_45 = _e728;
-                    local_46 = _e730;
-                    if (_e726.member < _e726.member_1) {
-                        phi_954_ = type_11((_e726.member + 1u), _e726.member_1);
-                        phi_980_ = type_11(1u, _e726.member);
+                    let _e720 = phi_932_;
+                    let _e722 = phi_935_;
+                    let _e724 = phi_937_;
+                    local_45 = _e722;
+                    local_46 = _e724;
+                    if (_e720.member < _e720.member_1) {
+                        phi_933_ = type_11((_e720.member + 1u), _e720.member_1);
+                        phi_959_ = type_11(1u, _e720.member);
                     } else {
-                        phi_954_ = _e726;
-                        phi_980_ = type_11(0u, type_11().member_1);
+                        phi_933_ = _e720;
+                        phi_959_ = type_11(0u, type_11().member_1);
                     }
-                    let _e743 = phi_954_;
-                    let _e745 = phi_980_;
-                    let _e748 = (bitcast<i32>(_e745.member) != 0i);
-                    if _e748 {
-                        phi_957_ = ((_e546 * _e728) - (_e549 * _e730));
+                    let _e737 = phi_933_;
+                    let _e739 = phi_959_;
+                    let _e742 = (bitcast<i32>(_e739.member) != 0i);
+                    if _e742 {
+                        phi_936_ = ((_e540 * _e722) - (_e543 * _e724));
                     } else {
-                        phi_957_ = f32();
+                        phi_936_ = f32();
                     }
-                    let _e753 = phi_957_;
+                    let _e747 = phi_936_;
                     continue;
                     continuing {
-                        phi_953_ = _e743;
-                        phi_956_ = _e753;
-                        phi_958_ = _e728;
-                        break if !(_e748);
+                        phi_932_ = _e737;
+                        phi_935_ = _e747;
+                        phi_937_ = _e722;
+                        break if !(_e742);
                     }
                 }
-                let _e759 = local_37;
-                phi_995_ = type_11(_e331, _e759);
-                let _e1076 = local_45;
-                phi_998_ = _e1076;
-                phi_1000_ = f32(((2u * _e331) + 1u));
-                phi_1002_ = 0f;
-                let _e1081 = local_46;
-                phi_1004_ = _e1081;
+                let _e753 = local_37;
+                phi_974_ = type_11(_e325, _e753);
+                let _e1070 = local_45;
+                phi_977_ = _e1070;
+                phi_979_ = f32(((2u * _e325) + 1u));
+                phi_981_ = 0f;
+                let _e1075 = local_46;
+                phi_983_ = _e1075;
                 loop {
-                    let _e762 = phi_995_;
-                    let _e764 = phi_998_;
-                    let _e766 = phi_1000_;
-                    let _e768 = phi_1002_;
-                    let _e770 = phi_1004_;
-                    local_38 = _e764;
-                    if (_e762.member < _e762.member_1) {
-                        phi_996_ = type_11((_e762.member + 1u), _e762.member_1);
-                        phi_1026_ = type_11(1u, _e762.member);
+                    let _e756 = phi_974_;
+                    let _e758 = phi_977_;
+                    let _e760 = phi_979_;
+                    let _e762 = phi_981_;
+                    let _e764 = phi_983_;
+                    local_38 = _e758;
+                    if (_e756.member < _e756.member_1) {
+                        phi_975_ = type_11((_e756.member + 1u), _e756.member_1);
+                        phi_1005_ = type_11(1u, _e756.member);
                     } else {
-                        phi_996_ = _e762;
-                        phi_1026_ = type_11(0u, type_11().member_1);
+                        phi_975_ = _e756;
+                        phi_1005_ = type_11(0u, type_11().member_1);
                     }
-                    let _e783 = phi_996_;
-                    let _e785 = phi_1026_;
-                    let _e788 = (bitcast<i32>(_e785.member) != 0i);
-                    if _e788 {
-                        phi_999_ = (((_e70 * _e766) * _e764) - (_e768 * _e770));
-                        phi_1001_ = (_e766 + 2f);
-                        phi_1003_ = (_e768 + _e766);
+                    let _e777 = phi_975_;
+                    let _e779 = phi_1005_;
+                    let _e782 = (bitcast<i32>(_e779.member) != 0i);
+                    if _e782 {
+                        phi_978_ = (((_e65 * _e760) * _e758) - (_e762 * _e764));
+                        phi_980_ = (_e760 + 2f);
+                        phi_982_ = (_e762 + _e760);
                     } else {
-                        phi_999_ = f32();
-                        phi_1001_ = f32();
-                        phi_1003_ = f32();
+                        phi_978_ = f32();
+                        phi_980_ = f32();
+                        phi_982_ = f32();
                     }
-                    let _e796 = phi_999_;
-                    let _e798 = phi_1001_;
-                    let _e800 = phi_1003_;
+                    let _e790 = phi_978_;
+                    let _e792 = phi_980_;
+                    let _e794 = phi_982_;
                     continue;
                     continuing {
-                        phi_995_ = _e783;
-                        phi_998_ = _e796;
-                        phi_1000_ = _e798;
-                        phi_1002_ = _e800;
-                        phi_1004_ = _e764;
-                        break if !(_e788);
+                        phi_974_ = _e777;
+                        phi_977_ = _e790;
+                        phi_979_ = _e792;
+                        phi_981_ = _e794;
+                        phi_983_ = _e758;
+                        break if !(_e782);
                     }
                 }
-                let _e803 = local_38;
-                let _e806 = select(1f, 0f, _e443);
-                if (_e447 == 0u) {
-                    phi_1053_ = _e806;
+                let _e797 = local_38;
+                let _e800 = select(1f, 0f, _e437);
+                if (_e441 == 0u) {
+                    phi_1032_ = _e800;
                 } else {
-                    phi_1053_ = select(_e59, _e64, _e443);
+                    phi_1032_ = select(_e56, _e60, _e437);
                 }
-                let _e810 = phi_1053_;
-                phi_1060_ = type_11(1u, _e447);
-                phi_1063_ = _e810;
-                phi_1065_ = _e806;
+                let _e804 = phi_1032_;
+                phi_1039_ = type_11(1u, _e441);
+                phi_1042_ = _e804;
+                phi_1044_ = _e800;
                 loop {
-                    let _e813 = phi_1060_;
-                    let _e815 = phi_1063_;
-                    let _e817 = phi_1065_;
-                    local_47 = _e815;
-                    local_48 = _e817;
-                    if (_e813.member < _e813.member_1) {
-                        phi_1061_ = type_11((_e813.member + 1u), _e813.member_1);
-                        phi_1087_ = type_11(1u, _e813.member);
+                    let _e807 = phi_1039_;
+                    let _e809 = phi_1042_;
+                    let _e811 = phi_1044_;
+                    local_47 = _e809;
+                    local_48 = _e811;
+                    if (_e807.member < _e807.member_1) {
+                        phi_1040_ = type_11((_e807.member + 1u), _e807.member_1);
+                        phi_1066_ = type_11(1u, _e807.member);
                     } else {
-                        phi_1061_ = _e813;
-                        phi_1087_ = type_11(0u, type_11().member_1);
+                        phi_1040_ = _e807;
+                        phi_1066_ = type_11(0u, type_11().member_1);
                     }
-                    let _e830 = phi_1061_;
-                    let _e832 = phi_1087_;
-                    let _e835 = (bitcast<i32>(_e832.member) != 0i);
-                    if _e835 {
-                        phi_1064_ = ((_e546 * _e815) - (_e549 * _e817));
+                    let _e824 = phi_1040_;
+                    let _e826 = phi_1066_;
+                    let _e829 = (bitcast<i32>(_e826.member) != 0i);
+                    if _e829 {
+                        phi_1043_ = ((_e540 * _e809) - (_e543 * _e811));
                     } else {
-                        phi_1064_ = f32();
+                        phi_1043_ = f32();
                     }
-                    let _e840 = phi_1064_;
+                    let _e834 = phi_1043_;
                     continue;
                     continuing {
-                        phi_1060_ = _e830;
-                        phi_1063_ = _e840;
-                        phi_1065_ = _e815;
-                        break if !(_e835);
+                        phi_1039_ = _e824;
+                        phi_1042_ = _e834;
+                        phi_1044_ = _e809;
+                        break if !(_e829);
                     }
                 }
-                let _e846 = local_39;
-                phi_1102_ = type_11(_e447, _e846);
-                let _e1099 = local_47;
-                phi_1105_ = _e1099;
-                phi_1107_ = f32(((2u * _e447) + 1u));
-                phi_1109_ = 0f;
-                let _e1104 = local_48;
-                phi_1111_ = _e1104;
+                let _e840 = local_39;
+                phi_1081_ = type_11(_e441, _e840);
+                let _e1093 = local_47;
+                phi_1084_ = _e1093;
+                phi_1086_ = f32(((2u * _e441) + 1u));
+                phi_1088_ = 0f;
+                let _e1098 = local_48;
+                phi_1090_ = _e1098;
                 loop {
-                    let _e849 = phi_1102_;
-                    let _e851 = phi_1105_;
-                    let _e853 = phi_1107_;
-                    let _e855 = phi_1109_;
-                    let _e857 = phi_1111_;
-                    local_40 = _e851;
-                    if (_e849.member < _e849.member_1) {
-                        phi_1103_ = type_11((_e849.member + 1u), _e849.member_1);
-                        phi_1133_ = type_11(1u, _e849.member);
+                    let _e843 = phi_1081_;
+                    let _e845 = phi_1084_;
+                    let _e847 = phi_1086_;
+                    let _e849 = phi_1088_;
+                    let _e851 = phi_1090_;
+                    local_40 = _e845;
+                    if (_e843.member < _e843.member_1) {
+                        phi_1082_ = type_11((_e843.member + 1u), _e843.member_1);
+                        phi_1112_ = type_11(1u, _e843.member);
                     } else {
-                        phi_1103_ = _e849;
-                        phi_1133_ = type_11(0u, type_11().member_1);
+                        phi_1082_ = _e843;
+                        phi_1112_ = type_11(0u, type_11().member_1);
                     }
-                    let _e870 = phi_1103_;
-                    let _e872 = phi_1133_;
-                    let _e875 = (bitcast<i32>(_e872.member) != 0i);
-                    if _e875 {
-                        phi_1106_ = (((_e70 * _e853) * _e851) - (_e855 * _e857));
-                        phi_1108_ = (_e853 + 2f);
-                        phi_1110_ = (_e855 + _e853);
+                    let _e864 = phi_1082_;
+                    let _e866 = phi_1112_;
+                    let _e869 = (bitcast<i32>(_e866.member) != 0i);
+                    if _e869 {
+                        phi_1085_ = (((_e65 * _e847) * _e845) - (_e849 * _e851));
+                        phi_1087_ = (_e847 + 2f);
+                        phi_1089_ = (_e849 + _e847);
                     } else {
-                        phi_1106_ = f32();
-                        phi_1108_ = f32();
-                        phi_1110_ = f32();
+                        phi_1085_ = f32();
+                        phi_1087_ = f32();
+                        phi_1089_ = f32();
                     }
-                    let _e883 = phi_1106_;
-                    let _e885 = phi_1108_;
-                    let _e887 = phi_1110_;
+                    let _e877 = phi_1085_;
+                    let _e879 = phi_1087_;
+                    let _e881 = phi_1089_;
                     continue;
                     continuing {
-                        phi_1102_ = _e870;
-                        phi_1105_ = _e883;
-                        phi_1107_ = _e885;
-                        phi_1109_ = _e887;
-                        phi_1111_ = _e851;
-                        break if !(_e875);
+                        phi_1081_ = _e864;
+                        phi_1084_ = _e877;
+                        phi_1086_ = _e879;
+                        phi_1088_ = _e881;
+                        phi_1090_ = _e845;
+                        break if !(_e869);
                     }
                 }
-                let _e890 = local_40;
-                local = array<f32, 4>((_e76 * (_e629 * _e192)), (_e76 * (_e716 * _e308)), (_e76 * (_e803 * _e424)), (_e76 * (_e890 * _e540)));
-                phi_1156_ = type_11(0u, 4u);
+                let _e884 = local_40;
+                local = array<f32, 4>((_e70 * (_e623 * _e186)), (_e70 * (_e710 * _e302)), (_e70 * (_e797 * _e418)), (_e70 * (_e884 * _e534)));
+                phi_1135_ = type_11(0u, 4u);
                 loop {
-                    let _e895 = phi_1156_;
-                    if (_e895.member < _e895.member_1) {
-                        phi_1157_ = type_11((_e895.member + 1u), _e895.member_1);
-                        phi_1180_ = type_11(1u, _e895.member);
+                    let _e889 = phi_1135_;
+                    if (_e889.member < _e889.member_1) {
+                        phi_1136_ = type_11((_e889.member + 1u), _e889.member_1);
+                        phi_1159_ = type_11(1u, _e889.member);
                     } else {
-                        phi_1157_ = _e895;
-                        phi_1180_ = type_11(0u, type_11().member_1);
+                        phi_1136_ = _e889;
+                        phi_1159_ = type_11(0u, type_11().member_1);
                     }
-                    let _e908 = phi_1157_;
-                    let _e910 = phi_1180_;
-                    let _e914 = (bitcast<i32>(_e910.member) != 0i);
-                    if _e914 {
-                        if (_e910.member_1 < 4u) {
+                    let _e902 = phi_1136_;
+                    let _e904 = phi_1159_;
+                    let _e908 = (bitcast<i32>(_e904.member) != 0i);
+                    if _e908 {
+                        if (_e904.member_1 < 4u) {
                         } else {
-                            phi_1209_ = true;
+                            phi_1188_ = true;
                             break;
                         }
-                        let _e917 = local[_e910.member_1];
-                        let _e919 = ((_e910.member_1 * _e46) + _e50);
-                        if (_e919 < arrayLength((&table.member))) {
+                        let _e911 = local[_e904.member_1];
+                        let _e913 = ((_e904.member_1 * _e44) + _e48);
+                        if (_e913 < arrayLength((&table.member))) {
                         } else {
-                            phi_1209_ = true;
+                            phi_1188_ = true;
                             break;
                         }
-                        table.member[_e919] = _e917;
+                        table.member[_e913] = _e911;
                     }
                     continue;
                     continuing {
-                        phi_1156_ = _e908;
-                        phi_1209_ = false;
-                        break if !(_e914);
+                        phi_1135_ = _e902;
+                        phi_1188_ = false;
+                        break if !(_e908);
                     }
                 }
-                let _e925 = phi_1209_;
-                if _e925 {
+                let _e919 = phi_1188_;
+                if _e919 {
                     break;
                 }
             }

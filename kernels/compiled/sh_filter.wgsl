@@ -29,461 +29,401 @@ var<uniform> params: type_19;
 
 fn function_() {
     var local: array<f32, 12>;
-    var phi_89_: u32;
-    var phi_108_: u32;
-    var phi_156_: u32;
-    var phi_175_: u32;
-    var phi_206_: f32;
-    var phi_223_: f32;
-    var phi_240_: f32;
-    var phi_261_: f32;
-    var phi_282_: f32;
-    var phi_303_: f32;
-    var phi_324_: f32;
-    var phi_345_: f32;
-    var phi_366_: f32;
-    var phi_418_: f32;
-    var phi_435_: f32;
-    var phi_452_: f32;
-    var phi_473_: f32;
-    var phi_494_: f32;
-    var phi_515_: f32;
-    var phi_536_: f32;
-    var phi_557_: f32;
-    var phi_578_: f32;
-    var phi_630_: f32;
-    var phi_647_: f32;
-    var phi_664_: f32;
-    var phi_685_: f32;
-    var phi_706_: f32;
-    var phi_727_: f32;
-    var phi_748_: f32;
-    var phi_769_: f32;
-    var phi_790_: f32;
-    var phi_842_: f32;
-    var phi_859_: f32;
-    var phi_876_: f32;
-    var phi_897_: f32;
-    var phi_918_: f32;
-    var phi_939_: f32;
-    var phi_960_: f32;
-    var phi_981_: f32;
-    var phi_1002_: f32;
-    var phi_1049_: type_12;
-    var phi_1050_: type_12;
-    var phi_1073_: type_12;
-    var phi_1103_: bool;
+    var phi_88_: u32;
+    var phi_107_: u32;
+    var phi_155_: u32;
+    var phi_174_: u32;
+    var phi_205_: f32;
+    var phi_222_: f32;
+    var phi_239_: f32;
+    var phi_260_: f32;
+    var phi_281_: f32;
+    var phi_302_: f32;
+    var phi_323_: f32;
+    var phi_344_: f32;
+    var phi_365_: f32;
+    var phi_402_: f32;
+    var phi_419_: f32;
+    var phi_436_: f32;
+    var phi_457_: f32;
+    var phi_478_: f32;
+    var phi_499_: f32;
+    var phi_520_: f32;
+    var phi_541_: f32;
+    var phi_562_: f32;
+    var phi_599_: f32;
+    var phi_616_: f32;
+    var phi_633_: f32;
+    var phi_654_: f32;
+    var phi_675_: f32;
+    var phi_696_: f32;
+    var phi_717_: f32;
+    var phi_738_: f32;
+    var phi_759_: f32;
+    var phi_796_: f32;
+    var phi_813_: f32;
+    var phi_830_: f32;
+    var phi_851_: f32;
+    var phi_872_: f32;
+    var phi_893_: f32;
+    var phi_914_: f32;
+    var phi_935_: f32;
+    var phi_956_: f32;
+    var phi_988_: type_12;
+    var phi_989_: type_12;
+    var phi_1012_: type_12;
+    var phi_1042_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e35 = gid_1;
-            let _e37 = arrayLength((&coefs.member));
-            let _e42 = params.member.member;
-            let _e45 = params.member.member_1;
-            let _e48 = (_e42 / 64u);
-            let _e50 = ((_e42 % 64u) > 0u);
-            if _e50 {
-                phi_89_ = (_e48 + 1u);
+            let _e40 = params.member.member;
+            let _e43 = params.member.member_1;
+            let _e46 = (_e40 / 64u);
+            let _e48 = ((_e40 % 64u) > 0u);
+            if _e48 {
+                phi_88_ = (_e46 + 1u);
             } else {
-                phi_89_ = _e48;
+                phi_88_ = _e46;
             }
-            let _e53 = phi_89_;
-            let _e54 = (select(_e45, 9u, (_e45 > 9u)) + 1u);
-            let _e55 = (_e54 * _e54);
-            let _e56 = (_e55 / 4u);
-            let _e58 = ((_e55 % 4u) > 0u);
-            if _e58 {
-                phi_108_ = (_e56 + 1u);
+            let _e51 = phi_88_;
+            let _e52 = (select(_e43, 9u, (_e43 > 9u)) + 1u);
+            let _e53 = (_e52 * _e52);
+            let _e54 = (_e53 / 4u);
+            let _e56 = ((_e53 % 4u) > 0u);
+            if _e56 {
+                phi_107_ = (_e54 + 1u);
             } else {
-                phi_108_ = _e56;
+                phi_107_ = _e54;
             }
-            let _e61 = phi_108_;
-            let _e63 = ((_e53 * _e61) * 64u);
-            let _e67 = (_e35.x + (_e35.y * 2097152u));
-            if (_e67 < _e63) {
-                let _e69 = (_e67 / 64u);
-                if _e50 {
-                    phi_156_ = (_e48 + 1u);
+            let _e59 = phi_107_;
+            let _e61 = ((_e51 * _e59) * 64u);
+            let _e65 = (_e35.x + (_e35.y * 2097152u));
+            if (_e65 < _e61) {
+                let _e67 = (_e65 / 64u);
+                if _e48 {
+                    phi_155_ = (_e46 + 1u);
                 } else {
-                    phi_156_ = _e48;
+                    phi_155_ = _e46;
                 }
-                let _e72 = phi_156_;
-                if _e58 {
-                    phi_175_ = (_e56 + 1u);
+                let _e70 = phi_155_;
+                if _e56 {
+                    phi_174_ = (_e54 + 1u);
                 } else {
-                    phi_175_ = _e56;
+                    phi_174_ = _e54;
                 }
-                let _e75 = phi_175_;
-                if (_e75 == 0u) {
+                let _e73 = phi_174_;
+                if (_e73 == 0u) {
                     break;
                 }
-                let _e80 = (_e72 * _e75);
-                let _e82 = ((_e69 - ((_e69 / _e75) * _e75)) * 4u);
-                let _e87 = params.member.member_4[0u][0u];
-                if (_e82 >= 1u) {
-                    let _e93 = params.member.member_4[0u][1u];
-                    phi_206_ = _e93;
+                let _e78 = (_e70 * _e73);
+                let _e80 = ((_e67 - ((_e67 / _e73) * _e73)) * 4u);
+                let _e85 = params.member.member_4[0u][0u];
+                if (_e80 >= 1u) {
+                    let _e91 = params.member.member_4[0u][1u];
+                    phi_205_ = _e91;
                 } else {
-                    phi_206_ = _e87;
+                    phi_205_ = _e85;
                 }
-                let _e95 = phi_206_;
-                if (_e82 >= 4u) {
-                    let _e101 = params.member.member_4[0u][2u];
-                    phi_223_ = _e101;
+                let _e93 = phi_205_;
+                if (_e80 >= 4u) {
+                    let _e99 = params.member.member_4[0u][2u];
+                    phi_222_ = _e99;
                 } else {
-                    phi_223_ = _e95;
+                    phi_222_ = _e93;
                 }
-                let _e103 = phi_223_;
-                if (_e82 >= 9u) {
-                    let _e109 = params.member.member_4[0u][3u];
-                    phi_240_ = _e109;
+                let _e101 = phi_222_;
+                if (_e80 >= 9u) {
+                    let _e107 = params.member.member_4[0u][3u];
+                    phi_239_ = _e107;
                 } else {
-                    phi_240_ = _e103;
+                    phi_239_ = _e101;
                 }
-                let _e111 = phi_240_;
-                if (_e82 >= 16u) {
-                    let _e117 = params.member.member_4[1u][0u];
-                    phi_261_ = _e117;
+                let _e109 = phi_239_;
+                if (_e80 >= 16u) {
+                    let _e115 = params.member.member_4[1u][0u];
+                    phi_260_ = _e115;
                 } else {
-                    phi_261_ = _e111;
+                    phi_260_ = _e109;
                 }
-                let _e119 = phi_261_;
-                if (_e82 >= 25u) {
-                    let _e125 = params.member.member_4[1u][1u];
-                    phi_282_ = _e125;
+                let _e117 = phi_260_;
+                if (_e80 >= 25u) {
+                    let _e123 = params.member.member_4[1u][1u];
+                    phi_281_ = _e123;
                 } else {
-                    phi_282_ = _e119;
+                    phi_281_ = _e117;
                 }
-                let _e127 = phi_282_;
-                if (_e82 >= 36u) {
-                    let _e133 = params.member.member_4[1u][2u];
-                    phi_303_ = _e133;
+                let _e125 = phi_281_;
+                if (_e80 >= 36u) {
+                    let _e131 = params.member.member_4[1u][2u];
+                    phi_302_ = _e131;
                 } else {
-                    phi_303_ = _e127;
+                    phi_302_ = _e125;
                 }
-                let _e135 = phi_303_;
-                if (_e82 >= 49u) {
-                    let _e141 = params.member.member_4[1u][3u];
-                    phi_324_ = _e141;
+                let _e133 = phi_302_;
+                if (_e80 >= 49u) {
+                    let _e139 = params.member.member_4[1u][3u];
+                    phi_323_ = _e139;
                 } else {
-                    phi_324_ = _e135;
+                    phi_323_ = _e133;
                 }
-                let _e143 = phi_324_;
-                if (_e82 >= 64u) {
-                    let _e149 = params.member.member_4[2u][0u];
-                    phi_345_ = _e149;
+                let _e141 = phi_323_;
+                if (_e80 >= 64u) {
+                    let _e147 = params.member.member_4[2u][0u];
+                    phi_344_ = _e147;
                 } else {
-                    phi_345_ = _e143;
+                    phi_344_ = _e141;
                 }
-                let _e151 = phi_345_;
-                if (_e82 >= 81u) {
-                    let _e157 = params.member.member_4[2u][1u];
-                    phi_366_ = _e157;
+                let _e149 = phi_344_;
+                if (_e80 >= 81u) {
+                    let _e155 = params.member.member_4[2u][1u];
+                    phi_365_ = _e155;
                 } else {
-                    phi_366_ = _e151;
+                    phi_365_ = _e149;
                 }
-                let _e159 = phi_366_;
-                if (_e67 < _e37) {
+                let _e157 = phi_365_;
+                let _e160 = coefs.member[_e65];
+                let _e166 = coefs.member[((_e78 * 256u) + _e65)];
+                let _e172 = coefs.member[((_e78 * 512u) + _e65)];
+                let _e174 = (_e80 + 1u);
+                if (_e174 >= 1u) {
+                    let _e180 = params.member.member_4[0u][1u];
+                    phi_402_ = _e180;
                 } else {
-                    break;
+                    phi_402_ = _e85;
                 }
-                let _e163 = coefs.member[_e67];
-                let _e166 = ((_e80 * 256u) + _e67);
-                if (_e166 < _e37) {
+                let _e182 = phi_402_;
+                if (_e174 >= 4u) {
+                    let _e188 = params.member.member_4[0u][2u];
+                    phi_419_ = _e188;
                 } else {
-                    break;
+                    phi_419_ = _e182;
                 }
-                let _e170 = coefs.member[_e166];
-                let _e173 = ((_e80 * 512u) + _e67);
-                if (_e173 < _e37) {
+                let _e190 = phi_419_;
+                if (_e174 >= 9u) {
+                    let _e196 = params.member.member_4[0u][3u];
+                    phi_436_ = _e196;
                 } else {
-                    break;
+                    phi_436_ = _e190;
                 }
-                let _e177 = coefs.member[_e173];
-                let _e179 = (_e82 + 1u);
-                if (_e179 >= 1u) {
-                    let _e185 = params.member.member_4[0u][1u];
-                    phi_418_ = _e185;
+                let _e198 = phi_436_;
+                if (_e174 >= 16u) {
+                    let _e204 = params.member.member_4[1u][0u];
+                    phi_457_ = _e204;
                 } else {
-                    phi_418_ = _e87;
+                    phi_457_ = _e198;
                 }
-                let _e187 = phi_418_;
-                if (_e179 >= 4u) {
-                    let _e193 = params.member.member_4[0u][2u];
-                    phi_435_ = _e193;
+                let _e206 = phi_457_;
+                if (_e174 >= 25u) {
+                    let _e212 = params.member.member_4[1u][1u];
+                    phi_478_ = _e212;
                 } else {
-                    phi_435_ = _e187;
+                    phi_478_ = _e206;
                 }
-                let _e195 = phi_435_;
-                if (_e179 >= 9u) {
-                    let _e201 = params.member.member_4[0u][3u];
-                    phi_452_ = _e201;
+                let _e214 = phi_478_;
+                if (_e174 >= 36u) {
+                    let _e220 = params.member.member_4[1u][2u];
+                    phi_499_ = _e220;
                 } else {
-                    phi_452_ = _e195;
+                    phi_499_ = _e214;
                 }
-                let _e203 = phi_452_;
-                if (_e179 >= 16u) {
-                    let _e209 = params.member.member_4[1u][0u];
-                    phi_473_ = _e209;
+                let _e222 = phi_499_;
+                if (_e174 >= 49u) {
+                    let _e228 = params.member.member_4[1u][3u];
+                    phi_520_ = _e228;
                 } else {
-                    phi_473_ = _e203;
+                    phi_520_ = _e222;
                 }
-                let _e211 = phi_473_;
-                if (_e179 >= 25u) {
-                    let _e217 = params.member.member_4[1u][1u];
-                    phi_494_ = _e217;
+                let _e230 = phi_520_;
+                if (_e174 >= 64u) {
+                    let _e236 = params.member.member_4[2u][0u];
+                    phi_541_ = _e236;
                 } else {
-                    phi_494_ = _e211;
+                    phi_541_ = _e230;
                 }
-                let _e219 = phi_494_;
-                if (_e179 >= 36u) {
-                    let _e225 = params.member.member_4[1u][2u];
-                    phi_515_ = _e225;
+                let _e238 = phi_541_;
+                if (_e174 >= 81u) {
+                    let _e244 = params.member.member_4[2u][1u];
+                    phi_562_ = _e244;
                 } else {
-                    phi_515_ = _e219;
+                    phi_562_ = _e238;
                 }
-                let _e227 = phi_515_;
-                if (_e179 >= 49u) {
-                    let _e233 = params.member.member_4[1u][3u];
-                    phi_536_ = _e233;
+                let _e246 = phi_562_;
+                let _e250 = coefs.member[((_e78 * 64u) + _e65)];
+                let _e256 = coefs.member[((_e78 * 320u) + _e65)];
+                let _e262 = coefs.member[((_e78 * 576u) + _e65)];
+                let _e264 = (_e80 + 2u);
+                if (_e264 >= 1u) {
+                    let _e270 = params.member.member_4[0u][1u];
+                    phi_599_ = _e270;
                 } else {
-                    phi_536_ = _e227;
+                    phi_599_ = _e85;
                 }
-                let _e235 = phi_536_;
-                if (_e179 >= 64u) {
-                    let _e241 = params.member.member_4[2u][0u];
-                    phi_557_ = _e241;
+                let _e272 = phi_599_;
+                if (_e264 >= 4u) {
+                    let _e278 = params.member.member_4[0u][2u];
+                    phi_616_ = _e278;
                 } else {
-                    phi_557_ = _e235;
+                    phi_616_ = _e272;
                 }
-                let _e243 = phi_557_;
-                if (_e179 >= 81u) {
-                    let _e249 = params.member.member_4[2u][1u];
-                    phi_578_ = _e249;
+                let _e280 = phi_616_;
+                if (_e264 >= 9u) {
+                    let _e286 = params.member.member_4[0u][3u];
+                    phi_633_ = _e286;
                 } else {
-                    phi_578_ = _e243;
+                    phi_633_ = _e280;
                 }
-                let _e251 = phi_578_;
-                let _e252 = ((_e80 * 64u) + _e67);
-                if (_e252 < _e37) {
+                let _e288 = phi_633_;
+                if (_e264 >= 16u) {
+                    let _e294 = params.member.member_4[1u][0u];
+                    phi_654_ = _e294;
                 } else {
-                    break;
+                    phi_654_ = _e288;
                 }
-                let _e256 = coefs.member[_e252];
-                let _e259 = ((_e80 * 320u) + _e67);
-                if (_e259 < _e37) {
+                let _e296 = phi_654_;
+                if (_e264 >= 25u) {
+                    let _e302 = params.member.member_4[1u][1u];
+                    phi_675_ = _e302;
                 } else {
-                    break;
+                    phi_675_ = _e296;
                 }
-                let _e263 = coefs.member[_e259];
-                let _e266 = ((_e80 * 576u) + _e67);
-                if (_e266 < _e37) {
+                let _e304 = phi_675_;
+                if (_e264 >= 36u) {
+                    let _e310 = params.member.member_4[1u][2u];
+                    phi_696_ = _e310;
                 } else {
-                    break;
+                    phi_696_ = _e304;
                 }
-                let _e270 = coefs.member[_e266];
-                let _e272 = (_e82 + 2u);
-                if (_e272 >= 1u) {
-                    let _e278 = params.member.member_4[0u][1u];
-                    phi_630_ = _e278;
+                let _e312 = phi_696_;
+                if (_e264 >= 49u) {
+                    let _e318 = params.member.member_4[1u][3u];
+                    phi_717_ = _e318;
                 } else {
-                    phi_630_ = _e87;
+                    phi_717_ = _e312;
                 }
-                let _e280 = phi_630_;
-                if (_e272 >= 4u) {
-                    let _e286 = params.member.member_4[0u][2u];
-                    phi_647_ = _e286;
+                let _e320 = phi_717_;
+                if (_e264 >= 64u) {
+                    let _e326 = params.member.member_4[2u][0u];
+                    phi_738_ = _e326;
                 } else {
-                    phi_647_ = _e280;
+                    phi_738_ = _e320;
                 }
-                let _e288 = phi_647_;
-                if (_e272 >= 9u) {
-                    let _e294 = params.member.member_4[0u][3u];
-                    phi_664_ = _e294;
+                let _e328 = phi_738_;
+                if (_e264 >= 81u) {
+                    let _e334 = params.member.member_4[2u][1u];
+                    phi_759_ = _e334;
                 } else {
-                    phi_664_ = _e288;
+                    phi_759_ = _e328;
                 }
-                let _e296 = phi_664_;
-                if (_e272 >= 16u) {
-                    let _e302 = params.member.member_4[1u][0u];
-                    phi_685_ = _e302;
+                let _e336 = phi_759_;
+                let _e341 = coefs.member[((_e78 * 128u) + _e65)];
+                let _e347 = coefs.member[((_e78 * 384u) + _e65)];
+                let _e353 = coefs.member[((_e78 * 640u) + _e65)];
+                let _e355 = (_e80 + 3u);
+                if (_e355 >= 1u) {
+                    let _e361 = params.member.member_4[0u][1u];
+                    phi_796_ = _e361;
                 } else {
-                    phi_685_ = _e296;
+                    phi_796_ = _e85;
                 }
-                let _e304 = phi_685_;
-                if (_e272 >= 25u) {
-                    let _e310 = params.member.member_4[1u][1u];
-                    phi_706_ = _e310;
+                let _e363 = phi_796_;
+                if (_e355 >= 4u) {
+                    let _e369 = params.member.member_4[0u][2u];
+                    phi_813_ = _e369;
                 } else {
-                    phi_706_ = _e304;
+                    phi_813_ = _e363;
                 }
-                let _e312 = phi_706_;
-                if (_e272 >= 36u) {
-                    let _e318 = params.member.member_4[1u][2u];
-                    phi_727_ = _e318;
+                let _e371 = phi_813_;
+                if (_e355 >= 9u) {
+                    let _e377 = params.member.member_4[0u][3u];
+                    phi_830_ = _e377;
                 } else {
-                    phi_727_ = _e312;
+                    phi_830_ = _e371;
                 }
-                let _e320 = phi_727_;
-                if (_e272 >= 49u) {
-                    let _e326 = params.member.member_4[1u][3u];
-                    phi_748_ = _e326;
+                let _e379 = phi_830_;
+                if (_e355 >= 16u) {
+                    let _e385 = params.member.member_4[1u][0u];
+                    phi_851_ = _e385;
                 } else {
-                    phi_748_ = _e320;
+                    phi_851_ = _e379;
                 }
-                let _e328 = phi_748_;
-                if (_e272 >= 64u) {
-                    let _e334 = params.member.member_4[2u][0u];
-                    phi_769_ = _e334;
+                let _e387 = phi_851_;
+                if (_e355 >= 25u) {
+                    let _e393 = params.member.member_4[1u][1u];
+                    phi_872_ = _e393;
                 } else {
-                    phi_769_ = _e328;
+                    phi_872_ = _e387;
                 }
-                let _e336 = phi_769_;
-                if (_e272 >= 81u) {
-                    let _e342 = params.member.member_4[2u][1u];
-                    phi_790_ = _e342;
+                let _e395 = phi_872_;
+                if (_e355 >= 36u) {
+                    let _e401 = params.member.member_4[1u][2u];
+                    phi_893_ = _e401;
                 } else {
-                    phi_790_ = _e336;
+                    phi_893_ = _e395;
                 }
-                let _e344 = phi_790_;
-                let _e346 = ((_e80 * 128u) + _e67);
-                if (_e346 < _e37) {
+                let _e403 = phi_893_;
+                if (_e355 >= 49u) {
+                    let _e409 = params.member.member_4[1u][3u];
+                    phi_914_ = _e409;
                 } else {
-                    break;
+                    phi_914_ = _e403;
                 }
-                let _e350 = coefs.member[_e346];
-                let _e353 = ((_e80 * 384u) + _e67);
-                if (_e353 < _e37) {
+                let _e411 = phi_914_;
+                if (_e355 >= 64u) {
+                    let _e417 = params.member.member_4[2u][0u];
+                    phi_935_ = _e417;
                 } else {
-                    break;
+                    phi_935_ = _e411;
                 }
-                let _e357 = coefs.member[_e353];
-                let _e360 = ((_e80 * 640u) + _e67);
-                if (_e360 < _e37) {
+                let _e419 = phi_935_;
+                if (_e355 >= 81u) {
+                    let _e425 = params.member.member_4[2u][1u];
+                    phi_956_ = _e425;
                 } else {
-                    break;
+                    phi_956_ = _e419;
                 }
-                let _e364 = coefs.member[_e360];
-                let _e366 = (_e82 + 3u);
-                if (_e366 >= 1u) {
-                    let _e372 = params.member.member_4[0u][1u];
-                    phi_842_ = _e372;
-                } else {
-                    phi_842_ = _e87;
-                }
-                let _e374 = phi_842_;
-                if (_e366 >= 4u) {
-                    let _e380 = params.member.member_4[0u][2u];
-                    phi_859_ = _e380;
-                } else {
-                    phi_859_ = _e374;
-                }
-                let _e382 = phi_859_;
-                if (_e366 >= 9u) {
-                    let _e388 = params.member.member_4[0u][3u];
-                    phi_876_ = _e388;
-                } else {
-                    phi_876_ = _e382;
-                }
-                let _e390 = phi_876_;
-                if (_e366 >= 16u) {
-                    let _e396 = params.member.member_4[1u][0u];
-                    phi_897_ = _e396;
-                } else {
-                    phi_897_ = _e390;
-                }
-                let _e398 = phi_897_;
-                if (_e366 >= 25u) {
-                    let _e404 = params.member.member_4[1u][1u];
-                    phi_918_ = _e404;
-                } else {
-                    phi_918_ = _e398;
-                }
-                let _e406 = phi_918_;
-                if (_e366 >= 36u) {
-                    let _e412 = params.member.member_4[1u][2u];
-                    phi_939_ = _e412;
-                } else {
-                    phi_939_ = _e406;
-                }
-                let _e414 = phi_939_;
-                if (_e366 >= 49u) {
-                    let _e420 = params.member.member_4[1u][3u];
-                    phi_960_ = _e420;
-                } else {
-                    phi_960_ = _e414;
-                }
-                let _e422 = phi_960_;
-                if (_e366 >= 64u) {
-                    let _e428 = params.member.member_4[2u][0u];
-                    phi_981_ = _e428;
-                } else {
-                    phi_981_ = _e422;
-                }
-                let _e430 = phi_981_;
-                if (_e366 >= 81u) {
-                    let _e436 = params.member.member_4[2u][1u];
-                    phi_1002_ = _e436;
-                } else {
-                    phi_1002_ = _e430;
-                }
-                let _e438 = phi_1002_;
-                let _e440 = ((_e80 * 192u) + _e67);
-                if (_e440 < _e37) {
-                } else {
-                    break;
-                }
-                let _e444 = coefs.member[_e440];
-                let _e447 = ((_e80 * 448u) + _e67);
-                if (_e447 < _e37) {
-                } else {
-                    break;
-                }
-                let _e451 = coefs.member[_e447];
-                let _e454 = ((_e80 * 704u) + _e67);
-                if (_e454 < _e37) {
-                } else {
-                    break;
-                }
-                let _e458 = coefs.member[_e454];
-                local = array<f32, 12>((_e163 * _e159), (_e256 * _e251), (_e350 * _e344), (_e444 * _e438), (_e170 * _e159), (_e263 * _e251), (_e357 * _e344), (_e451 * _e438), (_e177 * _e159), (_e270 * _e251), (_e364 * _e344), (_e458 * _e438));
-                phi_1049_ = type_12(0u, 12u);
+                let _e427 = phi_956_;
+                let _e432 = coefs.member[((_e78 * 192u) + _e65)];
+                let _e438 = coefs.member[((_e78 * 448u) + _e65)];
+                let _e444 = coefs.member[((_e78 * 704u) + _e65)];
+                local = array<f32, 12>((_e160 * _e157), (_e250 * _e246), (_e341 * _e336), (_e432 * _e427), (_e166 * _e157), (_e256 * _e246), (_e347 * _e336), (_e438 * _e427), (_e172 * _e157), (_e262 * _e246), (_e353 * _e336), (_e444 * _e427));
+                phi_988_ = type_12(0u, 12u);
                 loop {
-                    let _e462 = phi_1049_;
-                    if (_e462.member < _e462.member_1) {
-                        phi_1050_ = type_12((_e462.member + 1u), _e462.member_1);
-                        phi_1073_ = type_12(1u, _e462.member);
+                    let _e448 = phi_988_;
+                    if (_e448.member < _e448.member_1) {
+                        phi_989_ = type_12((_e448.member + 1u), _e448.member_1);
+                        phi_1012_ = type_12(1u, _e448.member);
                     } else {
-                        phi_1050_ = _e462;
-                        phi_1073_ = type_12(0u, type_12().member_1);
+                        phi_989_ = _e448;
+                        phi_1012_ = type_12(0u, type_12().member_1);
                     }
-                    let _e475 = phi_1050_;
-                    let _e477 = phi_1073_;
-                    let _e481 = (bitcast<i32>(_e477.member) != 0i);
-                    if _e481 {
-                        if (_e477.member_1 < 12u) {
+                    let _e461 = phi_989_;
+                    let _e463 = phi_1012_;
+                    let _e467 = (bitcast<i32>(_e463.member) != 0i);
+                    if _e467 {
+                        if (_e463.member_1 < 12u) {
                         } else {
-                            phi_1103_ = true;
+                            phi_1042_ = true;
                             break;
                         }
-                        let _e484 = local[_e477.member_1];
-                        let _e486 = ((_e477.member_1 * _e63) + _e67);
-                        if (_e486 < arrayLength((&out.member))) {
+                        let _e470 = local[_e463.member_1];
+                        let _e472 = ((_e463.member_1 * _e61) + _e65);
+                        if (_e472 < arrayLength((&out.member))) {
                         } else {
-                            phi_1103_ = true;
+                            phi_1042_ = true;
                             break;
                         }
-                        out.member[_e486] = _e484;
+                        out.member[_e472] = _e470;
                     }
                     continue;
                     continuing {
-                        phi_1049_ = _e475;
-                        phi_1103_ = false;
-                        break if !(_e481);
+                        phi_988_ = _e461;
+                        phi_1042_ = false;
+                        break if !(_e467);
                     }
                 }
-                let _e492 = phi_1103_;
-                if _e492 {
+                let _e478 = phi_1042_;
+                if _e478 {
                     break;
                 }
             }

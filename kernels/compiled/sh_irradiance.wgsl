@@ -30,1529 +30,841 @@ var<storage, read_write> irradiance: type_5;
 
 fn function_() {
     var local: array<f32, 3>;
-    var phi_205_: u32;
-    var phi_267_: u32;
-    var phi_286_: u32;
-    var phi_451_: array<f32, 3>;
-    var phi_453_: f32;
-    var phi_514_: array<f32, 3>;
-    var phi_516_: f32;
-    var phi_579_: f32;
-    var phi_640_: array<f32, 3>;
-    var phi_642_: f32;
-    var phi_705_: f32;
-    var phi_766_: array<f32, 3>;
-    var phi_768_: f32;
-    var phi_831_: f32;
-    var phi_892_: array<f32, 3>;
-    var phi_1071_: array<f32, 3>;
-    var phi_1184_: array<f32, 3>;
-    var phi_1186_: f32;
-    var phi_1303_: f32;
-    var phi_1418_: array<f32, 3>;
-    var phi_1420_: f32;
-    var phi_1537_: f32;
-    var phi_1652_: array<f32, 3>;
-    var phi_1654_: f32;
-    var phi_1771_: f32;
-    var phi_1886_: array<f32, 3>;
-    var phi_2004_: array<f32, 3>;
-    var phi_2125_: array<f32, 3>;
-    var phi_2240_: f32;
-    var phi_2355_: array<f32, 3>;
-    var phi_2357_: f32;
-    var phi_2474_: f32;
-    var phi_2589_: array<f32, 3>;
-    var phi_2591_: f32;
-    var phi_2708_: f32;
-    var phi_2823_: array<f32, 3>;
-    var phi_2941_: array<f32, 3>;
-    var phi_2942_: f32;
-    var phi_2943_: f32;
-    var phi_3177_: array<f32, 3>;
-    var phi_3179_: f32;
-    var phi_3296_: f32;
-    var phi_3411_: array<f32, 3>;
-    var phi_3413_: f32;
-    var phi_3530_: f32;
-    var phi_3645_: array<f32, 3>;
-    var phi_3763_: array<f32, 3>;
-    var phi_3764_: f32;
-    var phi_3765_: f32;
-    var phi_3886_: array<f32, 3>;
-    var phi_4001_: f32;
-    var phi_4116_: array<f32, 3>;
-    var phi_4118_: f32;
-    var phi_4235_: f32;
-    var phi_4350_: array<f32, 3>;
-    var phi_4468_: array<f32, 3>;
-    var phi_4469_: f32;
-    var phi_4470_: f32;
-    var phi_4704_: array<f32, 3>;
-    var phi_4706_: f32;
-    var phi_4823_: f32;
-    var phi_4938_: array<f32, 3>;
-    var phi_5056_: array<f32, 3>;
-    var phi_5057_: f32;
-    var phi_5058_: f32;
-    var phi_5179_: array<f32, 3>;
-    var phi_5294_: f32;
-    var phi_5409_: array<f32, 3>;
-    var phi_5527_: array<f32, 3>;
-    var phi_5528_: f32;
-    var phi_5529_: f32;
-    var phi_5763_: array<f32, 3>;
-    var phi_5881_: array<f32, 3>;
-    var phi_5882_: f32;
-    var phi_5883_: f32;
-    var phi_6004_: array<f32, 3>;
-    var phi_6118_: array<f32, 3>;
-    var phi_6258_: type_13;
-    var phi_6259_: type_13;
-    var phi_6282_: type_13;
-    var phi_6312_: bool;
+    var phi_204_: u32;
+    var phi_266_: u32;
+    var phi_285_: u32;
+    var phi_399_: array<f32, 3>;
+    var phi_401_: f32;
+    var phi_444_: array<f32, 3>;
+    var phi_446_: f32;
+    var phi_491_: f32;
+    var phi_534_: array<f32, 3>;
+    var phi_536_: f32;
+    var phi_581_: f32;
+    var phi_624_: array<f32, 3>;
+    var phi_626_: f32;
+    var phi_671_: f32;
+    var phi_714_: array<f32, 3>;
+    var phi_839_: array<f32, 3>;
+    var phi_916_: array<f32, 3>;
+    var phi_918_: f32;
+    var phi_999_: f32;
+    var phi_1078_: array<f32, 3>;
+    var phi_1080_: f32;
+    var phi_1161_: f32;
+    var phi_1240_: array<f32, 3>;
+    var phi_1242_: f32;
+    var phi_1323_: f32;
+    var phi_1402_: array<f32, 3>;
+    var phi_1484_: array<f32, 3>;
+    var phi_1569_: array<f32, 3>;
+    var phi_1648_: f32;
+    var phi_1727_: array<f32, 3>;
+    var phi_1729_: f32;
+    var phi_1810_: f32;
+    var phi_1889_: array<f32, 3>;
+    var phi_1891_: f32;
+    var phi_1972_: f32;
+    var phi_2051_: array<f32, 3>;
+    var phi_2133_: array<f32, 3>;
+    var phi_2134_: f32;
+    var phi_2135_: f32;
+    var phi_2297_: array<f32, 3>;
+    var phi_2299_: f32;
+    var phi_2380_: f32;
+    var phi_2459_: array<f32, 3>;
+    var phi_2461_: f32;
+    var phi_2542_: f32;
+    var phi_2621_: array<f32, 3>;
+    var phi_2703_: array<f32, 3>;
+    var phi_2704_: f32;
+    var phi_2705_: f32;
+    var phi_2790_: array<f32, 3>;
+    var phi_2869_: f32;
+    var phi_2948_: array<f32, 3>;
+    var phi_2950_: f32;
+    var phi_3031_: f32;
+    var phi_3110_: array<f32, 3>;
+    var phi_3192_: array<f32, 3>;
+    var phi_3193_: f32;
+    var phi_3194_: f32;
+    var phi_3356_: array<f32, 3>;
+    var phi_3358_: f32;
+    var phi_3439_: f32;
+    var phi_3518_: array<f32, 3>;
+    var phi_3600_: array<f32, 3>;
+    var phi_3601_: f32;
+    var phi_3602_: f32;
+    var phi_3687_: array<f32, 3>;
+    var phi_3766_: f32;
+    var phi_3845_: array<f32, 3>;
+    var phi_3927_: array<f32, 3>;
+    var phi_3928_: f32;
+    var phi_3929_: f32;
+    var phi_4091_: array<f32, 3>;
+    var phi_4173_: array<f32, 3>;
+    var phi_4174_: f32;
+    var phi_4175_: f32;
+    var phi_4260_: array<f32, 3>;
+    var phi_4338_: array<f32, 3>;
+    var phi_4442_: type_13;
+    var phi_4443_: type_13;
+    var phi_4466_: type_13;
+    var phi_4496_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e120 = gid_1;
-            let _e123 = arrayLength((&coefs.member));
-            let _e125 = arrayLength((&normals.member));
-            let _e130 = params.member.member;
-            let _e131 = (_e130 / 64u);
-            let _e133 = ((_e130 % 64u) > 0u);
-            if _e133 {
-                phi_205_ = (_e131 + 1u);
+            let _e126 = params.member.member;
+            let _e127 = (_e126 / 64u);
+            let _e129 = ((_e126 % 64u) > 0u);
+            if _e129 {
+                phi_204_ = (_e127 + 1u);
             } else {
-                phi_205_ = _e131;
+                phi_204_ = _e127;
             }
-            let _e136 = phi_205_;
-            let _e137 = (_e136 * 64u);
-            let _e141 = (_e120.x + (_e120.y * 2097152u));
-            if (_e141 < _e137) {
-                let _e144 = ((_e141 / 64u) * 64u);
-                let _e148 = params.member.member_2;
-                if _e133 {
-                    phi_267_ = (_e131 + 1u);
+            let _e132 = phi_204_;
+            let _e133 = (_e132 * 64u);
+            let _e137 = (_e120.x + (_e120.y * 2097152u));
+            if (_e137 < _e133) {
+                let _e140 = ((_e137 / 64u) * 64u);
+                let _e144 = params.member.member_2;
+                if _e129 {
+                    phi_266_ = (_e127 + 1u);
                 } else {
-                    phi_267_ = _e131;
+                    phi_266_ = _e127;
                 }
-                let _e153 = phi_267_;
-                let _e154 = (select(_e148, 9u, (_e148 > 9u)) + 1u);
-                let _e155 = (_e154 * _e154);
-                let _e156 = (_e155 / 4u);
-                if ((_e155 % 4u) > 0u) {
-                    phi_286_ = (_e156 + 1u);
+                let _e149 = phi_266_;
+                let _e150 = (select(_e144, 9u, (_e144 > 9u)) + 1u);
+                let _e151 = (_e150 * _e150);
+                let _e152 = (_e151 / 4u);
+                if ((_e151 % 4u) > 0u) {
+                    phi_285_ = (_e152 + 1u);
                 } else {
-                    phi_286_ = _e156;
+                    phi_285_ = _e152;
                 }
-                let _e161 = phi_286_;
-                if (_e141 < _e125) {
+                let _e157 = phi_285_;
+                let _e161 = normals.member[_e137];
+                let _e165 = normals.member[((_e149 * 64u) + _e137)];
+                let _e170 = normals.member[((_e149 * 128u) + _e137)];
+                let _e176 = (((((_e140 / 64u) * _e157) * 64u) + (_e140 % 64u)) + (_e137 - _e140));
+                let _e177 = (_e149 * _e157);
+                let _e178 = (_e177 * 64u);
+                let _e180 = coefs.member[_e176];
+                let _e181 = (_e180 * 0.886227f);
+                let _e182 = (_e177 * 256u);
+                let _e185 = coefs.member[(_e176 + _e182)];
+                let _e186 = (_e185 * 0.886227f);
+                let _e187 = (_e177 * 512u);
+                let _e190 = coefs.member[(_e176 + _e187)];
+                let _e191 = (_e190 * 0.886227f);
+                let _e193 = (1u <= _e144);
+                if _e193 {
+                    let _e195 = (_e170 * 1.0233268f);
+                    let _e197 = (_e176 + (_e177 * 128u));
+                    let _e199 = coefs.member[_e197];
+                    let _e204 = coefs.member[(_e197 + _e182)];
+                    let _e209 = coefs.member[(_e197 + _e187)];
+                    phi_399_ = array<f32, 3>((_e181 + (_e199 * _e195)), (_e186 + (_e204 * _e195)), (_e191 + (_e209 * _e195)));
+                    phi_401_ = (_e170 * 0.48860252f);
                 } else {
-                    break;
+                    phi_399_ = array<f32, 3>(_e181, _e186, _e191);
+                    phi_401_ = 0.2820948f;
                 }
-                let _e166 = normals.member[_e141];
-                let _e167 = ((_e153 * 64u) + _e141);
-                if (_e167 < _e125) {
+                let _e214 = phi_399_;
+                let _e216 = phi_401_;
+                let _e217 = select(0f, 0.2820948f, _e193);
+                let _e218 = (2u <= _e144);
+                if _e218 {
+                    let _e222 = (((_e170 * 1.9364917f) * _e216) - (1.118034f * _e217));
+                    let _e223 = (_e222 * 0.7853982f);
+                    let _e226 = ((_e176 + (_e177 * 128u)) + 64u);
+                    let _e229 = coefs.member[_e226];
+                    let _e235 = coefs.member[(_e226 + _e182)];
+                    let _e241 = coefs.member[(_e226 + _e187)];
+                    phi_444_ = array<f32, 3>((_e214[0] + (_e229 * _e223)), (_e214[1] + (_e235 * _e223)), (_e214[2] + (_e241 * _e223)));
+                    phi_446_ = _e222;
                 } else {
-                    break;
+                    phi_444_ = _e214;
+                    phi_446_ = _e216;
                 }
-                let _e171 = normals.member[_e167];
-                let _e173 = ((_e153 * 128u) + _e141);
-                if (_e173 < _e125) {
+                let _e246 = phi_444_;
+                let _e248 = phi_446_;
+                let _e249 = select(_e217, _e216, _e218);
+                let _e250 = (3u <= _e144);
+                if _e250 {
+                    phi_491_ = (((_e170 * 1.9720266f) * _e248) - (1.0183501f * _e249));
                 } else {
-                    break;
+                    phi_491_ = _e248;
                 }
-                let _e177 = normals.member[_e173];
-                let _e183 = (((((_e144 / 64u) * _e161) * 64u) + (_e144 % 64u)) + (_e141 - _e144));
-                let _e184 = (_e153 * _e161);
-                let _e185 = (_e184 * 64u);
-                if (_e183 < _e123) {
+                let _e256 = phi_491_;
+                let _e257 = select(_e249, _e248, _e250);
+                let _e258 = (4u <= _e144);
+                if _e258 {
+                    let _e262 = (((_e170 * 1.9843135f) * _e256) - (1.0062306f * _e257));
+                    let _e263 = (_e262 * -0.1308997f);
+                    let _e264 = (_e176 + 320u);
+                    let _e267 = coefs.member[_e264];
+                    let _e273 = coefs.member[(_e264 + _e182)];
+                    let _e279 = coefs.member[(_e264 + _e187)];
+                    phi_534_ = array<f32, 3>((_e246[0] + (_e267 * _e263)), (_e246[1] + (_e273 * _e263)), (_e246[2] + (_e279 * _e263)));
+                    phi_536_ = _e262;
                 } else {
-                    break;
+                    phi_534_ = _e246;
+                    phi_536_ = _e256;
                 }
-                let _e188 = coefs.member[_e183];
-                let _e189 = (_e188 * 0.886227f);
-                let _e190 = (_e184 * 256u);
-                let _e191 = (_e183 + _e190);
-                if (_e191 < _e123) {
+                let _e284 = phi_534_;
+                let _e286 = phi_536_;
+                let _e287 = select(_e257, _e256, _e258);
+                let _e288 = (5u <= _e144);
+                if _e288 {
+                    phi_581_ = (((_e170 * 1.9899749f) * _e286) - (1.002853f * _e287));
                 } else {
-                    break;
+                    phi_581_ = _e286;
                 }
-                let _e194 = coefs.member[_e191];
-                let _e195 = (_e194 * 0.886227f);
-                let _e196 = (_e184 * 512u);
-                let _e197 = (_e183 + _e196);
-                if (_e197 < _e123) {
+                let _e294 = phi_581_;
+                let _e295 = select(_e287, _e286, _e288);
+                let _e296 = (6u <= _e144);
+                if _e296 {
+                    let _e300 = (((_e170 * 1.9930434f) * _e294) - (1.001542f * _e295));
+                    let _e301 = (_e300 * 0.049087387f);
+                    let _e304 = ((_e176 + (_e177 * 128u)) + 640u);
+                    let _e307 = coefs.member[_e304];
+                    let _e313 = coefs.member[(_e304 + _e182)];
+                    let _e319 = coefs.member[(_e304 + _e187)];
+                    phi_624_ = array<f32, 3>((_e284[0] + (_e307 * _e301)), (_e284[1] + (_e313 * _e301)), (_e284[2] + (_e319 * _e301)));
+                    phi_626_ = _e300;
                 } else {
-                    break;
+                    phi_624_ = _e284;
+                    phi_626_ = _e294;
                 }
-                let _e200 = coefs.member[_e197];
-                let _e201 = (_e200 * 0.886227f);
-                let _e203 = (1u <= _e148);
-                if _e203 {
-                    let _e205 = (_e177 * 1.0233268f);
-                    let _e207 = (_e183 + (_e184 * 128u));
-                    if (_e207 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e210 = coefs.member[_e207];
-                    let _e213 = (_e207 + _e190);
-                    if (_e213 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e216 = coefs.member[_e213];
-                    let _e219 = (_e207 + _e196);
-                    if (_e219 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e222 = coefs.member[_e219];
-                    phi_451_ = array<f32, 3>((_e189 + (_e210 * _e205)), (_e195 + (_e216 * _e205)), (_e201 + (_e222 * _e205)));
-                    phi_453_ = (_e177 * 0.48860252f);
+                let _e324 = phi_624_;
+                let _e326 = phi_626_;
+                let _e327 = select(_e295, _e294, _e296);
+                let _e328 = (7u <= _e144);
+                if _e328 {
+                    phi_671_ = (((_e170 * 1.9948914f) * _e326) - (1.0009272f * _e327));
                 } else {
-                    phi_451_ = array<f32, 3>(_e189, _e195, _e201);
-                    phi_453_ = 0.2820948f;
+                    phi_671_ = _e326;
                 }
-                let _e227 = phi_451_;
-                let _e229 = phi_453_;
-                let _e230 = select(0f, 0.2820948f, _e203);
-                let _e231 = (2u <= _e148);
-                if _e231 {
-                    let _e235 = (((_e177 * 1.9364917f) * _e229) - (1.118034f * _e230));
-                    let _e236 = (_e235 * 0.7853982f);
-                    let _e239 = ((_e183 + (_e184 * 128u)) + 64u);
-                    if (_e239 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e243 = coefs.member[_e239];
-                    let _e247 = (_e239 + _e190);
-                    if (_e247 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e250 = coefs.member[_e247];
-                    let _e254 = (_e239 + _e196);
-                    if (_e254 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e257 = coefs.member[_e254];
-                    phi_514_ = array<f32, 3>((_e227[0] + (_e243 * _e236)), (_e227[1] + (_e250 * _e236)), (_e227[2] + (_e257 * _e236)));
-                    phi_516_ = _e235;
+                let _e334 = phi_671_;
+                let _e336 = (8u <= _e144);
+                if _e336 {
+                    let _e341 = ((((_e170 * 1.9960899f) * _e334) - (1.0006008f * select(_e327, _e326, _e328))) * -0.024543693f);
+                    let _e342 = (_e176 + 1152u);
+                    let _e345 = coefs.member[_e342];
+                    let _e351 = coefs.member[(_e342 + _e182)];
+                    let _e357 = coefs.member[(_e342 + _e187)];
+                    phi_714_ = array<f32, 3>((_e324[0] + (_e345 * _e341)), (_e324[1] + (_e351 * _e341)), (_e324[2] + (_e357 * _e341)));
                 } else {
-                    phi_514_ = _e227;
-                    phi_516_ = _e229;
+                    phi_714_ = _e324;
                 }
-                let _e262 = phi_514_;
-                let _e264 = phi_516_;
-                let _e265 = select(_e230, _e229, _e231);
-                let _e266 = (3u <= _e148);
-                if _e266 {
-                    phi_579_ = (((_e177 * 1.9720266f) * _e264) - (1.0183501f * _e265));
+                let _e362 = phi_714_;
+                if _e193 {
+                    if _e193 {
+                        let _e363 = (_e161 * 1.0233268f);
+                        let _e365 = (_e176 + (_e177 * 192u));
+                        let _e368 = coefs.member[_e365];
+                        let _e374 = coefs.member[(_e365 + _e182)];
+                        let _e380 = coefs.member[(_e365 + _e187)];
+                        let _e383 = (_e165 * 1.0233268f);
+                        let _e384 = (_e176 + _e178);
+                        let _e386 = coefs.member[_e384];
+                        let _e391 = coefs.member[(_e384 + _e182)];
+                        let _e396 = coefs.member[(_e384 + _e187)];
+                        phi_839_ = array<f32, 3>(((_e362[0] + (_e368 * _e363)) + (_e386 * _e383)), ((_e362[1] + (_e374 * _e363)) + (_e391 * _e383)), ((_e362[2] + (_e380 * _e363)) + (_e396 * _e383)));
+                    } else {
+                        phi_839_ = _e362;
+                    }
+                    let _e401 = phi_839_;
+                    if _e218 {
+                        let _e402 = (_e170 * 1.0925485f);
+                        let _e404 = ((_e402 * _e161) * 0.7853982f);
+                        let _e407 = ((_e176 + (_e177 * 192u)) + 64u);
+                        let _e410 = coefs.member[_e407];
+                        let _e416 = coefs.member[(_e407 + _e182)];
+                        let _e422 = coefs.member[(_e407 + _e187)];
+                        let _e426 = ((_e402 * _e165) * 0.7853982f);
+                        let _e428 = ((_e176 + _e178) + 64u);
+                        let _e430 = coefs.member[_e428];
+                        let _e435 = coefs.member[(_e428 + _e182)];
+                        let _e440 = coefs.member[(_e428 + _e187)];
+                        phi_916_ = array<f32, 3>(((_e401[0] + (_e410 * _e404)) + (_e430 * _e426)), ((_e401[1] + (_e416 * _e404)) + (_e435 * _e426)), ((_e401[2] + (_e422 * _e404)) + (_e440 * _e426)));
+                        phi_918_ = _e402;
+                    } else {
+                        phi_916_ = _e401;
+                        phi_918_ = 0.48860252f;
+                    }
+                    let _e445 = phi_916_;
+                    let _e447 = phi_918_;
+                    let _e448 = select(0f, 0.48860252f, _e218);
+                    if _e250 {
+                        phi_999_ = (((_e170 * 2.09165f) * _e447) - (0.9354144f * _e448));
+                    } else {
+                        phi_999_ = _e447;
+                    }
+                    let _e454 = phi_999_;
+                    let _e455 = select(_e448, _e447, _e250);
+                    if _e258 {
+                        let _e459 = (((_e170 * 2.04939f) * _e454) - (0.9797959f * _e455));
+                        let _e461 = ((_e459 * _e161) * -0.1308997f);
+                        let _e463 = ((_e176 + _e178) + 320u);
+                        let _e466 = coefs.member[_e463];
+                        let _e472 = coefs.member[(_e463 + _e182)];
+                        let _e478 = coefs.member[(_e463 + _e187)];
+                        let _e482 = ((_e459 * _e165) * -0.1308997f);
+                        let _e485 = ((_e176 + (_e177 * 192u)) + 256u);
+                        let _e487 = coefs.member[_e485];
+                        let _e492 = coefs.member[(_e485 + _e182)];
+                        let _e497 = coefs.member[(_e485 + _e187)];
+                        phi_1078_ = array<f32, 3>(((_e445[0] + (_e466 * _e461)) + (_e487 * _e482)), ((_e445[1] + (_e472 * _e461)) + (_e492 * _e482)), ((_e445[2] + (_e478 * _e461)) + (_e497 * _e482)));
+                        phi_1080_ = _e459;
+                    } else {
+                        phi_1078_ = _e445;
+                        phi_1080_ = _e454;
+                    }
+                    let _e502 = phi_1078_;
+                    let _e504 = phi_1080_;
+                    let _e505 = select(_e455, _e454, _e258);
+                    if _e288 {
+                        phi_1161_ = (((_e170 * 2.0310097f) * _e504) - (0.9910312f * _e505));
+                    } else {
+                        phi_1161_ = _e504;
+                    }
+                    let _e511 = phi_1161_;
+                    let _e512 = select(_e505, _e504, _e288);
+                    if _e296 {
+                        let _e516 = (((_e170 * 2.021315f) * _e511) - (0.9952267f * _e512));
+                        let _e518 = ((_e516 * _e161) * 0.049087387f);
+                        let _e521 = ((_e176 + (_e177 * 192u)) + 640u);
+                        let _e524 = coefs.member[_e521];
+                        let _e530 = coefs.member[(_e521 + _e182)];
+                        let _e536 = coefs.member[(_e521 + _e187)];
+                        let _e540 = ((_e516 * _e165) * 0.049087387f);
+                        let _e542 = ((_e176 + _e178) + 640u);
+                        let _e544 = coefs.member[_e542];
+                        let _e549 = coefs.member[(_e542 + _e182)];
+                        let _e554 = coefs.member[(_e542 + _e187)];
+                        phi_1240_ = array<f32, 3>(((_e502[0] + (_e524 * _e518)) + (_e544 * _e540)), ((_e502[1] + (_e530 * _e518)) + (_e549 * _e540)), ((_e502[2] + (_e536 * _e518)) + (_e554 * _e540)));
+                        phi_1242_ = _e516;
+                    } else {
+                        phi_1240_ = _e502;
+                        phi_1242_ = _e511;
+                    }
+                    let _e559 = phi_1240_;
+                    let _e561 = phi_1242_;
+                    let _e562 = select(_e512, _e511, _e296);
+                    if _e328 {
+                        phi_1323_ = (((_e170 * 2.0155644f) * _e561) - (0.9971551f * _e562));
+                    } else {
+                        phi_1323_ = _e561;
+                    }
+                    let _e568 = phi_1323_;
+                    if _e336 {
+                        let _e573 = (((_e170 * 2.0118694f) * _e568) - (0.9981668f * select(_e562, _e561, _e328)));
+                        let _e575 = ((_e573 * _e161) * -0.024543693f);
+                        let _e577 = ((_e176 + _e178) + 1152u);
+                        let _e580 = coefs.member[_e577];
+                        let _e586 = coefs.member[(_e577 + _e182)];
+                        let _e592 = coefs.member[(_e577 + _e187)];
+                        let _e596 = ((_e573 * _e165) * -0.024543693f);
+                        let _e599 = ((_e176 + (_e177 * 192u)) + 1088u);
+                        let _e601 = coefs.member[_e599];
+                        let _e606 = coefs.member[(_e599 + _e182)];
+                        let _e611 = coefs.member[(_e599 + _e187)];
+                        phi_1402_ = array<f32, 3>(((_e559[0] + (_e580 * _e575)) + (_e601 * _e596)), ((_e559[1] + (_e586 * _e575)) + (_e606 * _e596)), ((_e559[2] + (_e592 * _e575)) + (_e611 * _e596)));
+                    } else {
+                        phi_1402_ = _e559;
+                    }
+                    let _e616 = phi_1402_;
+                    phi_1484_ = _e616;
                 } else {
-                    phi_579_ = _e264;
+                    phi_1484_ = _e362;
                 }
-                let _e272 = phi_579_;
-                let _e273 = select(_e265, _e264, _e266);
-                let _e274 = (4u <= _e148);
-                if _e274 {
-                    let _e278 = (((_e177 * 1.9843135f) * _e272) - (1.0062306f * _e273));
-                    let _e279 = (_e278 * -0.1308997f);
-                    let _e280 = (_e183 + 320u);
-                    if (_e280 < _e123) {
+                let _e618 = phi_1484_;
+                if _e218 {
+                    let _e621 = ((_e161 * _e161) - (_e165 * _e165));
+                    let _e623 = (_e161 * (_e165 + _e165));
+                    if _e218 {
+                        let _e624 = (_e621 * 0.4290428f);
+                        let _e625 = (_e176 + 128u);
+                        let _e628 = coefs.member[_e625];
+                        let _e634 = coefs.member[(_e625 + _e182)];
+                        let _e640 = coefs.member[(_e625 + _e187)];
+                        let _e643 = (_e623 * 0.4290428f);
+                        let _e644 = (_e176 + 64u);
+                        let _e646 = coefs.member[_e644];
+                        let _e651 = coefs.member[(_e644 + _e182)];
+                        let _e656 = coefs.member[(_e644 + _e187)];
+                        phi_1569_ = array<f32, 3>(((_e618[0] + (_e628 * _e624)) + (_e646 * _e643)), ((_e618[1] + (_e634 * _e624)) + (_e651 * _e643)), ((_e618[2] + (_e640 * _e624)) + (_e656 * _e643)));
                     } else {
-                        break;
+                        phi_1569_ = _e618;
                     }
-                    let _e284 = coefs.member[_e280];
-                    let _e288 = (_e280 + _e190);
-                    if (_e288 < _e123) {
+                    let _e661 = phi_1569_;
+                    if _e250 {
+                        phi_1648_ = (_e170 * 1.4453057f);
                     } else {
-                        break;
+                        phi_1648_ = 0.54627424f;
                     }
-                    let _e291 = coefs.member[_e288];
-                    let _e295 = (_e280 + _e196);
-                    if (_e295 < _e123) {
+                    let _e664 = phi_1648_;
+                    let _e665 = select(0f, 0.54627424f, _e250);
+                    if _e258 {
+                        let _e669 = (((_e170 * 2.291288f) * _e664) - (0.8660254f * _e665));
+                        let _e671 = ((_e669 * _e621) * -0.1308997f);
+                        let _e673 = (_e176 + (_e177 * 128u));
+                        let _e674 = (_e673 + 320u);
+                        let _e677 = coefs.member[_e674];
+                        let _e683 = coefs.member[(_e674 + _e182)];
+                        let _e689 = coefs.member[(_e674 + _e187)];
+                        let _e693 = ((_e669 * _e623) * -0.1308997f);
+                        let _e694 = (_e673 + 256u);
+                        let _e696 = coefs.member[_e694];
+                        let _e701 = coefs.member[(_e694 + _e182)];
+                        let _e706 = coefs.member[(_e694 + _e187)];
+                        phi_1727_ = array<f32, 3>(((_e661[0] + (_e677 * _e671)) + (_e696 * _e693)), ((_e661[1] + (_e683 * _e671)) + (_e701 * _e693)), ((_e661[2] + (_e689 * _e671)) + (_e706 * _e693)));
+                        phi_1729_ = _e669;
                     } else {
-                        break;
+                        phi_1727_ = _e661;
+                        phi_1729_ = _e664;
                     }
-                    let _e298 = coefs.member[_e295];
-                    phi_640_ = array<f32, 3>((_e262[0] + (_e284 * _e279)), (_e262[1] + (_e291 * _e279)), (_e262[2] + (_e298 * _e279)));
-                    phi_642_ = _e278;
+                    let _e711 = phi_1727_;
+                    let _e713 = phi_1729_;
+                    let _e714 = select(_e665, _e664, _e258);
+                    if _e288 {
+                        phi_1810_ = (((_e170 * 2.1712406f) * _e713) - (0.9476071f * _e714));
+                    } else {
+                        phi_1810_ = _e713;
+                    }
+                    let _e720 = phi_1810_;
+                    let _e721 = select(_e714, _e713, _e288);
+                    if _e296 {
+                        let _e725 = (((_e170 * 2.113942f) * _e720) - (0.9736101f * _e721));
+                        let _e727 = ((_e725 * _e621) * 0.049087387f);
+                        let _e728 = (_e176 + 704u);
+                        let _e731 = coefs.member[_e728];
+                        let _e737 = coefs.member[(_e728 + _e182)];
+                        let _e743 = coefs.member[(_e728 + _e187)];
+                        let _e747 = ((_e725 * _e623) * 0.049087387f);
+                        let _e748 = (_e176 + 640u);
+                        let _e750 = coefs.member[_e748];
+                        let _e755 = coefs.member[(_e748 + _e182)];
+                        let _e760 = coefs.member[(_e748 + _e187)];
+                        phi_1889_ = array<f32, 3>(((_e711[0] + (_e731 * _e727)) + (_e750 * _e747)), ((_e711[1] + (_e737 * _e727)) + (_e755 * _e747)), ((_e711[2] + (_e743 * _e727)) + (_e760 * _e747)));
+                        phi_1891_ = _e725;
+                    } else {
+                        phi_1889_ = _e711;
+                        phi_1891_ = _e720;
+                    }
+                    let _e765 = phi_1889_;
+                    let _e767 = phi_1891_;
+                    let _e768 = select(_e721, _e720, _e296);
+                    if _e328 {
+                        phi_1972_ = (((_e170 * 2.081666f) * _e767) - (0.9847319f * _e768));
+                    } else {
+                        phi_1972_ = _e767;
+                    }
+                    let _e774 = phi_1972_;
+                    if _e336 {
+                        let _e779 = (((_e170 * 2.0615528f) * _e774) - (0.9903379f * select(_e768, _e767, _e328)));
+                        let _e781 = ((_e779 * _e621) * -0.024543693f);
+                        let _e783 = (_e176 + (_e177 * 128u));
+                        let _e784 = (_e783 + 1152u);
+                        let _e787 = coefs.member[_e784];
+                        let _e793 = coefs.member[(_e784 + _e182)];
+                        let _e799 = coefs.member[(_e784 + _e187)];
+                        let _e803 = ((_e779 * _e623) * -0.024543693f);
+                        let _e804 = (_e783 + 1088u);
+                        let _e806 = coefs.member[_e804];
+                        let _e811 = coefs.member[(_e804 + _e182)];
+                        let _e816 = coefs.member[(_e804 + _e187)];
+                        phi_2051_ = array<f32, 3>(((_e765[0] + (_e787 * _e781)) + (_e806 * _e803)), ((_e765[1] + (_e793 * _e781)) + (_e811 * _e803)), ((_e765[2] + (_e799 * _e781)) + (_e816 * _e803)));
+                    } else {
+                        phi_2051_ = _e765;
+                    }
+                    let _e821 = phi_2051_;
+                    phi_2133_ = _e821;
+                    phi_2134_ = _e623;
+                    phi_2135_ = _e621;
                 } else {
-                    phi_640_ = _e262;
-                    phi_642_ = _e272;
+                    phi_2133_ = _e618;
+                    phi_2134_ = _e165;
+                    phi_2135_ = _e161;
                 }
-                let _e303 = phi_640_;
-                let _e305 = phi_642_;
-                let _e306 = select(_e273, _e272, _e274);
-                let _e307 = (5u <= _e148);
-                if _e307 {
-                    phi_705_ = (((_e177 * 1.9899749f) * _e305) - (1.002853f * _e306));
+                let _e823 = phi_2133_;
+                let _e825 = phi_2134_;
+                let _e827 = phi_2135_;
+                if _e250 {
+                    let _e830 = ((_e161 * _e827) - (_e165 * _e825));
+                    let _e833 = ((_e161 * _e825) + (_e165 * _e827));
+                    if _e258 {
+                        let _e834 = (_e170 * 1.7701309f);
+                        let _e836 = ((_e834 * _e830) * -0.1308997f);
+                        let _e839 = ((_e176 + (_e177 * 192u)) + 320u);
+                        let _e842 = coefs.member[_e839];
+                        let _e848 = coefs.member[(_e839 + _e182)];
+                        let _e854 = coefs.member[(_e839 + _e187)];
+                        let _e858 = ((_e834 * _e833) * -0.1308997f);
+                        let _e860 = ((_e176 + _e178) + 256u);
+                        let _e862 = coefs.member[_e860];
+                        let _e867 = coefs.member[(_e860 + _e182)];
+                        let _e872 = coefs.member[(_e860 + _e187)];
+                        phi_2297_ = array<f32, 3>(((_e823[0] + (_e842 * _e836)) + (_e862 * _e858)), ((_e823[1] + (_e848 * _e836)) + (_e867 * _e858)), ((_e823[2] + (_e854 * _e836)) + (_e872 * _e858)));
+                        phi_2299_ = _e834;
+                    } else {
+                        phi_2297_ = _e823;
+                        phi_2299_ = 0.5900436f;
+                    }
+                    let _e877 = phi_2297_;
+                    let _e879 = phi_2299_;
+                    let _e880 = select(0f, 0.5900436f, _e258);
+                    if _e288 {
+                        phi_2380_ = (((_e170 * 2.4874685f) * _e879) - (0.8291562f * _e880));
+                    } else {
+                        phi_2380_ = _e879;
+                    }
+                    let _e886 = phi_2380_;
+                    let _e887 = select(_e880, _e879, _e288);
+                    if _e296 {
+                        let _e891 = (((_e170 * 2.3013682f) * _e886) - (0.9251849f * _e887));
+                        let _e893 = ((_e891 * _e830) * 0.049087387f);
+                        let _e895 = ((_e176 + _e178) + 704u);
+                        let _e898 = coefs.member[_e895];
+                        let _e904 = coefs.member[(_e895 + _e182)];
+                        let _e910 = coefs.member[(_e895 + _e187)];
+                        let _e914 = ((_e891 * _e833) * 0.049087387f);
+                        let _e917 = ((_e176 + (_e177 * 192u)) + 576u);
+                        let _e919 = coefs.member[_e917];
+                        let _e924 = coefs.member[(_e917 + _e182)];
+                        let _e929 = coefs.member[(_e917 + _e187)];
+                        phi_2459_ = array<f32, 3>(((_e877[0] + (_e898 * _e893)) + (_e919 * _e914)), ((_e877[1] + (_e904 * _e893)) + (_e924 * _e914)), ((_e877[2] + (_e910 * _e893)) + (_e929 * _e914)));
+                        phi_2461_ = _e891;
+                    } else {
+                        phi_2459_ = _e877;
+                        phi_2461_ = _e886;
+                    }
+                    let _e934 = phi_2459_;
+                    let _e936 = phi_2461_;
+                    let _e937 = select(_e887, _e886, _e296);
+                    if _e328 {
+                        phi_2542_ = (((_e170 * 2.20794f) * _e936) - (0.9594032f * _e937));
+                    } else {
+                        phi_2542_ = _e936;
+                    }
+                    let _e943 = phi_2542_;
+                    if _e336 {
+                        let _e948 = (((_e170 * 2.1532216f) * _e943) - (0.9752174f * select(_e937, _e936, _e328)));
+                        let _e950 = ((_e948 * _e830) * -0.024543693f);
+                        let _e953 = ((_e176 + (_e177 * 192u)) + 1152u);
+                        let _e956 = coefs.member[_e953];
+                        let _e962 = coefs.member[(_e953 + _e182)];
+                        let _e968 = coefs.member[(_e953 + _e187)];
+                        let _e972 = ((_e948 * _e833) * -0.024543693f);
+                        let _e974 = ((_e176 + _e178) + 1088u);
+                        let _e976 = coefs.member[_e974];
+                        let _e981 = coefs.member[(_e974 + _e182)];
+                        let _e986 = coefs.member[(_e974 + _e187)];
+                        phi_2621_ = array<f32, 3>(((_e934[0] + (_e956 * _e950)) + (_e976 * _e972)), ((_e934[1] + (_e962 * _e950)) + (_e981 * _e972)), ((_e934[2] + (_e968 * _e950)) + (_e986 * _e972)));
+                    } else {
+                        phi_2621_ = _e934;
+                    }
+                    let _e991 = phi_2621_;
+                    phi_2703_ = _e991;
+                    phi_2704_ = _e833;
+                    phi_2705_ = _e830;
                 } else {
-                    phi_705_ = _e305;
+                    phi_2703_ = _e823;
+                    phi_2704_ = _e825;
+                    phi_2705_ = _e827;
                 }
-                let _e313 = phi_705_;
-                let _e314 = select(_e306, _e305, _e307);
-                let _e315 = (6u <= _e148);
-                if _e315 {
-                    let _e319 = (((_e177 * 1.9930434f) * _e313) - (1.001542f * _e314));
-                    let _e320 = (_e319 * 0.049087387f);
-                    let _e323 = ((_e183 + (_e184 * 128u)) + 640u);
-                    if (_e323 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e327 = coefs.member[_e323];
-                    let _e331 = (_e323 + _e190);
-                    if (_e331 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e334 = coefs.member[_e331];
-                    let _e338 = (_e323 + _e196);
-                    if (_e338 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e341 = coefs.member[_e338];
-                    phi_766_ = array<f32, 3>((_e303[0] + (_e327 * _e320)), (_e303[1] + (_e334 * _e320)), (_e303[2] + (_e341 * _e320)));
-                    phi_768_ = _e319;
-                } else {
-                    phi_766_ = _e303;
-                    phi_768_ = _e313;
-                }
-                let _e346 = phi_766_;
-                let _e348 = phi_768_;
-                let _e349 = select(_e314, _e313, _e315);
-                let _e350 = (7u <= _e148);
-                if _e350 {
-                    phi_831_ = (((_e177 * 1.9948914f) * _e348) - (1.0009272f * _e349));
-                } else {
-                    phi_831_ = _e348;
-                }
-                let _e356 = phi_831_;
-                let _e358 = (8u <= _e148);
-                if _e358 {
-                    let _e363 = ((((_e177 * 1.9960899f) * _e356) - (1.0006008f * select(_e349, _e348, _e350))) * -0.024543693f);
-                    let _e364 = (_e183 + 1152u);
-                    if (_e364 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e368 = coefs.member[_e364];
-                    let _e372 = (_e364 + _e190);
-                    if (_e372 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e375 = coefs.member[_e372];
-                    let _e379 = (_e364 + _e196);
-                    if (_e379 < _e123) {
-                    } else {
-                        break;
-                    }
-                    let _e382 = coefs.member[_e379];
-                    phi_892_ = array<f32, 3>((_e346[0] + (_e368 * _e363)), (_e346[1] + (_e375 * _e363)), (_e346[2] + (_e382 * _e363)));
-                } else {
-                    phi_892_ = _e346;
-                }
-                let _e387 = phi_892_;
-                if _e203 {
-                    if _e203 {
-                        let _e388 = (_e166 * 1.0233268f);
-                        let _e390 = (_e183 + (_e184 * 192u));
-                        if (_e390 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e394 = coefs.member[_e390];
-                        let _e398 = (_e390 + _e190);
-                        if (_e398 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e401 = coefs.member[_e398];
-                        let _e405 = (_e390 + _e196);
-                        if (_e405 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e408 = coefs.member[_e405];
-                        let _e411 = (_e171 * 1.0233268f);
-                        let _e412 = (_e183 + _e185);
-                        if (_e412 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e415 = coefs.member[_e412];
-                        let _e418 = (_e412 + _e190);
-                        if (_e418 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e421 = coefs.member[_e418];
-                        let _e424 = (_e412 + _e196);
-                        if (_e424 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e427 = coefs.member[_e424];
-                        phi_1071_ = array<f32, 3>(((_e387[0] + (_e394 * _e388)) + (_e415 * _e411)), ((_e387[1] + (_e401 * _e388)) + (_e421 * _e411)), ((_e387[2] + (_e408 * _e388)) + (_e427 * _e411)));
-                    } else {
-                        phi_1071_ = _e387;
-                    }
-                    let _e432 = phi_1071_;
-                    if _e231 {
-                        let _e433 = (_e177 * 1.0925485f);
-                        let _e435 = ((_e433 * _e166) * 0.7853982f);
-                        let _e438 = ((_e183 + (_e184 * 192u)) + 64u);
-                        if (_e438 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e442 = coefs.member[_e438];
-                        let _e446 = (_e438 + _e190);
-                        if (_e446 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e449 = coefs.member[_e446];
-                        let _e453 = (_e438 + _e196);
-                        if (_e453 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e456 = coefs.member[_e453];
-                        let _e460 = ((_e433 * _e171) * 0.7853982f);
-                        let _e462 = ((_e183 + _e185) + 64u);
-                        if (_e462 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e465 = coefs.member[_e462];
-                        let _e468 = (_e462 + _e190);
-                        if (_e468 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e471 = coefs.member[_e468];
-                        let _e474 = (_e462 + _e196);
-                        if (_e474 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e477 = coefs.member[_e474];
-                        phi_1184_ = array<f32, 3>(((_e432[0] + (_e442 * _e435)) + (_e465 * _e460)), ((_e432[1] + (_e449 * _e435)) + (_e471 * _e460)), ((_e432[2] + (_e456 * _e435)) + (_e477 * _e460)));
-                        phi_1186_ = _e433;
-                    } else {
-                        phi_1184_ = _e432;
-                        phi_1186_ = 0.48860252f;
-                    }
-                    let _e482 = phi_1184_;
-                    let _e484 = phi_1186_;
-                    let _e485 = select(0f, 0.48860252f, _e231);
-                    if _e266 {
-                        phi_1303_ = (((_e177 * 2.09165f) * _e484) - (0.9354144f * _e485));
-                    } else {
-                        phi_1303_ = _e484;
-                    }
-                    let _e491 = phi_1303_;
-                    let _e492 = select(_e485, _e484, _e266);
-                    if _e274 {
-                        let _e496 = (((_e177 * 2.04939f) * _e491) - (0.9797959f * _e492));
-                        let _e498 = ((_e496 * _e166) * -0.1308997f);
-                        let _e500 = ((_e183 + _e185) + 320u);
-                        if (_e500 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e504 = coefs.member[_e500];
-                        let _e508 = (_e500 + _e190);
-                        if (_e508 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e511 = coefs.member[_e508];
-                        let _e515 = (_e500 + _e196);
-                        if (_e515 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e518 = coefs.member[_e515];
-                        let _e522 = ((_e496 * _e171) * -0.1308997f);
-                        let _e525 = ((_e183 + (_e184 * 192u)) + 256u);
-                        if (_e525 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e528 = coefs.member[_e525];
-                        let _e531 = (_e525 + _e190);
-                        if (_e531 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e534 = coefs.member[_e531];
-                        let _e537 = (_e525 + _e196);
-                        if (_e537 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e540 = coefs.member[_e537];
-                        phi_1418_ = array<f32, 3>(((_e482[0] + (_e504 * _e498)) + (_e528 * _e522)), ((_e482[1] + (_e511 * _e498)) + (_e534 * _e522)), ((_e482[2] + (_e518 * _e498)) + (_e540 * _e522)));
-                        phi_1420_ = _e496;
-                    } else {
-                        phi_1418_ = _e482;
-                        phi_1420_ = _e491;
-                    }
-                    let _e545 = phi_1418_;
-                    let _e547 = phi_1420_;
-                    let _e548 = select(_e492, _e491, _e274);
-                    if _e307 {
-                        phi_1537_ = (((_e177 * 2.0310097f) * _e547) - (0.9910312f * _e548));
-                    } else {
-                        phi_1537_ = _e547;
-                    }
-                    let _e554 = phi_1537_;
-                    let _e555 = select(_e548, _e547, _e307);
-                    if _e315 {
-                        let _e559 = (((_e177 * 2.021315f) * _e554) - (0.9952267f * _e555));
-                        let _e561 = ((_e559 * _e166) * 0.049087387f);
-                        let _e564 = ((_e183 + (_e184 * 192u)) + 640u);
-                        if (_e564 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e568 = coefs.member[_e564];
-                        let _e572 = (_e564 + _e190);
-                        if (_e572 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e575 = coefs.member[_e572];
-                        let _e579 = (_e564 + _e196);
-                        if (_e579 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e582 = coefs.member[_e579];
-                        let _e586 = ((_e559 * _e171) * 0.049087387f);
-                        let _e588 = ((_e183 + _e185) + 640u);
-                        if (_e588 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e591 = coefs.member[_e588];
-                        let _e594 = (_e588 + _e190);
-                        if (_e594 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e597 = coefs.member[_e594];
-                        let _e600 = (_e588 + _e196);
-                        if (_e600 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e603 = coefs.member[_e600];
-                        phi_1652_ = array<f32, 3>(((_e545[0] + (_e568 * _e561)) + (_e591 * _e586)), ((_e545[1] + (_e575 * _e561)) + (_e597 * _e586)), ((_e545[2] + (_e582 * _e561)) + (_e603 * _e586)));
-                        phi_1654_ = _e559;
-                    } else {
-                        phi_1652_ = _e545;
-                        phi_1654_ = _e554;
-                    }
-                    let _e608 = phi_1652_;
-                    let _e610 = phi_1654_;
-                    let _e611 = select(_e555, _e554, _e315);
-                    if _e350 {
-                        phi_1771_ = (((_e177 * 2.0155644f) * _e610) - (0.9971551f * _e611));
-                    } else {
-                        phi_1771_ = _e610;
-                    }
-                    let _e617 = phi_1771_;
-                    if _e358 {
-                        let _e622 = (((_e177 * 2.0118694f) * _e617) - (0.9981668f * select(_e611, _e610, _e350)));
-                        let _e624 = ((_e622 * _e166) * -0.024543693f);
-                        let _e626 = ((_e183 + _e185) + 1152u);
-                        if (_e626 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e630 = coefs.member[_e626];
-                        let _e634 = (_e626 + _e190);
-                        if (_e634 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e637 = coefs.member[_e634];
-                        let _e641 = (_e626 + _e196);
-                        if (_e641 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e644 = coefs.member[_e641];
-                        let _e648 = ((_e622 * _e171) * -0.024543693f);
-                        let _e651 = ((_e183 + (_e184 * 192u)) + 1088u);
-                        if (_e651 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e654 = coefs.member[_e651];
-                        let _e657 = (_e651 + _e190);
-                        if (_e657 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e660 = coefs.member[_e657];
-                        let _e663 = (_e651 + _e196);
-                        if (_e663 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e666 = coefs.member[_e663];
-                        phi_1886_ = array<f32, 3>(((_e608[0] + (_e630 * _e624)) + (_e654 * _e648)), ((_e608[1] + (_e637 * _e624)) + (_e660 * _e648)), ((_e608[2] + (_e644 * _e624)) + (_e666 * _e648)));
-                    } else {
-                        phi_1886_ = _e608;
-                    }
-                    let _e671 = phi_1886_;
-                    phi_2004_ = _e671;
-                } else {
-                    phi_2004_ = _e387;
-                }
-                let _e673 = phi_2004_;
-                if _e231 {
-                    let _e676 = ((_e166 * _e166) - (_e171 * _e171));
-                    let _e678 = (_e166 * (_e171 + _e171));
-                    if _e231 {
-                        let _e679 = (_e676 * 0.4290428f);
-                        let _e680 = (_e183 + 128u);
-                        if (_e680 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e684 = coefs.member[_e680];
-                        let _e688 = (_e680 + _e190);
-                        if (_e688 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e691 = coefs.member[_e688];
-                        let _e695 = (_e680 + _e196);
-                        if (_e695 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e698 = coefs.member[_e695];
-                        let _e701 = (_e678 * 0.4290428f);
-                        let _e702 = (_e183 + 64u);
-                        if (_e702 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e705 = coefs.member[_e702];
-                        let _e708 = (_e702 + _e190);
-                        if (_e708 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e711 = coefs.member[_e708];
-                        let _e714 = (_e702 + _e196);
-                        if (_e714 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e717 = coefs.member[_e714];
-                        phi_2125_ = array<f32, 3>(((_e673[0] + (_e684 * _e679)) + (_e705 * _e701)), ((_e673[1] + (_e691 * _e679)) + (_e711 * _e701)), ((_e673[2] + (_e698 * _e679)) + (_e717 * _e701)));
-                    } else {
-                        phi_2125_ = _e673;
-                    }
-                    let _e722 = phi_2125_;
-                    if _e266 {
-                        phi_2240_ = (_e177 * 1.4453057f);
-                    } else {
-                        phi_2240_ = 0.54627424f;
-                    }
-                    let _e725 = phi_2240_;
-                    let _e726 = select(0f, 0.54627424f, _e266);
-                    if _e274 {
-                        let _e730 = (((_e177 * 2.291288f) * _e725) - (0.8660254f * _e726));
-                        let _e732 = ((_e730 * _e676) * -0.1308997f);
-                        let _e734 = (_e183 + (_e184 * 128u));
-                        let _e735 = (_e734 + 320u);
-                        if (_e735 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e739 = coefs.member[_e735];
-                        let _e743 = (_e735 + _e190);
-                        if (_e743 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e746 = coefs.member[_e743];
-                        let _e750 = (_e735 + _e196);
-                        if (_e750 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e753 = coefs.member[_e750];
-                        let _e757 = ((_e730 * _e678) * -0.1308997f);
-                        let _e758 = (_e734 + 256u);
-                        if (_e758 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e761 = coefs.member[_e758];
-                        let _e764 = (_e758 + _e190);
-                        if (_e764 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e767 = coefs.member[_e764];
-                        let _e770 = (_e758 + _e196);
-                        if (_e770 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e773 = coefs.member[_e770];
-                        phi_2355_ = array<f32, 3>(((_e722[0] + (_e739 * _e732)) + (_e761 * _e757)), ((_e722[1] + (_e746 * _e732)) + (_e767 * _e757)), ((_e722[2] + (_e753 * _e732)) + (_e773 * _e757)));
-                        phi_2357_ = _e730;
-                    } else {
-                        phi_2355_ = _e722;
-                        phi_2357_ = _e725;
-                    }
-                    let _e778 = phi_2355_;
-                    let _e780 = phi_2357_;
-                    let _e781 = select(_e726, _e725, _e274);
-                    if _e307 {
-                        phi_2474_ = (((_e177 * 2.1712406f) * _e780) - (0.9476071f * _e781));
-                    } else {
-                        phi_2474_ = _e780;
-                    }
-                    let _e787 = phi_2474_;
-                    let _e788 = select(_e781, _e780, _e307);
-                    if _e315 {
-                        let _e792 = (((_e177 * 2.113942f) * _e787) - (0.9736101f * _e788));
-                        let _e794 = ((_e792 * _e676) * 0.049087387f);
-                        let _e795 = (_e183 + 704u);
-                        if (_e795 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e799 = coefs.member[_e795];
-                        let _e803 = (_e795 + _e190);
-                        if (_e803 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e806 = coefs.member[_e803];
-                        let _e810 = (_e795 + _e196);
-                        if (_e810 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e813 = coefs.member[_e810];
-                        let _e817 = ((_e792 * _e678) * 0.049087387f);
-                        let _e818 = (_e183 + 640u);
-                        if (_e818 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e821 = coefs.member[_e818];
-                        let _e824 = (_e818 + _e190);
-                        if (_e824 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e827 = coefs.member[_e824];
-                        let _e830 = (_e818 + _e196);
-                        if (_e830 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e833 = coefs.member[_e830];
-                        phi_2589_ = array<f32, 3>(((_e778[0] + (_e799 * _e794)) + (_e821 * _e817)), ((_e778[1] + (_e806 * _e794)) + (_e827 * _e817)), ((_e778[2] + (_e813 * _e794)) + (_e833 * _e817)));
-                        phi_2591_ = _e792;
-                    } else {
-                        phi_2589_ = _e778;
-                        phi_2591_ = _e787;
-                    }
-                    let _e838 = phi_2589_;
-                    let _e840 = phi_2591_;
-                    let _e841 = select(_e788, _e787, _e315);
-                    if _e350 {
-                        phi_2708_ = (((_e177 * 2.081666f) * _e840) - (0.9847319f * _e841));
-                    } else {
-                        phi_2708_ = _e840;
-                    }
-                    let _e847 = phi_2708_;
-                    if _e358 {
-                        let _e852 = (((_e177 * 2.0615528f) * _e847) - (0.9903379f * select(_e841, _e840, _e350)));
-                        let _e854 = ((_e852 * _e676) * -0.024543693f);
-                        let _e856 = (_e183 + (_e184 * 128u));
-                        let _e857 = (_e856 + 1152u);
-                        if (_e857 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e861 = coefs.member[_e857];
-                        let _e865 = (_e857 + _e190);
-                        if (_e865 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e868 = coefs.member[_e865];
-                        let _e872 = (_e857 + _e196);
-                        if (_e872 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e875 = coefs.member[_e872];
-                        let _e879 = ((_e852 * _e678) * -0.024543693f);
-                        let _e880 = (_e856 + 1088u);
-                        if (_e880 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e883 = coefs.member[_e880];
-                        let _e886 = (_e880 + _e190);
-                        if (_e886 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e889 = coefs.member[_e886];
-                        let _e892 = (_e880 + _e196);
-                        if (_e892 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e895 = coefs.member[_e892];
-                        phi_2823_ = array<f32, 3>(((_e838[0] + (_e861 * _e854)) + (_e883 * _e879)), ((_e838[1] + (_e868 * _e854)) + (_e889 * _e879)), ((_e838[2] + (_e875 * _e854)) + (_e895 * _e879)));
-                    } else {
-                        phi_2823_ = _e838;
-                    }
-                    let _e900 = phi_2823_;
-                    phi_2941_ = _e900;
-                    phi_2942_ = _e678;
-                    phi_2943_ = _e676;
-                } else {
-                    phi_2941_ = _e673;
-                    phi_2942_ = _e171;
-                    phi_2943_ = _e166;
-                }
-                let _e902 = phi_2941_;
-                let _e904 = phi_2942_;
-                let _e906 = phi_2943_;
-                if _e266 {
-                    let _e909 = ((_e166 * _e906) - (_e171 * _e904));
-                    let _e912 = ((_e166 * _e904) + (_e171 * _e906));
-                    if _e274 {
-                        let _e913 = (_e177 * 1.7701309f);
-                        let _e915 = ((_e913 * _e909) * -0.1308997f);
-                        let _e918 = ((_e183 + (_e184 * 192u)) + 320u);
-                        if (_e918 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e922 = coefs.member[_e918];
-                        let _e926 = (_e918 + _e190);
-                        if (_e926 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e929 = coefs.member[_e926];
-                        let _e933 = (_e918 + _e196);
-                        if (_e933 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e936 = coefs.member[_e933];
-                        let _e940 = ((_e913 * _e912) * -0.1308997f);
-                        let _e942 = ((_e183 + _e185) + 256u);
-                        if (_e942 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e945 = coefs.member[_e942];
-                        let _e948 = (_e942 + _e190);
-                        if (_e948 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e951 = coefs.member[_e948];
-                        let _e954 = (_e942 + _e196);
-                        if (_e954 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e957 = coefs.member[_e954];
-                        phi_3177_ = array<f32, 3>(((_e902[0] + (_e922 * _e915)) + (_e945 * _e940)), ((_e902[1] + (_e929 * _e915)) + (_e951 * _e940)), ((_e902[2] + (_e936 * _e915)) + (_e957 * _e940)));
-                        phi_3179_ = _e913;
-                    } else {
-                        phi_3177_ = _e902;
-                        phi_3179_ = 0.5900436f;
-                    }
-                    let _e962 = phi_3177_;
-                    let _e964 = phi_3179_;
-                    let _e965 = select(0f, 0.5900436f, _e274);
-                    if _e307 {
-                        phi_3296_ = (((_e177 * 2.4874685f) * _e964) - (0.8291562f * _e965));
-                    } else {
-                        phi_3296_ = _e964;
-                    }
-                    let _e971 = phi_3296_;
-                    let _e972 = select(_e965, _e964, _e307);
-                    if _e315 {
-                        let _e976 = (((_e177 * 2.3013682f) * _e971) - (0.9251849f * _e972));
-                        let _e978 = ((_e976 * _e909) * 0.049087387f);
-                        let _e980 = ((_e183 + _e185) + 704u);
-                        if (_e980 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e984 = coefs.member[_e980];
-                        let _e988 = (_e980 + _e190);
-                        if (_e988 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e991 = coefs.member[_e988];
-                        let _e995 = (_e980 + _e196);
-                        if (_e995 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e998 = coefs.member[_e995];
-                        let _e1002 = ((_e976 * _e912) * 0.049087387f);
-                        let _e1005 = ((_e183 + (_e184 * 192u)) + 576u);
-                        if (_e1005 < _e123) {
-                        } else {
-                            break;
-                        }
+                let _e993 = phi_2703_;
+                let _e995 = phi_2704_;
+                let _e997 = phi_2705_;
+                if _e258 {
+                    let _e1000 = ((_e161 * _e997) - (_e165 * _e995));
+                    let _e1003 = ((_e161 * _e995) + (_e165 * _e997));
+                    if _e258 {
+                        let _e1004 = (_e1000 * -0.081921704f);
+                        let _e1005 = (_e176 + 384u);
                         let _e1008 = coefs.member[_e1005];
-                        let _e1011 = (_e1005 + _e190);
-                        if (_e1011 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1014 = coefs.member[_e1011];
-                        let _e1017 = (_e1005 + _e196);
-                        if (_e1017 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1020 = coefs.member[_e1017];
-                        phi_3411_ = array<f32, 3>(((_e962[0] + (_e984 * _e978)) + (_e1008 * _e1002)), ((_e962[1] + (_e991 * _e978)) + (_e1014 * _e1002)), ((_e962[2] + (_e998 * _e978)) + (_e1020 * _e1002)));
-                        phi_3413_ = _e976;
+                        let _e1014 = coefs.member[(_e1005 + _e182)];
+                        let _e1020 = coefs.member[(_e1005 + _e187)];
+                        let _e1023 = (_e1003 * -0.081921704f);
+                        let _e1024 = (_e176 + 256u);
+                        let _e1026 = coefs.member[_e1024];
+                        let _e1031 = coefs.member[(_e1024 + _e182)];
+                        let _e1036 = coefs.member[(_e1024 + _e187)];
+                        phi_2790_ = array<f32, 3>(((_e993[0] + (_e1008 * _e1004)) + (_e1026 * _e1023)), ((_e993[1] + (_e1014 * _e1004)) + (_e1031 * _e1023)), ((_e993[2] + (_e1020 * _e1004)) + (_e1036 * _e1023)));
                     } else {
-                        phi_3411_ = _e962;
-                        phi_3413_ = _e971;
+                        phi_2790_ = _e993;
                     }
-                    let _e1025 = phi_3411_;
-                    let _e1027 = phi_3413_;
-                    let _e1028 = select(_e972, _e971, _e315);
-                    if _e350 {
-                        phi_3530_ = (((_e177 * 2.20794f) * _e1027) - (0.9594032f * _e1028));
+                    let _e1041 = phi_2790_;
+                    if _e288 {
+                        phi_2869_ = (_e170 * 2.0756624f);
                     } else {
-                        phi_3530_ = _e1027;
+                        phi_2869_ = 0.6258357f;
                     }
-                    let _e1034 = phi_3530_;
-                    if _e358 {
-                        let _e1039 = (((_e177 * 2.1532216f) * _e1034) - (0.9752174f * select(_e1028, _e1027, _e350)));
-                        let _e1041 = ((_e1039 * _e909) * -0.024543693f);
-                        let _e1044 = ((_e183 + (_e184 * 192u)) + 1152u);
-                        if (_e1044 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1048 = coefs.member[_e1044];
-                        let _e1052 = (_e1044 + _e190);
-                        if (_e1052 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1055 = coefs.member[_e1052];
-                        let _e1059 = (_e1044 + _e196);
-                        if (_e1059 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1062 = coefs.member[_e1059];
-                        let _e1066 = ((_e1039 * _e912) * -0.024543693f);
-                        let _e1068 = ((_e183 + _e185) + 1088u);
-                        if (_e1068 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1071 = coefs.member[_e1068];
-                        let _e1074 = (_e1068 + _e190);
-                        if (_e1074 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1077 = coefs.member[_e1074];
-                        let _e1080 = (_e1068 + _e196);
-                        if (_e1080 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1083 = coefs.member[_e1080];
-                        phi_3645_ = array<f32, 3>(((_e1025[0] + (_e1048 * _e1041)) + (_e1071 * _e1066)), ((_e1025[1] + (_e1055 * _e1041)) + (_e1077 * _e1066)), ((_e1025[2] + (_e1062 * _e1041)) + (_e1083 * _e1066)));
+                    let _e1044 = phi_2869_;
+                    let _e1045 = select(0f, 0.6258357f, _e288);
+                    if _e296 {
+                        let _e1049 = (((_e170 * 2.6739483f) * _e1044) - (0.8062258f * _e1045));
+                        let _e1051 = ((_e1049 * _e1000) * 0.049087387f);
+                        let _e1053 = (_e176 + (_e177 * 128u));
+                        let _e1054 = (_e1053 + 704u);
+                        let _e1057 = coefs.member[_e1054];
+                        let _e1063 = coefs.member[(_e1054 + _e182)];
+                        let _e1069 = coefs.member[(_e1054 + _e187)];
+                        let _e1073 = ((_e1049 * _e1003) * 0.049087387f);
+                        let _e1074 = (_e1053 + 576u);
+                        let _e1076 = coefs.member[_e1074];
+                        let _e1081 = coefs.member[(_e1074 + _e182)];
+                        let _e1086 = coefs.member[(_e1074 + _e187)];
+                        phi_2948_ = array<f32, 3>(((_e1041[0] + (_e1057 * _e1051)) + (_e1076 * _e1073)), ((_e1041[1] + (_e1063 * _e1051)) + (_e1081 * _e1073)), ((_e1041[2] + (_e1069 * _e1051)) + (_e1086 * _e1073)));
+                        phi_2950_ = _e1049;
                     } else {
-                        phi_3645_ = _e1025;
+                        phi_2948_ = _e1041;
+                        phi_2950_ = _e1044;
                     }
-                    let _e1088 = phi_3645_;
-                    phi_3763_ = _e1088;
-                    phi_3764_ = _e912;
-                    phi_3765_ = _e909;
+                    let _e1091 = phi_2948_;
+                    let _e1093 = phi_2950_;
+                    let _e1094 = select(_e1045, _e1044, _e296);
+                    if _e328 {
+                        phi_3031_ = (((_e170 * 2.4308622f) * _e1093) - (0.90909094f * _e1094));
+                    } else {
+                        phi_3031_ = _e1093;
+                    }
+                    let _e1100 = phi_3031_;
+                    if _e336 {
+                        let _e1105 = (((_e170 * 2.304886f) * _e1100) - (0.9481764f * select(_e1094, _e1093, _e328)));
+                        let _e1107 = ((_e1105 * _e1000) * -0.024543693f);
+                        let _e1108 = (_e176 + 1216u);
+                        let _e1111 = coefs.member[_e1108];
+                        let _e1117 = coefs.member[(_e1108 + _e182)];
+                        let _e1123 = coefs.member[(_e1108 + _e187)];
+                        let _e1127 = ((_e1105 * _e1003) * -0.024543693f);
+                        let _e1128 = (_e176 + 1088u);
+                        let _e1130 = coefs.member[_e1128];
+                        let _e1135 = coefs.member[(_e1128 + _e182)];
+                        let _e1140 = coefs.member[(_e1128 + _e187)];
+                        phi_3110_ = array<f32, 3>(((_e1091[0] + (_e1111 * _e1107)) + (_e1130 * _e1127)), ((_e1091[1] + (_e1117 * _e1107)) + (_e1135 * _e1127)), ((_e1091[2] + (_e1123 * _e1107)) + (_e1140 * _e1127)));
+                    } else {
+                        phi_3110_ = _e1091;
+                    }
+                    let _e1145 = phi_3110_;
+                    phi_3192_ = _e1145;
+                    phi_3193_ = _e1003;
+                    phi_3194_ = _e1000;
                 } else {
-                    phi_3763_ = _e902;
-                    phi_3764_ = _e904;
-                    phi_3765_ = _e906;
+                    phi_3192_ = _e993;
+                    phi_3193_ = _e995;
+                    phi_3194_ = _e997;
                 }
-                let _e1090 = phi_3763_;
-                let _e1092 = phi_3764_;
-                let _e1094 = phi_3765_;
-                if _e274 {
-                    let _e1097 = ((_e166 * _e1094) - (_e171 * _e1092));
-                    let _e1100 = ((_e166 * _e1092) + (_e171 * _e1094));
-                    if _e274 {
-                        let _e1101 = (_e1097 * -0.081921704f);
-                        let _e1102 = (_e183 + 384u);
-                        if (_e1102 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1106 = coefs.member[_e1102];
-                        let _e1110 = (_e1102 + _e190);
-                        if (_e1110 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1113 = coefs.member[_e1110];
-                        let _e1117 = (_e1102 + _e196);
-                        if (_e1117 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1120 = coefs.member[_e1117];
-                        let _e1123 = (_e1100 * -0.081921704f);
-                        let _e1124 = (_e183 + 256u);
-                        if (_e1124 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1127 = coefs.member[_e1124];
-                        let _e1130 = (_e1124 + _e190);
-                        if (_e1130 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1133 = coefs.member[_e1130];
-                        let _e1136 = (_e1124 + _e196);
-                        if (_e1136 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1139 = coefs.member[_e1136];
-                        phi_3886_ = array<f32, 3>(((_e1090[0] + (_e1106 * _e1101)) + (_e1127 * _e1123)), ((_e1090[1] + (_e1113 * _e1101)) + (_e1133 * _e1123)), ((_e1090[2] + (_e1120 * _e1101)) + (_e1139 * _e1123)));
+                let _e1147 = phi_3192_;
+                let _e1149 = phi_3193_;
+                let _e1151 = phi_3194_;
+                if _e288 {
+                    let _e1154 = ((_e161 * _e1151) - (_e165 * _e1149));
+                    let _e1157 = ((_e161 * _e1149) + (_e165 * _e1151));
+                    if _e296 {
+                        let _e1158 = (_e170 * 2.3666193f);
+                        let _e1160 = ((_e1158 * _e1154) * 0.049087387f);
+                        let _e1163 = ((_e176 + (_e177 * 192u)) + 704u);
+                        let _e1166 = coefs.member[_e1163];
+                        let _e1172 = coefs.member[(_e1163 + _e182)];
+                        let _e1178 = coefs.member[(_e1163 + _e187)];
+                        let _e1182 = ((_e1158 * _e1157) * 0.049087387f);
+                        let _e1184 = ((_e176 + _e178) + 576u);
+                        let _e1186 = coefs.member[_e1184];
+                        let _e1191 = coefs.member[(_e1184 + _e182)];
+                        let _e1196 = coefs.member[(_e1184 + _e187)];
+                        phi_3356_ = array<f32, 3>(((_e1147[0] + (_e1166 * _e1160)) + (_e1186 * _e1182)), ((_e1147[1] + (_e1172 * _e1160)) + (_e1191 * _e1182)), ((_e1147[2] + (_e1178 * _e1160)) + (_e1196 * _e1182)));
+                        phi_3358_ = _e1158;
                     } else {
-                        phi_3886_ = _e1090;
+                        phi_3356_ = _e1147;
+                        phi_3358_ = 0.6563821f;
                     }
-                    let _e1144 = phi_3886_;
-                    if _e307 {
-                        phi_4001_ = (_e177 * 2.0756624f);
+                    let _e1201 = phi_3356_;
+                    let _e1203 = phi_3358_;
+                    let _e1204 = select(0f, 0.6563821f, _e296);
+                    if _e328 {
+                        phi_3439_ = (((_e170 * 2.8504386f) * _e1203) - (0.7905694f * _e1204));
                     } else {
-                        phi_4001_ = 0.6258357f;
+                        phi_3439_ = _e1203;
                     }
-                    let _e1147 = phi_4001_;
-                    let _e1148 = select(0f, 0.6258357f, _e307);
-                    if _e315 {
-                        let _e1152 = (((_e177 * 2.6739483f) * _e1147) - (0.8062258f * _e1148));
-                        let _e1154 = ((_e1152 * _e1097) * 0.049087387f);
-                        let _e1156 = (_e183 + (_e184 * 128u));
-                        let _e1157 = (_e1156 + 704u);
-                        if (_e1157 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1161 = coefs.member[_e1157];
-                        let _e1165 = (_e1157 + _e190);
-                        if (_e1165 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1168 = coefs.member[_e1165];
-                        let _e1172 = (_e1157 + _e196);
-                        if (_e1172 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1175 = coefs.member[_e1172];
-                        let _e1179 = ((_e1152 * _e1100) * 0.049087387f);
-                        let _e1180 = (_e1156 + 576u);
-                        if (_e1180 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1183 = coefs.member[_e1180];
-                        let _e1186 = (_e1180 + _e190);
-                        if (_e1186 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1189 = coefs.member[_e1186];
-                        let _e1192 = (_e1180 + _e196);
-                        if (_e1192 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1195 = coefs.member[_e1192];
-                        phi_4116_ = array<f32, 3>(((_e1144[0] + (_e1161 * _e1154)) + (_e1183 * _e1179)), ((_e1144[1] + (_e1168 * _e1154)) + (_e1189 * _e1179)), ((_e1144[2] + (_e1175 * _e1154)) + (_e1195 * _e1179)));
-                        phi_4118_ = _e1152;
+                    let _e1210 = phi_3439_;
+                    if _e336 {
+                        let _e1215 = (((_e170 * 2.5570416f) * _e1210) - (0.8970695f * select(_e1204, _e1203, _e328)));
+                        let _e1217 = ((_e1215 * _e1154) * -0.024543693f);
+                        let _e1219 = ((_e176 + _e178) + 1216u);
+                        let _e1222 = coefs.member[_e1219];
+                        let _e1228 = coefs.member[(_e1219 + _e182)];
+                        let _e1234 = coefs.member[(_e1219 + _e187)];
+                        let _e1238 = ((_e1215 * _e1157) * -0.024543693f);
+                        let _e1241 = ((_e176 + (_e177 * 192u)) + 1024u);
+                        let _e1243 = coefs.member[_e1241];
+                        let _e1248 = coefs.member[(_e1241 + _e182)];
+                        let _e1253 = coefs.member[(_e1241 + _e187)];
+                        phi_3518_ = array<f32, 3>(((_e1201[0] + (_e1222 * _e1217)) + (_e1243 * _e1238)), ((_e1201[1] + (_e1228 * _e1217)) + (_e1248 * _e1238)), ((_e1201[2] + (_e1234 * _e1217)) + (_e1253 * _e1238)));
                     } else {
-                        phi_4116_ = _e1144;
-                        phi_4118_ = _e1147;
+                        phi_3518_ = _e1201;
                     }
-                    let _e1200 = phi_4116_;
-                    let _e1202 = phi_4118_;
-                    let _e1203 = select(_e1148, _e1147, _e315);
-                    if _e350 {
-                        phi_4235_ = (((_e177 * 2.4308622f) * _e1202) - (0.90909094f * _e1203));
-                    } else {
-                        phi_4235_ = _e1202;
-                    }
-                    let _e1209 = phi_4235_;
-                    if _e358 {
-                        let _e1214 = (((_e177 * 2.304886f) * _e1209) - (0.9481764f * select(_e1203, _e1202, _e350)));
-                        let _e1216 = ((_e1214 * _e1097) * -0.024543693f);
-                        let _e1217 = (_e183 + 1216u);
-                        if (_e1217 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1221 = coefs.member[_e1217];
-                        let _e1225 = (_e1217 + _e190);
-                        if (_e1225 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1228 = coefs.member[_e1225];
-                        let _e1232 = (_e1217 + _e196);
-                        if (_e1232 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1235 = coefs.member[_e1232];
-                        let _e1239 = ((_e1214 * _e1100) * -0.024543693f);
-                        let _e1240 = (_e183 + 1088u);
-                        if (_e1240 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1243 = coefs.member[_e1240];
-                        let _e1246 = (_e1240 + _e190);
-                        if (_e1246 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1249 = coefs.member[_e1246];
-                        let _e1252 = (_e1240 + _e196);
-                        if (_e1252 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1255 = coefs.member[_e1252];
-                        phi_4350_ = array<f32, 3>(((_e1200[0] + (_e1221 * _e1216)) + (_e1243 * _e1239)), ((_e1200[1] + (_e1228 * _e1216)) + (_e1249 * _e1239)), ((_e1200[2] + (_e1235 * _e1216)) + (_e1255 * _e1239)));
-                    } else {
-                        phi_4350_ = _e1200;
-                    }
-                    let _e1260 = phi_4350_;
-                    phi_4468_ = _e1260;
-                    phi_4469_ = _e1100;
-                    phi_4470_ = _e1097;
+                    let _e1258 = phi_3518_;
+                    phi_3600_ = _e1258;
+                    phi_3601_ = _e1157;
+                    phi_3602_ = _e1154;
                 } else {
-                    phi_4468_ = _e1090;
-                    phi_4469_ = _e1092;
-                    phi_4470_ = _e1094;
+                    phi_3600_ = _e1147;
+                    phi_3601_ = _e1149;
+                    phi_3602_ = _e1151;
                 }
-                let _e1262 = phi_4468_;
-                let _e1264 = phi_4469_;
-                let _e1266 = phi_4470_;
-                if _e307 {
-                    let _e1269 = ((_e166 * _e1266) - (_e171 * _e1264));
-                    let _e1272 = ((_e166 * _e1264) + (_e171 * _e1266));
-                    if _e315 {
-                        let _e1273 = (_e177 * 2.3666193f);
-                        let _e1275 = ((_e1273 * _e1269) * 0.049087387f);
-                        let _e1278 = ((_e183 + (_e184 * 192u)) + 704u);
-                        if (_e1278 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1282 = coefs.member[_e1278];
-                        let _e1286 = (_e1278 + _e190);
-                        if (_e1286 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1289 = coefs.member[_e1286];
-                        let _e1293 = (_e1278 + _e196);
-                        if (_e1293 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1296 = coefs.member[_e1293];
-                        let _e1300 = ((_e1273 * _e1272) * 0.049087387f);
-                        let _e1302 = ((_e183 + _e185) + 576u);
-                        if (_e1302 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1305 = coefs.member[_e1302];
-                        let _e1308 = (_e1302 + _e190);
-                        if (_e1308 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1311 = coefs.member[_e1308];
-                        let _e1314 = (_e1302 + _e196);
-                        if (_e1314 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1317 = coefs.member[_e1314];
-                        phi_4704_ = array<f32, 3>(((_e1262[0] + (_e1282 * _e1275)) + (_e1305 * _e1300)), ((_e1262[1] + (_e1289 * _e1275)) + (_e1311 * _e1300)), ((_e1262[2] + (_e1296 * _e1275)) + (_e1317 * _e1300)));
-                        phi_4706_ = _e1273;
+                let _e1260 = phi_3600_;
+                let _e1262 = phi_3601_;
+                let _e1264 = phi_3602_;
+                if _e296 {
+                    let _e1267 = ((_e161 * _e1264) - (_e165 * _e1262));
+                    let _e1270 = ((_e161 * _e1262) + (_e165 * _e1264));
+                    if _e296 {
+                        let _e1271 = (_e1267 * 0.033535723f);
+                        let _e1272 = (_e176 + 768u);
+                        let _e1275 = coefs.member[_e1272];
+                        let _e1281 = coefs.member[(_e1272 + _e182)];
+                        let _e1287 = coefs.member[(_e1272 + _e187)];
+                        let _e1290 = (_e1270 * 0.033535723f);
+                        let _e1291 = (_e176 + 576u);
+                        let _e1293 = coefs.member[_e1291];
+                        let _e1298 = coefs.member[(_e1291 + _e182)];
+                        let _e1303 = coefs.member[(_e1291 + _e187)];
+                        phi_3687_ = array<f32, 3>(((_e1260[0] + (_e1275 * _e1271)) + (_e1293 * _e1290)), ((_e1260[1] + (_e1281 * _e1271)) + (_e1298 * _e1290)), ((_e1260[2] + (_e1287 * _e1271)) + (_e1303 * _e1290)));
                     } else {
-                        phi_4704_ = _e1262;
-                        phi_4706_ = 0.6563821f;
+                        phi_3687_ = _e1260;
                     }
-                    let _e1322 = phi_4704_;
-                    let _e1324 = phi_4706_;
-                    let _e1325 = select(0f, 0.6563821f, _e315);
-                    if _e350 {
-                        phi_4823_ = (((_e177 * 2.8504386f) * _e1324) - (0.7905694f * _e1325));
+                    let _e1308 = phi_3687_;
+                    if _e328 {
+                        phi_3766_ = (_e170 * 2.6459606f);
                     } else {
-                        phi_4823_ = _e1324;
+                        phi_3766_ = 0.6831841f;
                     }
-                    let _e1331 = phi_4823_;
-                    if _e358 {
-                        let _e1336 = (((_e177 * 2.5570416f) * _e1331) - (0.8970695f * select(_e1325, _e1324, _e350)));
-                        let _e1338 = ((_e1336 * _e1269) * -0.024543693f);
-                        let _e1340 = ((_e183 + _e185) + 1216u);
-                        if (_e1340 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1344 = coefs.member[_e1340];
-                        let _e1348 = (_e1340 + _e190);
-                        if (_e1348 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1351 = coefs.member[_e1348];
-                        let _e1355 = (_e1340 + _e196);
-                        if (_e1355 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1358 = coefs.member[_e1355];
-                        let _e1362 = ((_e1336 * _e1272) * -0.024543693f);
-                        let _e1365 = ((_e183 + (_e184 * 192u)) + 1024u);
-                        if (_e1365 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1368 = coefs.member[_e1365];
-                        let _e1371 = (_e1365 + _e190);
-                        if (_e1371 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1374 = coefs.member[_e1371];
-                        let _e1377 = (_e1365 + _e196);
-                        if (_e1377 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1380 = coefs.member[_e1377];
-                        phi_4938_ = array<f32, 3>(((_e1322[0] + (_e1344 * _e1338)) + (_e1368 * _e1362)), ((_e1322[1] + (_e1351 * _e1338)) + (_e1374 * _e1362)), ((_e1322[2] + (_e1358 * _e1338)) + (_e1380 * _e1362)));
+                    let _e1311 = phi_3766_;
+                    if _e336 {
+                        let _e1316 = (((_e170 * 3.0178044f) * _e1311) - (0.7791937f * select(0f, 0.6831841f, _e328)));
+                        let _e1318 = ((_e1316 * _e1267) * -0.024543693f);
+                        let _e1320 = (_e176 + (_e177 * 128u));
+                        let _e1321 = (_e1320 + 1216u);
+                        let _e1324 = coefs.member[_e1321];
+                        let _e1330 = coefs.member[(_e1321 + _e182)];
+                        let _e1336 = coefs.member[(_e1321 + _e187)];
+                        let _e1340 = ((_e1316 * _e1270) * -0.024543693f);
+                        let _e1341 = (_e1320 + 1024u);
+                        let _e1343 = coefs.member[_e1341];
+                        let _e1348 = coefs.member[(_e1341 + _e182)];
+                        let _e1353 = coefs.member[(_e1341 + _e187)];
+                        phi_3845_ = array<f32, 3>(((_e1308[0] + (_e1324 * _e1318)) + (_e1343 * _e1340)), ((_e1308[1] + (_e1330 * _e1318)) + (_e1348 * _e1340)), ((_e1308[2] + (_e1336 * _e1318)) + (_e1353 * _e1340)));
                     } else {
-                        phi_4938_ = _e1322;
+                        phi_3845_ = _e1308;
                     }
-                    let _e1385 = phi_4938_;
-                    phi_5056_ = _e1385;
-                    phi_5057_ = _e1272;
-                    phi_5058_ = _e1269;
+                    let _e1358 = phi_3845_;
+                    phi_3927_ = _e1358;
+                    phi_3928_ = _e1270;
+                    phi_3929_ = _e1267;
                 } else {
-                    phi_5056_ = _e1262;
-                    phi_5057_ = _e1264;
-                    phi_5058_ = _e1266;
+                    phi_3927_ = _e1260;
+                    phi_3928_ = _e1262;
+                    phi_3929_ = _e1264;
                 }
-                let _e1387 = phi_5056_;
-                let _e1389 = phi_5057_;
-                let _e1391 = phi_5058_;
-                if _e315 {
-                    let _e1394 = ((_e166 * _e1391) - (_e171 * _e1389));
-                    let _e1397 = ((_e166 * _e1389) + (_e171 * _e1391));
-                    if _e315 {
-                        let _e1398 = (_e1394 * 0.033535723f);
-                        let _e1399 = (_e183 + 768u);
-                        if (_e1399 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1403 = coefs.member[_e1399];
-                        let _e1407 = (_e1399 + _e190);
-                        if (_e1407 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1410 = coefs.member[_e1407];
-                        let _e1414 = (_e1399 + _e196);
-                        if (_e1414 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1417 = coefs.member[_e1414];
-                        let _e1420 = (_e1397 * 0.033535723f);
-                        let _e1421 = (_e183 + 576u);
-                        if (_e1421 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1424 = coefs.member[_e1421];
-                        let _e1427 = (_e1421 + _e190);
-                        if (_e1427 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1430 = coefs.member[_e1427];
-                        let _e1433 = (_e1421 + _e196);
-                        if (_e1433 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1436 = coefs.member[_e1433];
-                        phi_5179_ = array<f32, 3>(((_e1387[0] + (_e1403 * _e1398)) + (_e1424 * _e1420)), ((_e1387[1] + (_e1410 * _e1398)) + (_e1430 * _e1420)), ((_e1387[2] + (_e1417 * _e1398)) + (_e1436 * _e1420)));
+                let _e1360 = phi_3927_;
+                let _e1362 = phi_3928_;
+                let _e1364 = phi_3929_;
+                if _e328 {
+                    let _e1367 = ((_e161 * _e1364) - (_e165 * _e1362));
+                    let _e1370 = ((_e161 * _e1362) + (_e165 * _e1364));
+                    if _e336 {
+                        let _e1371 = (_e170 * 2.9157066f);
+                        let _e1373 = ((_e1371 * _e1367) * -0.024543693f);
+                        let _e1376 = ((_e176 + (_e177 * 192u)) + 1216u);
+                        let _e1379 = coefs.member[_e1376];
+                        let _e1385 = coefs.member[(_e1376 + _e182)];
+                        let _e1391 = coefs.member[(_e1376 + _e187)];
+                        let _e1395 = ((_e1371 * _e1370) * -0.024543693f);
+                        let _e1397 = ((_e176 + _e178) + 1024u);
+                        let _e1399 = coefs.member[_e1397];
+                        let _e1404 = coefs.member[(_e1397 + _e182)];
+                        let _e1409 = coefs.member[(_e1397 + _e187)];
+                        phi_4091_ = array<f32, 3>(((_e1360[0] + (_e1379 * _e1373)) + (_e1399 * _e1395)), ((_e1360[1] + (_e1385 * _e1373)) + (_e1404 * _e1395)), ((_e1360[2] + (_e1391 * _e1373)) + (_e1409 * _e1395)));
                     } else {
-                        phi_5179_ = _e1387;
+                        phi_4091_ = _e1360;
                     }
-                    let _e1441 = phi_5179_;
-                    if _e350 {
-                        phi_5294_ = (_e177 * 2.6459606f);
-                    } else {
-                        phi_5294_ = 0.6831841f;
-                    }
-                    let _e1444 = phi_5294_;
-                    if _e358 {
-                        let _e1449 = (((_e177 * 3.0178044f) * _e1444) - (0.7791937f * select(0f, 0.6831841f, _e350)));
-                        let _e1451 = ((_e1449 * _e1394) * -0.024543693f);
-                        let _e1453 = (_e183 + (_e184 * 128u));
-                        let _e1454 = (_e1453 + 1216u);
-                        if (_e1454 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1458 = coefs.member[_e1454];
-                        let _e1462 = (_e1454 + _e190);
-                        if (_e1462 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1465 = coefs.member[_e1462];
-                        let _e1469 = (_e1454 + _e196);
-                        if (_e1469 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1472 = coefs.member[_e1469];
-                        let _e1476 = ((_e1449 * _e1397) * -0.024543693f);
-                        let _e1477 = (_e1453 + 1024u);
-                        if (_e1477 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1480 = coefs.member[_e1477];
-                        let _e1483 = (_e1477 + _e190);
-                        if (_e1483 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1486 = coefs.member[_e1483];
-                        let _e1489 = (_e1477 + _e196);
-                        if (_e1489 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1492 = coefs.member[_e1489];
-                        phi_5409_ = array<f32, 3>(((_e1441[0] + (_e1458 * _e1451)) + (_e1480 * _e1476)), ((_e1441[1] + (_e1465 * _e1451)) + (_e1486 * _e1476)), ((_e1441[2] + (_e1472 * _e1451)) + (_e1492 * _e1476)));
-                    } else {
-                        phi_5409_ = _e1441;
-                    }
-                    let _e1497 = phi_5409_;
-                    phi_5527_ = _e1497;
-                    phi_5528_ = _e1397;
-                    phi_5529_ = _e1394;
+                    let _e1414 = phi_4091_;
+                    phi_4173_ = _e1414;
+                    phi_4174_ = _e1370;
+                    phi_4175_ = _e1367;
                 } else {
-                    phi_5527_ = _e1387;
-                    phi_5528_ = _e1389;
-                    phi_5529_ = _e1391;
+                    phi_4173_ = _e1360;
+                    phi_4174_ = _e1362;
+                    phi_4175_ = _e1364;
                 }
-                let _e1499 = phi_5527_;
-                let _e1501 = phi_5528_;
-                let _e1503 = phi_5529_;
-                if _e350 {
-                    let _e1506 = ((_e166 * _e1503) - (_e171 * _e1501));
-                    let _e1509 = ((_e166 * _e1501) + (_e171 * _e1503));
-                    if _e358 {
-                        let _e1510 = (_e177 * 2.9157066f);
-                        let _e1512 = ((_e1510 * _e1506) * -0.024543693f);
-                        let _e1515 = ((_e183 + (_e184 * 192u)) + 1216u);
-                        if (_e1515 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1519 = coefs.member[_e1515];
-                        let _e1523 = (_e1515 + _e190);
-                        if (_e1523 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1526 = coefs.member[_e1523];
-                        let _e1530 = (_e1515 + _e196);
-                        if (_e1530 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1533 = coefs.member[_e1530];
-                        let _e1537 = ((_e1510 * _e1509) * -0.024543693f);
-                        let _e1539 = ((_e183 + _e185) + 1024u);
-                        if (_e1539 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1542 = coefs.member[_e1539];
-                        let _e1545 = (_e1539 + _e190);
-                        if (_e1545 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1548 = coefs.member[_e1545];
-                        let _e1551 = (_e1539 + _e196);
-                        if (_e1551 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1554 = coefs.member[_e1551];
-                        phi_5763_ = array<f32, 3>(((_e1499[0] + (_e1519 * _e1512)) + (_e1542 * _e1537)), ((_e1499[1] + (_e1526 * _e1512)) + (_e1548 * _e1537)), ((_e1499[2] + (_e1533 * _e1512)) + (_e1554 * _e1537)));
+                let _e1416 = phi_4173_;
+                let _e1418 = phi_4174_;
+                let _e1420 = phi_4175_;
+                if _e336 {
+                    if _e336 {
+                        let _e1427 = (((_e161 * _e1420) - (_e165 * _e1418)) * -0.017890552f);
+                        let _e1428 = (_e176 + 1280u);
+                        let _e1431 = coefs.member[_e1428];
+                        let _e1437 = coefs.member[(_e1428 + _e182)];
+                        let _e1443 = coefs.member[(_e1428 + _e187)];
+                        let _e1446 = (((_e161 * _e1418) + (_e165 * _e1420)) * -0.017890552f);
+                        let _e1447 = (_e176 + 1024u);
+                        let _e1449 = coefs.member[_e1447];
+                        let _e1454 = coefs.member[(_e1447 + _e182)];
+                        let _e1459 = coefs.member[(_e1447 + _e187)];
+                        phi_4260_ = array<f32, 3>(((_e1416[0] + (_e1431 * _e1427)) + (_e1449 * _e1446)), ((_e1416[1] + (_e1437 * _e1427)) + (_e1454 * _e1446)), ((_e1416[2] + (_e1443 * _e1427)) + (_e1459 * _e1446)));
                     } else {
-                        phi_5763_ = _e1499;
+                        phi_4260_ = _e1416;
                     }
-                    let _e1559 = phi_5763_;
-                    phi_5881_ = _e1559;
-                    phi_5882_ = _e1509;
-                    phi_5883_ = _e1506;
+                    let _e1464 = phi_4260_;
+                    phi_4338_ = _e1464;
                 } else {
-                    phi_5881_ = _e1499;
-                    phi_5882_ = _e1501;
-                    phi_5883_ = _e1503;
+                    phi_4338_ = _e1416;
                 }
-                let _e1561 = phi_5881_;
-                let _e1563 = phi_5882_;
-                let _e1565 = phi_5883_;
-                if _e358 {
-                    if _e358 {
-                        let _e1572 = (((_e166 * _e1565) - (_e171 * _e1563)) * -0.017890552f);
-                        let _e1573 = (_e183 + 1280u);
-                        if (_e1573 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1577 = coefs.member[_e1573];
-                        let _e1581 = (_e1573 + _e190);
-                        if (_e1581 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1584 = coefs.member[_e1581];
-                        let _e1588 = (_e1573 + _e196);
-                        if (_e1588 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1591 = coefs.member[_e1588];
-                        let _e1594 = (((_e166 * _e1563) + (_e171 * _e1565)) * -0.017890552f);
-                        let _e1595 = (_e183 + 1024u);
-                        if (_e1595 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1598 = coefs.member[_e1595];
-                        let _e1601 = (_e1595 + _e190);
-                        if (_e1601 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1604 = coefs.member[_e1601];
-                        let _e1607 = (_e1595 + _e196);
-                        if (_e1607 < _e123) {
-                        } else {
-                            break;
-                        }
-                        let _e1610 = coefs.member[_e1607];
-                        phi_6004_ = array<f32, 3>(((_e1561[0] + (_e1577 * _e1572)) + (_e1598 * _e1594)), ((_e1561[1] + (_e1584 * _e1572)) + (_e1604 * _e1594)), ((_e1561[2] + (_e1591 * _e1572)) + (_e1610 * _e1594)));
-                    } else {
-                        phi_6004_ = _e1561;
-                    }
-                    let _e1615 = phi_6004_;
-                    phi_6118_ = _e1615;
-                } else {
-                    phi_6118_ = _e1561;
-                }
-                let _e1617 = phi_6118_;
-                let _e1620 = params.member.member_3;
-                local = array<f32, 3>((_e1617[0] * _e1620), (_e1617[1] * _e1620), (_e1617[2] * _e1620));
-                phi_6258_ = type_13(0u, 3u);
+                let _e1466 = phi_4338_;
+                let _e1469 = params.member.member_3;
+                local = array<f32, 3>((_e1466[0] * _e1469), (_e1466[1] * _e1469), (_e1466[2] * _e1469));
+                phi_4442_ = type_13(0u, 3u);
                 loop {
-                    let _e1629 = phi_6258_;
-                    if (_e1629.member < _e1629.member_1) {
-                        phi_6259_ = type_13((_e1629.member + 1u), _e1629.member_1);
-                        phi_6282_ = type_13(1u, _e1629.member);
+                    let _e1478 = phi_4442_;
+                    if (_e1478.member < _e1478.member_1) {
+                        phi_4443_ = type_13((_e1478.member + 1u), _e1478.member_1);
+                        phi_4466_ = type_13(1u, _e1478.member);
                     } else {
-                        phi_6259_ = _e1629;
-                        phi_6282_ = type_13(0u, type_13().member_1);
+                        phi_4443_ = _e1478;
+                        phi_4466_ = type_13(0u, type_13().member_1);
                     }
-                    let _e1642 = phi_6259_;
-                    let _e1644 = phi_6282_;
-                    let _e1648 = (bitcast<i32>(_e1644.member) != 0i);
-                    if _e1648 {
-                        if (_e1644.member_1 < 3u) {
+                    let _e1491 = phi_4443_;
+                    let _e1493 = phi_4466_;
+                    let _e1497 = (bitcast<i32>(_e1493.member) != 0i);
+                    if _e1497 {
+                        if (_e1493.member_1 < 3u) {
                         } else {
-                            phi_6312_ = true;
+                            phi_4496_ = true;
                             break;
                         }
-                        let _e1651 = local[_e1644.member_1];
-                        let _e1653 = ((_e1644.member_1 * _e137) + _e141);
-                        if (_e1653 < arrayLength((&irradiance.member))) {
+                        let _e1500 = local[_e1493.member_1];
+                        let _e1502 = ((_e1493.member_1 * _e133) + _e137);
+                        if (_e1502 < arrayLength((&irradiance.member))) {
                         } else {
-                            phi_6312_ = true;
+                            phi_4496_ = true;
                             break;
                         }
-                        irradiance.member[_e1653] = _e1651;
+                        irradiance.member[_e1502] = _e1500;
                     }
                     continue;
                     continuing {
-                        phi_6258_ = _e1642;
-                        phi_6312_ = false;
-                        break if !(_e1648);
+                        phi_4442_ = _e1491;
+                        phi_4496_ = false;
+                        break if !(_e1497);
                     }
                 }
-                let _e1659 = phi_6312_;
-                if _e1659 {
+                let _e1508 = phi_4496_;
+                if _e1508 {
                     break;
                 }
             }

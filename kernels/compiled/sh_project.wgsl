@@ -30,15 +30,15 @@ var<storage> table: type_5;
 
 fn function_() {
     var local: array<f32, 12>;
-    var phi_80_: u32;
-    var phi_99_: u32;
-    var phi_163_: u32;
+    var phi_79_: u32;
+    var phi_98_: u32;
+    var phi_162_: u32;
+    var phi_187_: type_12;
+    var phi_190_: array<f32, 12>;
     var phi_188_: type_12;
+    var phi_213_: type_12;
     var phi_191_: array<f32, 12>;
-    var phi_189_: type_12;
-    var phi_214_: type_12;
-    var phi_192_: array<f32, 12>;
-    var phi_445_: bool;
+    var phi_429_: bool;
     var local_1: array<f32, 12>;
     var local_2: array<f32, 12>;
     var local_3: array<f32, 12>;
@@ -51,198 +51,180 @@ fn function_() {
     var local_10: array<f32, 12>;
     var local_11: array<f32, 12>;
     var local_12: array<f32, 12>;
-    var phi_389_: type_12;
-    var phi_390_: type_12;
-    var phi_413_: type_12;
-    var phi_454_: bool;
+    var phi_373_: type_12;
+    var phi_374_: type_12;
+    var phi_397_: type_12;
+    var phi_438_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e26 = gid_1;
             let _e28 = arrayLength((&table.member));
-            let _e30 = arrayLength((&radiance.member));
-            let _e35 = params.member.member;
-            let _e38 = params.member.member_2;
-            let _e41 = (_e35 / 64u);
-            if ((_e35 % 64u) > 0u) {
-                phi_80_ = (_e41 + 1u);
+            let _e33 = params.member.member;
+            let _e36 = params.member.member_2;
+            let _e39 = (_e33 / 64u);
+            if ((_e33 % 64u) > 0u) {
+                phi_79_ = (_e39 + 1u);
             } else {
-                phi_80_ = _e41;
+                phi_79_ = _e39;
             }
-            let _e46 = phi_80_;
-            let _e47 = (select(_e38, 9u, (_e38 > 9u)) + 1u);
-            let _e48 = (_e47 * _e47);
-            let _e49 = (_e48 / 4u);
-            let _e51 = ((_e48 % 4u) > 0u);
-            if _e51 {
-                phi_99_ = (_e49 + 1u);
+            let _e44 = phi_79_;
+            let _e45 = (select(_e36, 9u, (_e36 > 9u)) + 1u);
+            let _e46 = (_e45 * _e45);
+            let _e47 = (_e46 / 4u);
+            let _e49 = ((_e46 % 4u) > 0u);
+            if _e49 {
+                phi_98_ = (_e47 + 1u);
             } else {
-                phi_99_ = _e49;
+                phi_98_ = _e47;
             }
-            let _e54 = phi_99_;
-            let _e56 = ((_e46 * _e54) * 64u);
-            let _e60 = (_e26.x + (_e26.y * 2097152u));
-            if (_e60 < _e56) {
-                let _e62 = (_e60 / 64u);
-                if _e51 {
-                    phi_163_ = (_e49 + 1u);
+            let _e52 = phi_98_;
+            let _e54 = ((_e44 * _e52) * 64u);
+            let _e58 = (_e26.x + (_e26.y * 2097152u));
+            if (_e58 < _e54) {
+                let _e60 = (_e58 / 64u);
+                if _e49 {
+                    phi_162_ = (_e47 + 1u);
                 } else {
-                    phi_163_ = _e49;
+                    phi_162_ = _e47;
                 }
-                let _e67 = phi_163_;
-                if (_e67 == 0u) {
+                let _e65 = phi_162_;
+                if (_e65 == 0u) {
                     break;
                 }
-                let _e69 = (_e62 / _e67);
-                let _e74 = params.member.member_1;
-                let _e75 = (_e69 * 64u);
-                let _e82 = ((_e62 - (_e69 * _e67)) * _e74);
-                let _e83 = (_e67 * _e74);
-                phi_188_ = type_12(0u, _e74);
-                phi_191_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e67 = (_e60 / _e65);
+                let _e72 = params.member.member_1;
+                let _e73 = (_e67 * 64u);
+                let _e80 = ((_e60 - (_e67 * _e65)) * _e72);
+                let _e81 = (_e65 * _e72);
+                phi_187_ = type_12(0u, _e72);
+                phi_190_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e86 = phi_188_;
-                    let _e88 = phi_191_;
-                    local_1 = _e88;
-                    local_2 = _e88;
-                    local_3 = _e88;
-                    local_4 = _e88;
-                    local_5 = _e88;
-                    local_6 = _e88;
-                    local_7 = _e88;
-                    local_8 = _e88;
-                    local_9 = _e88;
-                    local_10 = _e88;
-                    local_11 = _e88;
-                    local_12 = _e88;
-                    if (_e86.member < _e86.member_1) {
-                        phi_189_ = type_12((_e86.member + 1u), _e86.member_1);
-                        phi_214_ = type_12(1u, _e86.member);
+                    let _e84 = phi_187_;
+                    let _e86 = phi_190_;
+                    local_1 = _e86;
+                    local_2 = _e86;
+                    local_3 = _e86;
+                    local_4 = _e86;
+                    local_5 = _e86;
+                    local_6 = _e86;
+                    local_7 = _e86;
+                    local_8 = _e86;
+                    local_9 = _e86;
+                    local_10 = _e86;
+                    local_11 = _e86;
+                    local_12 = _e86;
+                    if (_e84.member < _e84.member_1) {
+                        phi_188_ = type_12((_e84.member + 1u), _e84.member_1);
+                        phi_213_ = type_12(1u, _e84.member);
                     } else {
-                        phi_189_ = _e86;
-                        phi_214_ = type_12(0u, type_12().member_1);
+                        phi_188_ = _e84;
+                        phi_213_ = type_12(0u, type_12().member_1);
                     }
-                    let _e101 = phi_189_;
-                    let _e103 = phi_214_;
-                    let _e107 = (bitcast<i32>(_e103.member) != 0i);
-                    if _e107 {
-                        let _e109 = ((((((_e75 / 64u) * _e74) * 192u) + (_e75 % 64u)) + (_e60 - (_e62 * 64u))) + (_e103.member_1 * 192u));
-                        if (_e109 < _e30) {
+                    let _e99 = phi_188_;
+                    let _e101 = phi_213_;
+                    let _e105 = (bitcast<i32>(_e101.member) != 0i);
+                    if _e105 {
+                        let _e107 = ((((((_e73 / 64u) * _e72) * 192u) + (_e73 % 64u)) + (_e58 - (_e60 * 64u))) + (_e101.member_1 * 192u));
+                        let _e110 = radiance.member[_e107];
+                        let _e114 = radiance.member[(_e107 + 64u)];
+                        let _e118 = radiance.member[(_e107 + 128u)];
+                        let _e119 = (_e80 + _e101.member_1);
+                        if (_e119 < _e28) {
                         } else {
-                            phi_445_ = true;
+                            phi_429_ = true;
                             break;
                         }
-                        let _e113 = radiance.member[_e109];
-                        let _e114 = (_e109 + 64u);
-                        if (_e114 < _e30) {
+                        let _e123 = table.member[_e119];
+                        let _e134 = ((_e81 + _e80) + _e101.member_1);
+                        if (_e134 < _e28) {
                         } else {
-                            phi_445_ = true;
+                            phi_429_ = true;
                             break;
                         }
-                        let _e118 = radiance.member[_e114];
-                        let _e119 = (_e109 + 128u);
-                        if (_e119 < _e30) {
+                        let _e138 = table.member[_e134];
+                        let _e150 = (((2u * _e81) + _e80) + _e101.member_1);
+                        if (_e150 < _e28) {
                         } else {
-                            phi_445_ = true;
+                            phi_429_ = true;
                             break;
                         }
-                        let _e123 = radiance.member[_e119];
-                        let _e124 = (_e82 + _e103.member_1);
-                        if (_e124 < _e28) {
+                        let _e154 = table.member[_e150];
+                        let _e166 = (((3u * _e81) + _e80) + _e101.member_1);
+                        if (_e166 < _e28) {
                         } else {
-                            phi_445_ = true;
+                            phi_429_ = true;
                             break;
                         }
-                        let _e128 = table.member[_e124];
-                        let _e139 = ((_e83 + _e82) + _e103.member_1);
-                        if (_e139 < _e28) {
-                        } else {
-                            phi_445_ = true;
-                            break;
-                        }
-                        let _e143 = table.member[_e139];
-                        let _e155 = (((2u * _e83) + _e82) + _e103.member_1);
-                        if (_e155 < _e28) {
-                        } else {
-                            phi_445_ = true;
-                            break;
-                        }
-                        let _e159 = table.member[_e155];
-                        let _e171 = (((3u * _e83) + _e82) + _e103.member_1);
-                        if (_e171 < _e28) {
-                        } else {
-                            phi_445_ = true;
-                            break;
-                        }
-                        let _e175 = table.member[_e171];
-                        phi_192_ = array<f32, 12>((_e88[0] + (_e113 * _e128)), (_e88[1] + (_e113 * _e143)), (_e88[2] + (_e113 * _e159)), (_e88[3] + (_e113 * _e175)), (_e88[4] + (_e118 * _e128)), (_e88[5] + (_e118 * _e143)), (_e88[6] + (_e118 * _e159)), (_e88[7] + (_e118 * _e175)), (_e88[8] + (_e123 * _e128)), (_e88[9] + (_e123 * _e143)), (_e88[10] + (_e123 * _e159)), (_e88[11] + (_e123 * _e175)));
+                        let _e170 = table.member[_e166];
+                        phi_191_ = array<f32, 12>((_e86[0] + (_e110 * _e123)), (_e86[1] + (_e110 * _e138)), (_e86[2] + (_e110 * _e154)), (_e86[3] + (_e110 * _e170)), (_e86[4] + (_e114 * _e123)), (_e86[5] + (_e114 * _e138)), (_e86[6] + (_e114 * _e154)), (_e86[7] + (_e114 * _e170)), (_e86[8] + (_e118 * _e123)), (_e86[9] + (_e118 * _e138)), (_e86[10] + (_e118 * _e154)), (_e86[11] + (_e118 * _e170)));
                     } else {
-                        phi_192_ = array<f32, 12>();
+                        phi_191_ = array<f32, 12>();
                     }
-                    let _e187 = phi_192_;
+                    let _e182 = phi_191_;
                     continue;
                     continuing {
-                        phi_188_ = _e101;
-                        phi_191_ = _e187;
-                        phi_445_ = false;
-                        break if !(_e107);
+                        phi_187_ = _e99;
+                        phi_190_ = _e182;
+                        phi_429_ = false;
+                        break if !(_e105);
                     }
                 }
-                let _e190 = phi_445_;
-                if _e190 {
+                let _e185 = phi_429_;
+                if _e185 {
                     break;
                 }
-                let _e193 = params.member.member_3;
-                let _e195 = local_1;
-                let _e199 = local_2;
-                let _e203 = local_3;
-                let _e207 = local_4;
-                let _e211 = local_5;
-                let _e215 = local_6;
-                let _e219 = local_7;
-                let _e223 = local_8;
-                let _e227 = local_9;
-                let _e231 = local_10;
-                let _e235 = local_11;
-                let _e239 = local_12;
-                local = array<f32, 12>((_e195[0] * _e193), (_e199[1] * _e193), (_e203[2] * _e193), (_e207[3] * _e193), (_e211[4] * _e193), (_e215[5] * _e193), (_e219[6] * _e193), (_e223[7] * _e193), (_e227[8] * _e193), (_e231[9] * _e193), (_e235[10] * _e193), (_e239[11] * _e193));
-                phi_389_ = type_12(0u, 12u);
+                let _e188 = params.member.member_3;
+                let _e190 = local_1;
+                let _e194 = local_2;
+                let _e198 = local_3;
+                let _e202 = local_4;
+                let _e206 = local_5;
+                let _e210 = local_6;
+                let _e214 = local_7;
+                let _e218 = local_8;
+                let _e222 = local_9;
+                let _e226 = local_10;
+                let _e230 = local_11;
+                let _e234 = local_12;
+                local = array<f32, 12>((_e190[0] * _e188), (_e194[1] * _e188), (_e198[2] * _e188), (_e202[3] * _e188), (_e206[4] * _e188), (_e210[5] * _e188), (_e214[6] * _e188), (_e218[7] * _e188), (_e222[8] * _e188), (_e226[9] * _e188), (_e230[10] * _e188), (_e234[11] * _e188));
+                phi_373_ = type_12(0u, 12u);
                 loop {
-                    let _e244 = phi_389_;
-                    if (_e244.member < _e244.member_1) {
-                        phi_390_ = type_12((_e244.member + 1u), _e244.member_1);
-                        phi_413_ = type_12(1u, _e244.member);
+                    let _e239 = phi_373_;
+                    if (_e239.member < _e239.member_1) {
+                        phi_374_ = type_12((_e239.member + 1u), _e239.member_1);
+                        phi_397_ = type_12(1u, _e239.member);
                     } else {
-                        phi_390_ = _e244;
-                        phi_413_ = type_12(0u, type_12().member_1);
+                        phi_374_ = _e239;
+                        phi_397_ = type_12(0u, type_12().member_1);
                     }
-                    let _e257 = phi_390_;
-                    let _e259 = phi_413_;
-                    let _e263 = (bitcast<i32>(_e259.member) != 0i);
-                    if _e263 {
-                        if (_e259.member_1 < 12u) {
+                    let _e252 = phi_374_;
+                    let _e254 = phi_397_;
+                    let _e258 = (bitcast<i32>(_e254.member) != 0i);
+                    if _e258 {
+                        if (_e254.member_1 < 12u) {
                         } else {
-                            phi_454_ = true;
+                            phi_438_ = true;
                             break;
                         }
-                        let _e266 = local[_e259.member_1];
-                        let _e268 = ((_e259.member_1 * _e56) + _e60);
-                        if (_e268 < arrayLength((&coefs.member))) {
+                        let _e261 = local[_e254.member_1];
+                        let _e263 = ((_e254.member_1 * _e54) + _e58);
+                        if (_e263 < arrayLength((&coefs.member))) {
                         } else {
-                            phi_454_ = true;
+                            phi_438_ = true;
                             break;
                         }
-                        coefs.member[_e268] = _e266;
+                        coefs.member[_e263] = _e261;
                     }
                     continue;
                     continuing {
-                        phi_389_ = _e257;
-                        phi_454_ = _e190;
-                        break if !(_e263);
+                        phi_373_ = _e252;
+                        phi_438_ = _e185;
+                        break if !(_e258);
                     }
                 }
-                let _e274 = phi_454_;
-                if _e274 {
+                let _e269 = phi_438_;
+                if _e269 {
                     break;
                 }
             }

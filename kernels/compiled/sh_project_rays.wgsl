@@ -30,183 +30,182 @@ var<storage, read_write> coefs: type_5;
 
 fn function_() {
     var local: array<f32, 12>;
-    var phi_88_: u32;
-    var phi_107_: u32;
-    var phi_171_: u32;
-    var phi_195_: u32;
-    var phi_196_: u32;
-    var phi_213_: bool;
+    var phi_86_: u32;
+    var phi_105_: u32;
+    var phi_169_: u32;
+    var phi_193_: u32;
+    var phi_194_: u32;
+    var phi_211_: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_226_: u32;
+    var phi_224_: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_245_: type_12;
-    var phi_248_: f32;
-    var phi_246_: type_12;
-    var phi_271_: type_12;
+    var phi_243_: type_12;
+    var phi_246_: f32;
+    var phi_244_: type_12;
+    var phi_269_: type_12;
     var local_5: u32;
-    var phi_249_: f32;
+    var phi_247_: f32;
     var local_6: u32;
-    var phi_295_: type_12;
-    var phi_298_: f32;
-    var phi_296_: type_12;
-    var phi_321_: type_12;
-    var phi_299_: f32;
+    var phi_293_: type_12;
+    var phi_296_: f32;
+    var phi_294_: type_12;
+    var phi_319_: type_12;
+    var phi_297_: f32;
     var local_7: f32;
     var local_8: f32;
-    var phi_333_: f32;
-    var phi_336_: u32;
-    var phi_337_: u32;
-    var phi_354_: bool;
+    var phi_331_: f32;
+    var phi_334_: u32;
+    var phi_335_: u32;
+    var phi_352_: bool;
     var local_9: u32;
     var local_10: u32;
-    var phi_367_: u32;
+    var phi_365_: u32;
     var local_11: u32;
     var local_12: u32;
-    var phi_386_: type_12;
-    var phi_389_: f32;
-    var phi_387_: type_12;
-    var phi_412_: type_12;
+    var phi_384_: type_12;
+    var phi_387_: f32;
+    var phi_385_: type_12;
+    var phi_410_: type_12;
     var local_13: u32;
-    var phi_390_: f32;
+    var phi_388_: f32;
     var local_14: u32;
-    var phi_436_: type_12;
-    var phi_439_: f32;
-    var phi_437_: type_12;
-    var phi_462_: type_12;
-    var phi_440_: f32;
+    var phi_434_: type_12;
+    var phi_437_: f32;
+    var phi_435_: type_12;
+    var phi_460_: type_12;
+    var phi_438_: f32;
     var local_15: f32;
     var local_16: f32;
-    var phi_474_: f32;
-    var phi_477_: u32;
-    var phi_478_: u32;
-    var phi_495_: bool;
+    var phi_472_: f32;
+    var phi_475_: u32;
+    var phi_476_: u32;
+    var phi_493_: bool;
     var local_17: u32;
     var local_18: u32;
-    var phi_508_: u32;
+    var phi_506_: u32;
     var local_19: u32;
     var local_20: u32;
-    var phi_527_: type_12;
-    var phi_530_: f32;
-    var phi_528_: type_12;
-    var phi_553_: type_12;
+    var phi_525_: type_12;
+    var phi_528_: f32;
+    var phi_526_: type_12;
+    var phi_551_: type_12;
     var local_21: u32;
-    var phi_531_: f32;
+    var phi_529_: f32;
     var local_22: u32;
-    var phi_577_: type_12;
-    var phi_580_: f32;
-    var phi_578_: type_12;
-    var phi_603_: type_12;
-    var phi_581_: f32;
+    var phi_575_: type_12;
+    var phi_578_: f32;
+    var phi_576_: type_12;
+    var phi_601_: type_12;
+    var phi_579_: f32;
     var local_23: f32;
     var local_24: f32;
-    var phi_615_: f32;
-    var phi_618_: u32;
-    var phi_619_: u32;
-    var phi_636_: bool;
+    var phi_613_: f32;
+    var phi_616_: u32;
+    var phi_617_: u32;
+    var phi_634_: bool;
     var local_25: u32;
     var local_26: u32;
-    var phi_649_: u32;
+    var phi_647_: u32;
     var local_27: u32;
     var local_28: u32;
-    var phi_668_: type_12;
-    var phi_671_: f32;
-    var phi_669_: type_12;
-    var phi_694_: type_12;
+    var phi_666_: type_12;
+    var phi_669_: f32;
+    var phi_667_: type_12;
+    var phi_692_: type_12;
     var local_29: u32;
-    var phi_672_: f32;
+    var phi_670_: f32;
     var local_30: u32;
-    var phi_718_: type_12;
-    var phi_721_: f32;
-    var phi_719_: type_12;
-    var phi_744_: type_12;
-    var phi_722_: f32;
+    var phi_716_: type_12;
+    var phi_719_: f32;
+    var phi_717_: type_12;
+    var phi_742_: type_12;
+    var phi_720_: f32;
     var local_31: f32;
     var local_32: f32;
-    var phi_756_: f32;
-    var phi_762_: type_12;
-    var phi_765_: array<f32, 12>;
-    var phi_763_: type_12;
-    var phi_788_: type_12;
-    var phi_857_: f32;
-    var phi_864_: type_12;
-    var phi_867_: f32;
-    var phi_869_: f32;
-    var phi_865_: type_12;
-    var phi_891_: type_12;
-    var phi_868_: f32;
+    var phi_754_: f32;
+    var phi_760_: type_12;
+    var phi_763_: array<f32, 12>;
+    var phi_761_: type_12;
+    var phi_786_: type_12;
+    var phi_825_: f32;
+    var phi_832_: type_12;
+    var phi_835_: f32;
+    var phi_837_: f32;
+    var phi_833_: type_12;
+    var phi_859_: type_12;
+    var phi_836_: f32;
     var local_33: u32;
-    var phi_906_: type_12;
-    var phi_909_: f32;
-    var phi_911_: f32;
-    var phi_913_: f32;
-    var phi_915_: f32;
-    var phi_907_: type_12;
-    var phi_937_: type_12;
-    var phi_910_: f32;
-    var phi_912_: f32;
-    var phi_914_: f32;
+    var phi_874_: type_12;
+    var phi_877_: f32;
+    var phi_879_: f32;
+    var phi_881_: f32;
+    var phi_883_: f32;
+    var phi_875_: type_12;
+    var phi_905_: type_12;
+    var phi_878_: f32;
+    var phi_880_: f32;
+    var phi_882_: f32;
     var local_34: f32;
-    var phi_975_: f32;
-    var phi_982_: type_12;
-    var phi_985_: f32;
-    var phi_987_: f32;
-    var phi_983_: type_12;
-    var phi_1009_: type_12;
-    var phi_986_: f32;
+    var phi_943_: f32;
+    var phi_950_: type_12;
+    var phi_953_: f32;
+    var phi_955_: f32;
+    var phi_951_: type_12;
+    var phi_977_: type_12;
+    var phi_954_: f32;
     var local_35: u32;
-    var phi_1024_: type_12;
-    var phi_1027_: f32;
-    var phi_1029_: f32;
-    var phi_1031_: f32;
-    var phi_1033_: f32;
-    var phi_1025_: type_12;
-    var phi_1055_: type_12;
-    var phi_1028_: f32;
-    var phi_1030_: f32;
-    var phi_1032_: f32;
+    var phi_992_: type_12;
+    var phi_995_: f32;
+    var phi_997_: f32;
+    var phi_999_: f32;
+    var phi_1001_: f32;
+    var phi_993_: type_12;
+    var phi_1023_: type_12;
+    var phi_996_: f32;
+    var phi_998_: f32;
+    var phi_1000_: f32;
     var local_36: f32;
-    var phi_1093_: f32;
-    var phi_1100_: type_12;
-    var phi_1103_: f32;
-    var phi_1105_: f32;
-    var phi_1101_: type_12;
-    var phi_1127_: type_12;
-    var phi_1104_: f32;
+    var phi_1061_: f32;
+    var phi_1068_: type_12;
+    var phi_1071_: f32;
+    var phi_1073_: f32;
+    var phi_1069_: type_12;
+    var phi_1095_: type_12;
+    var phi_1072_: f32;
     var local_37: u32;
-    var phi_1142_: type_12;
-    var phi_1145_: f32;
-    var phi_1147_: f32;
-    var phi_1149_: f32;
-    var phi_1151_: f32;
-    var phi_1143_: type_12;
-    var phi_1173_: type_12;
-    var phi_1146_: f32;
-    var phi_1148_: f32;
-    var phi_1150_: f32;
+    var phi_1110_: type_12;
+    var phi_1113_: f32;
+    var phi_1115_: f32;
+    var phi_1117_: f32;
+    var phi_1119_: f32;
+    var phi_1111_: type_12;
+    var phi_1141_: type_12;
+    var phi_1114_: f32;
+    var phi_1116_: f32;
+    var phi_1118_: f32;
     var local_38: f32;
-    var phi_1211_: f32;
-    var phi_1218_: type_12;
-    var phi_1221_: f32;
-    var phi_1223_: f32;
-    var phi_1219_: type_12;
-    var phi_1245_: type_12;
-    var phi_1222_: f32;
+    var phi_1179_: f32;
+    var phi_1186_: type_12;
+    var phi_1189_: f32;
+    var phi_1191_: f32;
+    var phi_1187_: type_12;
+    var phi_1213_: type_12;
+    var phi_1190_: f32;
     var local_39: u32;
-    var phi_1260_: type_12;
-    var phi_1263_: f32;
-    var phi_1265_: f32;
-    var phi_1267_: f32;
-    var phi_1269_: f32;
-    var phi_1261_: type_12;
-    var phi_1291_: type_12;
-    var phi_1264_: f32;
-    var phi_1266_: f32;
-    var phi_1268_: f32;
+    var phi_1228_: type_12;
+    var phi_1231_: f32;
+    var phi_1233_: f32;
+    var phi_1235_: f32;
+    var phi_1237_: f32;
+    var phi_1229_: type_12;
+    var phi_1259_: type_12;
+    var phi_1232_: f32;
+    var phi_1234_: f32;
+    var phi_1236_: f32;
     var local_40: f32;
-    var phi_766_: array<f32, 12>;
-    var phi_1425_: bool;
+    var phi_764_: array<f32, 12>;
     var local_41: array<f32, 12>;
     var local_42: array<f32, 12>;
     var local_43: array<f32, 12>;
@@ -219,10 +218,10 @@ fn function_() {
     var local_50: array<f32, 12>;
     var local_51: array<f32, 12>;
     var local_52: array<f32, 12>;
-    var phi_1370_: type_12;
-    var phi_1371_: type_12;
-    var phi_1394_: type_12;
-    var phi_1518_: bool;
+    var phi_1338_: type_12;
+    var phi_1339_: type_12;
+    var phi_1362_: type_12;
+    var phi_1391_: bool;
     var local_53: f32;
     var local_54: f32;
     var local_55: f32;
@@ -235,980 +234,943 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e32 = gid_1;
-            let _e34 = arrayLength((&directions.member));
-            let _e36 = arrayLength((&radiance.member));
-            let _e41 = params.member.member;
-            let _e44 = params.member.member_2;
-            let _e47 = (_e41 / 64u);
-            if ((_e41 % 64u) > 0u) {
-                phi_88_ = (_e47 + 1u);
+            let _e37 = params.member.member;
+            let _e40 = params.member.member_2;
+            let _e43 = (_e37 / 64u);
+            if ((_e37 % 64u) > 0u) {
+                phi_86_ = (_e43 + 1u);
             } else {
-                phi_88_ = _e47;
+                phi_86_ = _e43;
             }
-            let _e52 = phi_88_;
-            let _e53 = (select(_e44, 9u, (_e44 > 9u)) + 1u);
-            let _e54 = (_e53 * _e53);
-            let _e55 = (_e54 / 4u);
-            let _e57 = ((_e54 % 4u) > 0u);
-            if _e57 {
-                phi_107_ = (_e55 + 1u);
+            let _e48 = phi_86_;
+            let _e49 = (select(_e40, 9u, (_e40 > 9u)) + 1u);
+            let _e50 = (_e49 * _e49);
+            let _e51 = (_e50 / 4u);
+            let _e53 = ((_e50 % 4u) > 0u);
+            if _e53 {
+                phi_105_ = (_e51 + 1u);
             } else {
-                phi_107_ = _e55;
+                phi_105_ = _e51;
             }
-            let _e60 = phi_107_;
-            let _e62 = ((_e52 * _e60) * 64u);
-            let _e66 = (_e32.x + (_e32.y * 2097152u));
-            if (_e66 < _e62) {
-                let _e68 = (_e66 / 64u);
-                if _e57 {
-                    phi_171_ = (_e55 + 1u);
+            let _e56 = phi_105_;
+            let _e58 = ((_e48 * _e56) * 64u);
+            let _e62 = (_e32.x + (_e32.y * 2097152u));
+            if (_e62 < _e58) {
+                let _e64 = (_e62 / 64u);
+                if _e53 {
+                    phi_169_ = (_e51 + 1u);
                 } else {
-                    phi_171_ = _e55;
+                    phi_169_ = _e51;
                 }
-                let _e73 = phi_171_;
-                if (_e73 == 0u) {
+                let _e69 = phi_169_;
+                if (_e69 == 0u) {
                     break;
                 }
-                let _e75 = (_e68 / _e73);
-                let _e78 = (_e75 * 64u);
-                let _e81 = params.member.member_1;
-                let _e88 = ((_e68 - (_e75 * _e73)) * 4u);
-                phi_195_ = 0u;
+                let _e71 = (_e64 / _e69);
+                let _e74 = (_e71 * 64u);
+                let _e77 = params.member.member_1;
+                let _e84 = ((_e64 - (_e71 * _e69)) * 4u);
+                phi_193_ = 0u;
                 loop {
-                    let _e90 = phi_195_;
-                    local_1 = _e90;
-                    local_3 = _e90;
-                    local_4 = _e90;
-                    local_5 = _e90;
-                    local_6 = _e90;
-                    local_33 = _e90;
-                    let _e91 = (_e90 + 1u);
-                    local_2 = _e91;
-                    if ((_e91 * _e91) <= _e88) {
-                        let _e94 = (_e90 < 9u);
-                        phi_196_ = select(u32(), _e91, _e94);
-                        phi_213_ = _e94;
+                    let _e86 = phi_193_;
+                    local_1 = _e86;
+                    local_3 = _e86;
+                    local_4 = _e86;
+                    local_5 = _e86;
+                    local_6 = _e86;
+                    local_33 = _e86;
+                    let _e87 = (_e86 + 1u);
+                    local_2 = _e87;
+                    if ((_e87 * _e87) <= _e84) {
+                        let _e90 = (_e86 < 9u);
+                        phi_194_ = select(u32(), _e87, _e90);
+                        phi_211_ = _e90;
                     } else {
-                        phi_196_ = u32();
-                        phi_213_ = false;
+                        phi_194_ = u32();
+                        phi_211_ = false;
                     }
-                    let _e97 = phi_196_;
-                    let _e99 = phi_213_;
+                    let _e93 = phi_194_;
+                    let _e95 = phi_211_;
                     continue;
                     continuing {
-                        phi_195_ = _e97;
-                        break if !(_e99);
+                        phi_193_ = _e93;
+                        break if !(_e95);
                     }
                 }
-                let _e102 = local_1;
-                let _e104 = local_2;
-                let _e105 = (_e102 * _e104);
-                let _e106 = (_e88 < _e105);
-                if _e106 {
-                    phi_226_ = (_e105 - _e88);
+                let _e98 = local_1;
+                let _e100 = local_2;
+                let _e101 = (_e98 * _e100);
+                let _e102 = (_e84 < _e101);
+                if _e102 {
+                    phi_224_ = (_e101 - _e84);
                 } else {
-                    phi_226_ = (_e88 - _e105);
+                    phi_224_ = (_e84 - _e101);
                 }
-                let _e110 = phi_226_;
-                let _e112 = local_3;
-                if (_e112 <= _e44) {
-                    let _e115 = local_4;
-                    phi_245_ = type_12(1u, (_e110 + 1u));
-                    phi_248_ = (f32(((2u * _e115) + 1u)) / select(6.2831855f, 12.566371f, (_e110 == 0u)));
+                let _e106 = phi_224_;
+                let _e108 = local_3;
+                if (_e108 <= _e40) {
+                    let _e111 = local_4;
+                    phi_243_ = type_12(1u, (_e106 + 1u));
+                    phi_246_ = (f32(((2u * _e111) + 1u)) / select(6.2831855f, 12.566371f, (_e106 == 0u)));
                     loop {
-                        let _e125 = phi_245_;
-                        let _e127 = phi_248_;
-                        local_7 = _e127;
-                        if (_e125.member < _e125.member_1) {
-                            phi_246_ = type_12((_e125.member + 1u), _e125.member_1);
-                            phi_271_ = type_12(1u, _e125.member);
+                        let _e121 = phi_243_;
+                        let _e123 = phi_246_;
+                        local_7 = _e123;
+                        if (_e121.member < _e121.member_1) {
+                            phi_244_ = type_12((_e121.member + 1u), _e121.member_1);
+                            phi_269_ = type_12(1u, _e121.member);
                         } else {
-                            phi_246_ = _e125;
-                            phi_271_ = type_12(0u, type_12().member_1);
+                            phi_244_ = _e121;
+                            phi_269_ = type_12(0u, type_12().member_1);
                         }
-                        let _e140 = phi_246_;
-                        let _e142 = phi_271_;
-                        let _e146 = (bitcast<i32>(_e142.member) != 0i);
-                        if _e146 {
-                            let _e147 = (2u * _e142.member_1);
-                            let _e149 = f32((_e147 - 1u));
-                            let _e151 = local_5;
-                            let _e154 = f32(((_e151 - _e110) + _e147));
-                            phi_249_ = (_e127 * ((_e149 * _e149) / (_e154 * (_e154 - 1f))));
+                        let _e136 = phi_244_;
+                        let _e138 = phi_269_;
+                        let _e142 = (bitcast<i32>(_e138.member) != 0i);
+                        if _e142 {
+                            let _e143 = (2u * _e138.member_1);
+                            let _e145 = f32((_e143 - 1u));
+                            let _e147 = local_5;
+                            let _e150 = f32(((_e147 - _e106) + _e143));
+                            phi_247_ = (_e123 * ((_e145 * _e145) / (_e150 * (_e150 - 1f))));
                         } else {
-                            phi_249_ = f32();
+                            phi_247_ = f32();
                         }
-                        let _e161 = phi_249_;
+                        let _e157 = phi_247_;
                         continue;
                         continuing {
-                            phi_245_ = _e140;
-                            phi_248_ = _e161;
-                            break if !(_e146);
+                            phi_243_ = _e136;
+                            phi_246_ = _e157;
+                            break if !(_e142);
                         }
                     }
-                    let _e164 = local_6;
-                    phi_295_ = type_12(1u, ((_e164 - _e110) + 1u));
-                    phi_298_ = 1f;
+                    let _e160 = local_6;
+                    phi_293_ = type_12(1u, ((_e160 - _e106) + 1u));
+                    phi_296_ = 1f;
                     loop {
-                        let _e169 = phi_295_;
-                        let _e171 = phi_298_;
-                        local_8 = _e171;
-                        if (_e169.member < _e169.member_1) {
-                            phi_296_ = type_12((_e169.member + 1u), _e169.member_1);
-                            phi_321_ = type_12(1u, _e169.member);
+                        let _e165 = phi_293_;
+                        let _e167 = phi_296_;
+                        local_8 = _e167;
+                        if (_e165.member < _e165.member_1) {
+                            phi_294_ = type_12((_e165.member + 1u), _e165.member_1);
+                            phi_319_ = type_12(1u, _e165.member);
                         } else {
-                            phi_296_ = _e169;
-                            phi_321_ = type_12(0u, type_12().member_1);
+                            phi_294_ = _e165;
+                            phi_319_ = type_12(0u, type_12().member_1);
                         }
-                        let _e184 = phi_296_;
-                        let _e186 = phi_321_;
-                        let _e190 = (bitcast<i32>(_e186.member) != 0i);
-                        if _e190 {
-                            phi_299_ = (_e171 * f32(_e186.member_1));
+                        let _e180 = phi_294_;
+                        let _e182 = phi_319_;
+                        let _e186 = (bitcast<i32>(_e182.member) != 0i);
+                        if _e186 {
+                            phi_297_ = (_e167 * f32(_e182.member_1));
                         } else {
-                            phi_299_ = f32();
+                            phi_297_ = f32();
                         }
-                        let _e194 = phi_299_;
+                        let _e190 = phi_297_;
                         continue;
                         continuing {
-                            phi_295_ = _e184;
-                            phi_298_ = _e194;
-                            break if !(_e190);
+                            phi_293_ = _e180;
+                            phi_296_ = _e190;
+                            break if !(_e186);
                         }
                     }
-                    let _e197 = local_7;
-                    let _e200 = local_8;
-                    phi_333_ = (sqrt(_e197) / _e200);
+                    let _e193 = local_7;
+                    let _e196 = local_8;
+                    phi_331_ = (sqrt(_e193) / _e196);
                 } else {
-                    phi_333_ = 0f;
+                    phi_331_ = 0f;
                 }
-                let _e203 = phi_333_;
-                let _e204 = (_e88 + 1u);
-                phi_336_ = 0u;
+                let _e199 = phi_331_;
+                let _e200 = (_e84 + 1u);
+                phi_334_ = 0u;
                 loop {
-                    let _e206 = phi_336_;
-                    local_9 = _e206;
-                    local_11 = _e206;
-                    local_12 = _e206;
-                    local_13 = _e206;
-                    local_14 = _e206;
-                    local_35 = _e206;
-                    let _e207 = (_e206 + 1u);
-                    local_10 = _e207;
-                    if ((_e207 * _e207) <= _e204) {
-                        let _e210 = (_e206 < 9u);
-                        phi_337_ = select(u32(), _e207, _e210);
-                        phi_354_ = _e210;
+                    let _e202 = phi_334_;
+                    local_9 = _e202;
+                    local_11 = _e202;
+                    local_12 = _e202;
+                    local_13 = _e202;
+                    local_14 = _e202;
+                    local_35 = _e202;
+                    let _e203 = (_e202 + 1u);
+                    local_10 = _e203;
+                    if ((_e203 * _e203) <= _e200) {
+                        let _e206 = (_e202 < 9u);
+                        phi_335_ = select(u32(), _e203, _e206);
+                        phi_352_ = _e206;
                     } else {
-                        phi_337_ = u32();
-                        phi_354_ = false;
+                        phi_335_ = u32();
+                        phi_352_ = false;
                     }
-                    let _e213 = phi_337_;
-                    let _e215 = phi_354_;
+                    let _e209 = phi_335_;
+                    let _e211 = phi_352_;
                     continue;
                     continuing {
-                        phi_336_ = _e213;
-                        break if !(_e215);
+                        phi_334_ = _e209;
+                        break if !(_e211);
                     }
                 }
-                let _e218 = local_9;
-                let _e220 = local_10;
-                let _e221 = (_e218 * _e220);
-                let _e222 = (_e204 < _e221);
-                if _e222 {
-                    phi_367_ = (_e221 - _e204);
+                let _e214 = local_9;
+                let _e216 = local_10;
+                let _e217 = (_e214 * _e216);
+                let _e218 = (_e200 < _e217);
+                if _e218 {
+                    phi_365_ = (_e217 - _e200);
                 } else {
-                    phi_367_ = (_e204 - _e221);
+                    phi_365_ = (_e200 - _e217);
                 }
-                let _e226 = phi_367_;
-                let _e228 = local_11;
-                if (_e228 <= _e44) {
-                    let _e231 = local_12;
-                    phi_386_ = type_12(1u, (_e226 + 1u));
-                    phi_389_ = (f32(((2u * _e231) + 1u)) / select(6.2831855f, 12.566371f, (_e226 == 0u)));
+                let _e222 = phi_365_;
+                let _e224 = local_11;
+                if (_e224 <= _e40) {
+                    let _e227 = local_12;
+                    phi_384_ = type_12(1u, (_e222 + 1u));
+                    phi_387_ = (f32(((2u * _e227) + 1u)) / select(6.2831855f, 12.566371f, (_e222 == 0u)));
                     loop {
-                        let _e241 = phi_386_;
-                        let _e243 = phi_389_;
-                        local_15 = _e243;
-                        if (_e241.member < _e241.member_1) {
-                            phi_387_ = type_12((_e241.member + 1u), _e241.member_1);
-                            phi_412_ = type_12(1u, _e241.member);
+                        let _e237 = phi_384_;
+                        let _e239 = phi_387_;
+                        local_15 = _e239;
+                        if (_e237.member < _e237.member_1) {
+                            phi_385_ = type_12((_e237.member + 1u), _e237.member_1);
+                            phi_410_ = type_12(1u, _e237.member);
                         } else {
-                            phi_387_ = _e241;
-                            phi_412_ = type_12(0u, type_12().member_1);
+                            phi_385_ = _e237;
+                            phi_410_ = type_12(0u, type_12().member_1);
                         }
-                        let _e256 = phi_387_;
-                        let _e258 = phi_412_;
-                        let _e262 = (bitcast<i32>(_e258.member) != 0i);
-                        if _e262 {
-                            let _e263 = (2u * _e258.member_1);
-                            let _e265 = f32((_e263 - 1u));
-                            let _e267 = local_13;
-                            let _e270 = f32(((_e267 - _e226) + _e263));
-                            phi_390_ = (_e243 * ((_e265 * _e265) / (_e270 * (_e270 - 1f))));
+                        let _e252 = phi_385_;
+                        let _e254 = phi_410_;
+                        let _e258 = (bitcast<i32>(_e254.member) != 0i);
+                        if _e258 {
+                            let _e259 = (2u * _e254.member_1);
+                            let _e261 = f32((_e259 - 1u));
+                            let _e263 = local_13;
+                            let _e266 = f32(((_e263 - _e222) + _e259));
+                            phi_388_ = (_e239 * ((_e261 * _e261) / (_e266 * (_e266 - 1f))));
                         } else {
-                            phi_390_ = f32();
+                            phi_388_ = f32();
                         }
-                        let _e277 = phi_390_;
+                        let _e273 = phi_388_;
                         continue;
                         continuing {
-                            phi_386_ = _e256;
-                            phi_389_ = _e277;
-                            break if !(_e262);
+                            phi_384_ = _e252;
+                            phi_387_ = _e273;
+                            break if !(_e258);
                         }
                     }
-                    let _e280 = local_14;
-                    phi_436_ = type_12(1u, ((_e280 - _e226) + 1u));
-                    phi_439_ = 1f;
+                    let _e276 = local_14;
+                    phi_434_ = type_12(1u, ((_e276 - _e222) + 1u));
+                    phi_437_ = 1f;
                     loop {
-                        let _e285 = phi_436_;
-                        let _e287 = phi_439_;
-                        local_16 = _e287;
-                        if (_e285.member < _e285.member_1) {
-                            phi_437_ = type_12((_e285.member + 1u), _e285.member_1);
-                            phi_462_ = type_12(1u, _e285.member);
+                        let _e281 = phi_434_;
+                        let _e283 = phi_437_;
+                        local_16 = _e283;
+                        if (_e281.member < _e281.member_1) {
+                            phi_435_ = type_12((_e281.member + 1u), _e281.member_1);
+                            phi_460_ = type_12(1u, _e281.member);
                         } else {
-                            phi_437_ = _e285;
-                            phi_462_ = type_12(0u, type_12().member_1);
+                            phi_435_ = _e281;
+                            phi_460_ = type_12(0u, type_12().member_1);
                         }
-                        let _e300 = phi_437_;
-                        let _e302 = phi_462_;
-                        let _e306 = (bitcast<i32>(_e302.member) != 0i);
-                        if _e306 {
-                            phi_440_ = (_e287 * f32(_e302.member_1));
+                        let _e296 = phi_435_;
+                        let _e298 = phi_460_;
+                        let _e302 = (bitcast<i32>(_e298.member) != 0i);
+                        if _e302 {
+                            phi_438_ = (_e283 * f32(_e298.member_1));
                         } else {
-                            phi_440_ = f32();
+                            phi_438_ = f32();
                         }
-                        let _e310 = phi_440_;
+                        let _e306 = phi_438_;
                         continue;
                         continuing {
-                            phi_436_ = _e300;
-                            phi_439_ = _e310;
-                            break if !(_e306);
+                            phi_434_ = _e296;
+                            phi_437_ = _e306;
+                            break if !(_e302);
                         }
                     }
-                    let _e313 = local_15;
-                    let _e316 = local_16;
-                    phi_474_ = (sqrt(_e313) / _e316);
+                    let _e309 = local_15;
+                    let _e312 = local_16;
+                    phi_472_ = (sqrt(_e309) / _e312);
                 } else {
-                    phi_474_ = 0f;
+                    phi_472_ = 0f;
                 }
-                let _e319 = phi_474_;
-                let _e320 = (_e88 + 2u);
-                phi_477_ = 0u;
+                let _e315 = phi_472_;
+                let _e316 = (_e84 + 2u);
+                phi_475_ = 0u;
                 loop {
-                    let _e322 = phi_477_;
-                    local_17 = _e322;
-                    local_19 = _e322;
-                    local_20 = _e322;
-                    local_21 = _e322;
-                    local_22 = _e322;
-                    local_37 = _e322;
-                    let _e323 = (_e322 + 1u);
-                    local_18 = _e323;
-                    if ((_e323 * _e323) <= _e320) {
-                        let _e326 = (_e322 < 9u);
-                        phi_478_ = select(u32(), _e323, _e326);
-                        phi_495_ = _e326;
+                    let _e318 = phi_475_;
+                    local_17 = _e318;
+                    local_19 = _e318;
+                    local_20 = _e318;
+                    local_21 = _e318;
+                    local_22 = _e318;
+                    local_37 = _e318;
+                    let _e319 = (_e318 + 1u);
+                    local_18 = _e319;
+                    if ((_e319 * _e319) <= _e316) {
+                        let _e322 = (_e318 < 9u);
+                        phi_476_ = select(u32(), _e319, _e322);
+                        phi_493_ = _e322;
                     } else {
-                        phi_478_ = u32();
-                        phi_495_ = false;
+                        phi_476_ = u32();
+                        phi_493_ = false;
                     }
-                    let _e329 = phi_478_;
-                    let _e331 = phi_495_;
+                    let _e325 = phi_476_;
+                    let _e327 = phi_493_;
                     continue;
                     continuing {
-                        phi_477_ = _e329;
-                        break if !(_e331);
+                        phi_475_ = _e325;
+                        break if !(_e327);
                     }
                 }
-                let _e334 = local_17;
-                let _e336 = local_18;
-                let _e337 = (_e334 * _e336);
-                let _e338 = (_e320 < _e337);
-                if _e338 {
-                    phi_508_ = (_e337 - _e320);
+                let _e330 = local_17;
+                let _e332 = local_18;
+                let _e333 = (_e330 * _e332);
+                let _e334 = (_e316 < _e333);
+                if _e334 {
+                    phi_506_ = (_e333 - _e316);
                 } else {
-                    phi_508_ = (_e320 - _e337);
+                    phi_506_ = (_e316 - _e333);
                 }
-                let _e342 = phi_508_;
-                let _e344 = local_19;
-                if (_e344 <= _e44) {
-                    let _e347 = local_20;
-                    phi_527_ = type_12(1u, (_e342 + 1u));
-                    phi_530_ = (f32(((2u * _e347) + 1u)) / select(6.2831855f, 12.566371f, (_e342 == 0u)));
+                let _e338 = phi_506_;
+                let _e340 = local_19;
+                if (_e340 <= _e40) {
+                    let _e343 = local_20;
+                    phi_525_ = type_12(1u, (_e338 + 1u));
+                    phi_528_ = (f32(((2u * _e343) + 1u)) / select(6.2831855f, 12.566371f, (_e338 == 0u)));
                     loop {
-                        let _e357 = phi_527_;
-                        let _e359 = phi_530_;
-                        local_23 = _e359;
-                        if (_e357.member < _e357.member_1) {
-                            phi_528_ = type_12((_e357.member + 1u), _e357.member_1);
-                            phi_553_ = type_12(1u, _e357.member);
+                        let _e353 = phi_525_;
+                        let _e355 = phi_528_;
+                        local_23 = _e355;
+                        if (_e353.member < _e353.member_1) {
+                            phi_526_ = type_12((_e353.member + 1u), _e353.member_1);
+                            phi_551_ = type_12(1u, _e353.member);
                         } else {
-                            phi_528_ = _e357;
-                            phi_553_ = type_12(0u, type_12().member_1);
+                            phi_526_ = _e353;
+                            phi_551_ = type_12(0u, type_12().member_1);
                         }
-                        let _e372 = phi_528_;
-                        let _e374 = phi_553_;
-                        let _e378 = (bitcast<i32>(_e374.member) != 0i);
-                        if _e378 {
-                            let _e379 = (2u * _e374.member_1);
-                            let _e381 = f32((_e379 - 1u));
-                            let _e383 = local_21;
-                            let _e386 = f32(((_e383 - _e342) + _e379));
-                            phi_531_ = (_e359 * ((_e381 * _e381) / (_e386 * (_e386 - 1f))));
+                        let _e368 = phi_526_;
+                        let _e370 = phi_551_;
+                        let _e374 = (bitcast<i32>(_e370.member) != 0i);
+                        if _e374 {
+                            let _e375 = (2u * _e370.member_1);
+                            let _e377 = f32((_e375 - 1u));
+                            let _e379 = local_21;
+                            let _e382 = f32(((_e379 - _e338) + _e375));
+                            phi_529_ = (_e355 * ((_e377 * _e377) / (_e382 * (_e382 - 1f))));
                         } else {
-                            phi_531_ = f32();
+                            phi_529_ = f32();
                         }
-                        let _e393 = phi_531_;
+                        let _e389 = phi_529_;
                         continue;
                         continuing {
-                            phi_527_ = _e372;
-                            phi_530_ = _e393;
-                            break if !(_e378);
+                            phi_525_ = _e368;
+                            phi_528_ = _e389;
+                            break if !(_e374);
                         }
                     }
-                    let _e396 = local_22;
-                    phi_577_ = type_12(1u, ((_e396 - _e342) + 1u));
-                    phi_580_ = 1f;
+                    let _e392 = local_22;
+                    phi_575_ = type_12(1u, ((_e392 - _e338) + 1u));
+                    phi_578_ = 1f;
                     loop {
-                        let _e401 = phi_577_;
-                        let _e403 = phi_580_;
-                        local_24 = _e403;
-                        if (_e401.member < _e401.member_1) {
-                            phi_578_ = type_12((_e401.member + 1u), _e401.member_1);
-                            phi_603_ = type_12(1u, _e401.member);
+                        let _e397 = phi_575_;
+                        let _e399 = phi_578_;
+                        local_24 = _e399;
+                        if (_e397.member < _e397.member_1) {
+                            phi_576_ = type_12((_e397.member + 1u), _e397.member_1);
+                            phi_601_ = type_12(1u, _e397.member);
                         } else {
-                            phi_578_ = _e401;
-                            phi_603_ = type_12(0u, type_12().member_1);
+                            phi_576_ = _e397;
+                            phi_601_ = type_12(0u, type_12().member_1);
                         }
-                        let _e416 = phi_578_;
-                        let _e418 = phi_603_;
-                        let _e422 = (bitcast<i32>(_e418.member) != 0i);
-                        if _e422 {
-                            phi_581_ = (_e403 * f32(_e418.member_1));
+                        let _e412 = phi_576_;
+                        let _e414 = phi_601_;
+                        let _e418 = (bitcast<i32>(_e414.member) != 0i);
+                        if _e418 {
+                            phi_579_ = (_e399 * f32(_e414.member_1));
                         } else {
-                            phi_581_ = f32();
+                            phi_579_ = f32();
                         }
-                        let _e426 = phi_581_;
+                        let _e422 = phi_579_;
                         continue;
                         continuing {
-                            phi_577_ = _e416;
-                            phi_580_ = _e426;
-                            break if !(_e422);
+                            phi_575_ = _e412;
+                            phi_578_ = _e422;
+                            break if !(_e418);
                         }
                     }
-                    let _e429 = local_23;
-                    let _e432 = local_24;
-                    phi_615_ = (sqrt(_e429) / _e432);
+                    let _e425 = local_23;
+                    let _e428 = local_24;
+                    phi_613_ = (sqrt(_e425) / _e428);
                 } else {
-                    phi_615_ = 0f;
+                    phi_613_ = 0f;
                 }
-                let _e435 = phi_615_;
-                let _e436 = (_e88 + 3u);
-                phi_618_ = 0u;
+                let _e431 = phi_613_;
+                let _e432 = (_e84 + 3u);
+                phi_616_ = 0u;
                 loop {
-                    let _e438 = phi_618_;
-                    local_25 = _e438;
-                    local_27 = _e438;
-                    local_28 = _e438;
-                    local_29 = _e438;
-                    local_30 = _e438;
-                    local_39 = _e438;
-                    let _e439 = (_e438 + 1u);
-                    local_26 = _e439;
-                    if ((_e439 * _e439) <= _e436) {
-                        let _e442 = (_e438 < 9u);
-                        phi_619_ = select(u32(), _e439, _e442);
-                        phi_636_ = _e442;
+                    let _e434 = phi_616_;
+                    local_25 = _e434;
+                    local_27 = _e434;
+                    local_28 = _e434;
+                    local_29 = _e434;
+                    local_30 = _e434;
+                    local_39 = _e434;
+                    let _e435 = (_e434 + 1u);
+                    local_26 = _e435;
+                    if ((_e435 * _e435) <= _e432) {
+                        let _e438 = (_e434 < 9u);
+                        phi_617_ = select(u32(), _e435, _e438);
+                        phi_634_ = _e438;
                     } else {
-                        phi_619_ = u32();
-                        phi_636_ = false;
+                        phi_617_ = u32();
+                        phi_634_ = false;
                     }
-                    let _e445 = phi_619_;
-                    let _e447 = phi_636_;
+                    let _e441 = phi_617_;
+                    let _e443 = phi_634_;
                     continue;
                     continuing {
-                        phi_618_ = _e445;
-                        break if !(_e447);
+                        phi_616_ = _e441;
+                        break if !(_e443);
                     }
                 }
-                let _e450 = local_25;
-                let _e452 = local_26;
-                let _e453 = (_e450 * _e452);
-                let _e454 = (_e436 < _e453);
-                if _e454 {
-                    phi_649_ = (_e453 - _e436);
+                let _e446 = local_25;
+                let _e448 = local_26;
+                let _e449 = (_e446 * _e448);
+                let _e450 = (_e432 < _e449);
+                if _e450 {
+                    phi_647_ = (_e449 - _e432);
                 } else {
-                    phi_649_ = (_e436 - _e453);
+                    phi_647_ = (_e432 - _e449);
                 }
-                let _e458 = phi_649_;
-                let _e460 = local_27;
-                if (_e460 <= _e44) {
-                    let _e463 = local_28;
-                    phi_668_ = type_12(1u, (_e458 + 1u));
-                    phi_671_ = (f32(((2u * _e463) + 1u)) / select(6.2831855f, 12.566371f, (_e458 == 0u)));
+                let _e454 = phi_647_;
+                let _e456 = local_27;
+                if (_e456 <= _e40) {
+                    let _e459 = local_28;
+                    phi_666_ = type_12(1u, (_e454 + 1u));
+                    phi_669_ = (f32(((2u * _e459) + 1u)) / select(6.2831855f, 12.566371f, (_e454 == 0u)));
                     loop {
-                        let _e473 = phi_668_;
-                        let _e475 = phi_671_;
-                        local_31 = _e475;
-                        if (_e473.member < _e473.member_1) {
-                            phi_669_ = type_12((_e473.member + 1u), _e473.member_1);
-                            phi_694_ = type_12(1u, _e473.member);
+                        let _e469 = phi_666_;
+                        let _e471 = phi_669_;
+                        local_31 = _e471;
+                        if (_e469.member < _e469.member_1) {
+                            phi_667_ = type_12((_e469.member + 1u), _e469.member_1);
+                            phi_692_ = type_12(1u, _e469.member);
                         } else {
-                            phi_669_ = _e473;
-                            phi_694_ = type_12(0u, type_12().member_1);
+                            phi_667_ = _e469;
+                            phi_692_ = type_12(0u, type_12().member_1);
                         }
-                        let _e488 = phi_669_;
-                        let _e490 = phi_694_;
-                        let _e494 = (bitcast<i32>(_e490.member) != 0i);
-                        if _e494 {
-                            let _e495 = (2u * _e490.member_1);
-                            let _e497 = f32((_e495 - 1u));
-                            let _e499 = local_29;
-                            let _e502 = f32(((_e499 - _e458) + _e495));
-                            phi_672_ = (_e475 * ((_e497 * _e497) / (_e502 * (_e502 - 1f))));
+                        let _e484 = phi_667_;
+                        let _e486 = phi_692_;
+                        let _e490 = (bitcast<i32>(_e486.member) != 0i);
+                        if _e490 {
+                            let _e491 = (2u * _e486.member_1);
+                            let _e493 = f32((_e491 - 1u));
+                            let _e495 = local_29;
+                            let _e498 = f32(((_e495 - _e454) + _e491));
+                            phi_670_ = (_e471 * ((_e493 * _e493) / (_e498 * (_e498 - 1f))));
                         } else {
-                            phi_672_ = f32();
+                            phi_670_ = f32();
                         }
-                        let _e509 = phi_672_;
+                        let _e505 = phi_670_;
                         continue;
                         continuing {
-                            phi_668_ = _e488;
-                            phi_671_ = _e509;
-                            break if !(_e494);
+                            phi_666_ = _e484;
+                            phi_669_ = _e505;
+                            break if !(_e490);
                         }
                     }
-                    let _e512 = local_30;
-                    phi_718_ = type_12(1u, ((_e512 - _e458) + 1u));
-                    phi_721_ = 1f;
+                    let _e508 = local_30;
+                    phi_716_ = type_12(1u, ((_e508 - _e454) + 1u));
+                    phi_719_ = 1f;
                     loop {
-                        let _e517 = phi_718_;
-                        let _e519 = phi_721_;
-                        local_32 = _e519;
-                        if (_e517.member < _e517.member_1) {
-                            phi_719_ = type_12((_e517.member + 1u), _e517.member_1);
-                            phi_744_ = type_12(1u, _e517.member);
+                        let _e513 = phi_716_;
+                        let _e515 = phi_719_;
+                        local_32 = _e515;
+                        if (_e513.member < _e513.member_1) {
+                            phi_717_ = type_12((_e513.member + 1u), _e513.member_1);
+                            phi_742_ = type_12(1u, _e513.member);
                         } else {
-                            phi_719_ = _e517;
-                            phi_744_ = type_12(0u, type_12().member_1);
+                            phi_717_ = _e513;
+                            phi_742_ = type_12(0u, type_12().member_1);
                         }
-                        let _e532 = phi_719_;
-                        let _e534 = phi_744_;
-                        let _e538 = (bitcast<i32>(_e534.member) != 0i);
-                        if _e538 {
-                            phi_722_ = (_e519 * f32(_e534.member_1));
+                        let _e528 = phi_717_;
+                        let _e530 = phi_742_;
+                        let _e534 = (bitcast<i32>(_e530.member) != 0i);
+                        if _e534 {
+                            phi_720_ = (_e515 * f32(_e530.member_1));
                         } else {
-                            phi_722_ = f32();
+                            phi_720_ = f32();
                         }
-                        let _e542 = phi_722_;
+                        let _e538 = phi_720_;
                         continue;
                         continuing {
-                            phi_718_ = _e532;
-                            phi_721_ = _e542;
-                            break if !(_e538);
+                            phi_716_ = _e528;
+                            phi_719_ = _e538;
+                            break if !(_e534);
                         }
                     }
-                    let _e545 = local_31;
-                    let _e548 = local_32;
-                    phi_756_ = (sqrt(_e545) / _e548);
+                    let _e541 = local_31;
+                    let _e544 = local_32;
+                    phi_754_ = (sqrt(_e541) / _e544);
                 } else {
-                    phi_756_ = 0f;
+                    phi_754_ = 0f;
                 }
-                let _e551 = phi_756_;
-                phi_762_ = type_12(0u, _e81);
-                phi_765_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e547 = phi_754_;
+                phi_760_ = type_12(0u, _e77);
+                phi_763_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e554 = phi_762_;
-                    let _e556 = phi_765_;
-                    local_41 = _e556;
-                    local_42 = _e556;
-                    local_43 = _e556;
-                    local_44 = _e556;
-                    local_45 = _e556;
-                    local_46 = _e556;
-                    local_47 = _e556;
-                    local_48 = _e556;
-                    local_49 = _e556;
-                    local_50 = _e556;
-                    local_51 = _e556;
-                    local_52 = _e556;
-                    if (_e554.member < _e554.member_1) {
-                        phi_763_ = type_12((_e554.member + 1u), _e554.member_1);
-                        phi_788_ = type_12(1u, _e554.member);
+                    let _e550 = phi_760_;
+                    let _e552 = phi_763_;
+                    local_41 = _e552;
+                    local_42 = _e552;
+                    local_43 = _e552;
+                    local_44 = _e552;
+                    local_45 = _e552;
+                    local_46 = _e552;
+                    local_47 = _e552;
+                    local_48 = _e552;
+                    local_49 = _e552;
+                    local_50 = _e552;
+                    local_51 = _e552;
+                    local_52 = _e552;
+                    if (_e550.member < _e550.member_1) {
+                        phi_761_ = type_12((_e550.member + 1u), _e550.member_1);
+                        phi_786_ = type_12(1u, _e550.member);
                     } else {
-                        phi_763_ = _e554;
-                        phi_788_ = type_12(0u, type_12().member_1);
+                        phi_761_ = _e550;
+                        phi_786_ = type_12(0u, type_12().member_1);
                     }
-                    let _e569 = phi_763_;
-                    let _e571 = phi_788_;
-                    let _e575 = (bitcast<i32>(_e571.member) != 0i);
-                    if _e575 {
-                        let _e577 = ((((((_e78 / 64u) * _e81) * 192u) + (_e78 % 64u)) + (_e66 - (_e68 * 64u))) + (_e571.member_1 * 192u));
-                        if (_e577 < _e34) {
+                    let _e565 = phi_761_;
+                    let _e567 = phi_786_;
+                    let _e571 = (bitcast<i32>(_e567.member) != 0i);
+                    if _e571 {
+                        let _e573 = ((((((_e74 / 64u) * _e77) * 192u) + (_e74 % 64u)) + (_e62 - (_e64 * 64u))) + (_e567.member_1 * 192u));
+                        let _e576 = directions.member[_e573];
+                        let _e577 = (_e573 + 64u);
+                        let _e580 = directions.member[_e577];
+                        let _e581 = (_e573 + 128u);
+                        let _e584 = directions.member[_e581];
+                        let _e587 = radiance.member[_e573];
+                        let _e590 = radiance.member[_e577];
+                        let _e593 = radiance.member[_e581];
+                        let _e594 = select(1f, 0f, _e102);
+                        if (_e106 == 0u) {
+                            phi_825_ = _e594;
                         } else {
-                            phi_1425_ = true;
-                            break;
+                            phi_825_ = select(_e576, _e580, _e102);
                         }
-                        let _e581 = directions.member[_e577];
-                        let _e582 = (_e577 + 64u);
-                        if (_e582 < _e34) {
-                        } else {
-                            phi_1425_ = true;
-                            break;
-                        }
-                        let _e586 = directions.member[_e582];
-                        let _e587 = (_e577 + 128u);
-                        if (_e587 < _e34) {
-                        } else {
-                            phi_1425_ = true;
-                            break;
-                        }
-                        let _e591 = directions.member[_e587];
-                        if (_e577 < _e36) {
-                        } else {
-                            phi_1425_ = true;
-                            break;
-                        }
-                        let _e595 = radiance.member[_e577];
-                        if (_e582 < _e36) {
-                        } else {
-                            phi_1425_ = true;
-                            break;
-                        }
-                        let _e599 = radiance.member[_e582];
-                        if (_e587 < _e36) {
-                        } else {
-                            phi_1425_ = true;
-                            break;
-                        }
-                        let _e603 = radiance.member[_e587];
-                        let _e604 = select(1f, 0f, _e106);
-                        if (_e110 == 0u) {
-                            phi_857_ = _e604;
-                        } else {
-                            phi_857_ = select(_e581, _e586, _e106);
-                        }
-                        let _e608 = phi_857_;
-                        let _e609 = (_e581 + _e581);
-                        let _e612 = ((_e581 * _e581) + (_e586 * _e586));
-                        phi_864_ = type_12(1u, _e110);
-                        phi_867_ = _e608;
-                        phi_869_ = _e604;
+                        let _e598 = phi_825_;
+                        let _e599 = (_e576 + _e576);
+                        let _e602 = ((_e576 * _e576) + (_e580 * _e580));
+                        phi_832_ = type_12(1u, _e106);
+                        phi_835_ = _e598;
+                        phi_837_ = _e594;
                         loop {
-                            let _e615 = phi_864_;
-                            let _e617 = phi_867_;
-                            let _e619 = phi_869_;
-                            local_53 = _e617;
-                            local_54 = _e619;
-                            if (_e615.member < _e615.member_1) {
-                                phi_865_ = type_12((_e615.member + 1u), _e615.member_1);
-                                phi_891_ = type_12(1u, _e615.member);
+                            let _e605 = phi_832_;
+                            let _e607 = phi_835_;
+                            let _e609 = phi_837_;
+                            local_53 = _e607;
+                            local_54 = _e609;
+                            if (_e605.member < _e605.member_1) {
+                                phi_833_ = type_12((_e605.member + 1u), _e605.member_1);
+                                phi_859_ = type_12(1u, _e605.member);
                             } else {
-                                phi_865_ = _e615;
-                                phi_891_ = type_12(0u, type_12().member_1);
+                                phi_833_ = _e605;
+                                phi_859_ = type_12(0u, type_12().member_1);
                             }
-                            let _e632 = phi_865_;
-                            let _e634 = phi_891_;
-                            let _e637 = (bitcast<i32>(_e634.member) != 0i);
-                            if _e637 {
-                                phi_868_ = ((_e609 * _e617) - (_e612 * _e619));
+                            let _e622 = phi_833_;
+                            let _e624 = phi_859_;
+                            let _e627 = (bitcast<i32>(_e624.member) != 0i);
+                            if _e627 {
+                                phi_836_ = ((_e599 * _e607) - (_e602 * _e609));
                             } else {
-                                phi_868_ = f32();
+                                phi_836_ = f32();
                             }
-                            let _e642 = phi_868_;
+                            let _e632 = phi_836_;
                             continue;
                             continuing {
-                                phi_864_ = _e632;
-                                phi_867_ = _e642;
-                                phi_869_ = _e617;
-                                break if !(_e637);
+                                phi_832_ = _e622;
+                                phi_835_ = _e632;
+                                phi_837_ = _e607;
+                                break if !(_e627);
                             }
                         }
-                        let _e648 = local_33;
-                        phi_906_ = type_12(_e110, _e648);
-                        let _e1188 = local_53;
-                        phi_909_ = _e1188;
-                        phi_911_ = f32(((2u * _e110) + 1u));
-                        phi_913_ = 0f;
-                        let _e1193 = local_54;
-                        phi_915_ = _e1193;
+                        let _e638 = local_33;
+                        phi_874_ = type_12(_e106, _e638);
+                        let _e1176 = local_53;
+                        phi_877_ = _e1176;
+                        phi_879_ = f32(((2u * _e106) + 1u));
+                        phi_881_ = 0f;
+                        let _e1181 = local_54;
+                        phi_883_ = _e1181;
                         loop {
-                            let _e651 = phi_906_;
-                            let _e653 = phi_909_;
-                            let _e655 = phi_911_;
-                            let _e657 = phi_913_;
-                            let _e659 = phi_915_;
-                            local_34 = _e653;
-                            if (_e651.member < _e651.member_1) {
-                                phi_907_ = type_12((_e651.member + 1u), _e651.member_1);
-                                phi_937_ = type_12(1u, _e651.member);
+                            let _e641 = phi_874_;
+                            let _e643 = phi_877_;
+                            let _e645 = phi_879_;
+                            let _e647 = phi_881_;
+                            let _e649 = phi_883_;
+                            local_34 = _e643;
+                            if (_e641.member < _e641.member_1) {
+                                phi_875_ = type_12((_e641.member + 1u), _e641.member_1);
+                                phi_905_ = type_12(1u, _e641.member);
                             } else {
-                                phi_907_ = _e651;
-                                phi_937_ = type_12(0u, type_12().member_1);
+                                phi_875_ = _e641;
+                                phi_905_ = type_12(0u, type_12().member_1);
                             }
-                            let _e672 = phi_907_;
-                            let _e674 = phi_937_;
-                            let _e677 = (bitcast<i32>(_e674.member) != 0i);
-                            if _e677 {
-                                phi_910_ = (((_e591 * _e655) * _e653) - (_e657 * _e659));
-                                phi_912_ = (_e655 + 2f);
-                                phi_914_ = (_e657 + _e655);
+                            let _e662 = phi_875_;
+                            let _e664 = phi_905_;
+                            let _e667 = (bitcast<i32>(_e664.member) != 0i);
+                            if _e667 {
+                                phi_878_ = (((_e584 * _e645) * _e643) - (_e647 * _e649));
+                                phi_880_ = (_e645 + 2f);
+                                phi_882_ = (_e647 + _e645);
                             } else {
-                                phi_910_ = f32();
-                                phi_912_ = f32();
-                                phi_914_ = f32();
+                                phi_878_ = f32();
+                                phi_880_ = f32();
+                                phi_882_ = f32();
                             }
-                            let _e685 = phi_910_;
-                            let _e687 = phi_912_;
-                            let _e689 = phi_914_;
+                            let _e675 = phi_878_;
+                            let _e677 = phi_880_;
+                            let _e679 = phi_882_;
                             continue;
                             continuing {
-                                phi_906_ = _e672;
-                                phi_909_ = _e685;
-                                phi_911_ = _e687;
-                                phi_913_ = _e689;
-                                phi_915_ = _e653;
-                                break if !(_e677);
+                                phi_874_ = _e662;
+                                phi_877_ = _e675;
+                                phi_879_ = _e677;
+                                phi_881_ = _e679;
+                                phi_883_ = _e643;
+                                break if !(_e667);
                             }
                         }
-                        let _e692 = local_34;
-                        let _e693 = (_e692 * _e203);
-                        let _e703 = select(1f, 0f, _e222);
-                        if (_e226 == 0u) {
-                            phi_975_ = _e703;
+                        let _e682 = local_34;
+                        let _e683 = (_e682 * _e199);
+                        let _e693 = select(1f, 0f, _e218);
+                        if (_e222 == 0u) {
+                            phi_943_ = _e693;
                         } else {
-                            phi_975_ = select(_e581, _e586, _e222);
+                            phi_943_ = select(_e576, _e580, _e218);
                         }
-                        let _e707 = phi_975_;
-                        phi_982_ = type_12(1u, _e226);
-                        phi_985_ = _e707;
-                        phi_987_ = _e703;
+                        let _e697 = phi_943_;
+                        phi_950_ = type_12(1u, _e222);
+                        phi_953_ = _e697;
+                        phi_955_ = _e693;
                         loop {
-                            let _e710 = phi_982_;
-                            let _e712 = phi_985_;
-                            let _e714 = phi_987_;
-                            local_55 = _e712;
-                            local_56 = _e714;
-                            if (_e710.member < _e710.member_1) {
-                                phi_983_ = type_12((_e710.member + 1u), _e710.member_1);
-                                phi_1009_ = type_12(1u, _e710.member);
+                            let _e700 = phi_950_;
+                            let _e702 = phi_953_;
+                            let _e704 = phi_955_;
+                            local_55 = _e702;
+                            local_56 = _e704;
+                            if (_e700.member < _e700.member_1) {
+                                phi_951_ = type_12((_e700.member + 1u), _e700.member_1);
+                                phi_977_ = type_12(1u, _e700.member);
                             } else {
-                                phi_983_ = _e710;
-                                phi_1009_ = type_12(0u, type_12().member_1);
+                                phi_951_ = _e700;
+                                phi_977_ = type_12(0u, type_12().member_1);
                             }
-                            let _e727 = phi_983_;
-                            let _e729 = phi_1009_;
-                            let _e732 = (bitcast<i32>(_e729.member) != 0i);
-                            if _e732 {
-                                phi_986_ = ((_e609 * _e712) - (_e612 * _e714));
+                            let _e717 = phi_951_;
+                            let _e719 = phi_977_;
+                            let _e722 = (bitcast<i32>(_e719.member) != 0i);
+                            if _e722 {
+                                phi_954_ = ((_e599 * _e702) - (_e602 * _e704));
                             } else {
-                                phi_986_ = f32();
+                                phi_954_ = f32();
                             }
-                            let _e737 = phi_986_;
+                            let _e727 = phi_954_;
                             continue;
                             continuing {
-                                phi_982_ = _e727;
-                                phi_985_ = _e737;
-                                phi_987_ = _e712;
-                                break if !(_e732);
+                                phi_950_ = _e717;
+                                phi_953_ = _e727;
+                                phi_955_ = _e702;
+                                break if !(_e722);
                             }
                         }
-                        let _e743 = local_35;
-                        phi_1024_ = type_12(_e226, _e743);
-                        let _e1211 = local_55;
-                        phi_1027_ = _e1211;
-                        phi_1029_ = f32(((2u * _e226) + 1u));
-                        phi_1031_ = 0f;
-                        let _e1216 = local_56;
-                        phi_1033_ = _e1216;
+                        let _e733 = local_35;
+                        phi_992_ = type_12(_e222, _e733);
+                        let _e1199 = local_55;
+                        phi_995_ = _e1199;
+                        phi_997_ = f32(((2u * _e222) + 1u));
+                        phi_999_ = 0f;
+                        let _e1204 = local_56;
+                        phi_1001_ = _e1204;
                         loop {
-                            let _e746 = phi_1024_;
-                            let _e748 = phi_1027_;
-                            let _e750 = phi_1029_;
-                            let _e752 = phi_1031_;
-                            let _e754 = phi_1033_;
-                            local_36 = _e748;
-                            if (_e746.member < _e746.member_1) {
-                                phi_1025_ = type_12((_e746.member + 1u), _e746.member_1);
-                                phi_1055_ = type_12(1u, _e746.member);
+                            let _e736 = phi_992_;
+                            let _e738 = phi_995_;
+                            let _e740 = phi_997_;
+                            let _e742 = phi_999_;
+                            let _e744 = phi_1001_;
+                            local_36 = _e738;
+                            if (_e736.member < _e736.member_1) {
+                                phi_993_ = type_12((_e736.member + 1u), _e736.member_1);
+                                phi_1023_ = type_12(1u, _e736.member);
                             } else {
-                                phi_1025_ = _e746;
-                                phi_1055_ = type_12(0u, type_12().member_1);
+                                phi_993_ = _e736;
+                                phi_1023_ = type_12(0u, type_12().member_1);
                             }
-                            let _e767 = phi_1025_;
-                            let _e769 = phi_1055_;
-                            let _e772 = (bitcast<i32>(_e769.member) != 0i);
-                            if _e772 {
-                                phi_1028_ = (((_e591 * _e750) * _e748) - (_e752 * _e754));
-                                phi_1030_ = (_e750 + 2f);
-                                phi_1032_ = (_e752 + _e750);
+                            let _e757 = phi_993_;
+                            let _e759 = phi_1023_;
+                            let _e762 = (bitcast<i32>(_e759.member) != 0i);
+                            if _e762 {
+                                phi_996_ = (((_e584 * _e740) * _e738) - (_e742 * _e744));
+                                phi_998_ = (_e740 + 2f);
+                                phi_1000_ = (_e742 + _e740);
                             } else {
-                                phi_1028_ = f32();
-                                phi_1030_ = f32();
-                                phi_1032_ = f32();
+                                phi_996_ = f32();
+                                phi_998_ = f32();
+                                phi_1000_ = f32();
                             }
-                            let _e780 = phi_1028_;
-                            let _e782 = phi_1030_;
-                            let _e784 = phi_1032_;
+                            let _e770 = phi_996_;
+                            let _e772 = phi_998_;
+                            let _e774 = phi_1000_;
                             continue;
                             continuing {
-                                phi_1024_ = _e767;
-                                phi_1027_ = _e780;
-                                phi_1029_ = _e782;
-                                phi_1031_ = _e784;
-                                phi_1033_ = _e748;
-                                break if !(_e772);
+                                phi_992_ = _e757;
+                                phi_995_ = _e770;
+                                phi_997_ = _e772;
+                                phi_999_ = _e774;
+                                phi_1001_ = _e738;
+                                break if !(_e762);
                             }
                         }
-                        let _e787 = local_36;
-                        let _e788 = (_e787 * _e319);
-                        let _e798 = select(1f, 0f, _e338);
-                        if (_e342 == 0u) {
-                            phi_1093_ = _e798;
+                        let _e777 = local_36;
+                        let _e778 = (_e777 * _e315);
+                        let _e788 = select(1f, 0f, _e334);
+                        if (_e338 == 0u) {
+                            phi_1061_ = _e788;
                         } else {
-                            phi_1093_ = select(_e581, _e586, _e338);
+                            phi_1061_ = select(_e576, _e580, _e334);
                         }
-                        let _e802 = phi_1093_;
-                        phi_1100_ = type_12(1u, _e342);
-                        phi_1103_ = _e802;
-                        phi_1105_ = _e798;
+                        let _e792 = phi_1061_;
+                        phi_1068_ = type_12(1u, _e338);
+                        phi_1071_ = _e792;
+                        phi_1073_ = _e788;
                         loop {
-                            let _e805 = phi_1100_;
-                            let _e807 = phi_1103_;
-                            let _e809 = phi_1105_;
-                            local_57 = _e807;
-                            local_58 = _e809;
-                            if (_e805.member < _e805.member_1) {
-                                phi_1101_ = type_12((_e805.member + 1u), _e805.member_1);
-                                phi_1127_ = type_12(1u, _e805.member);
+                            let _e795 = phi_1068_;
+                            let _e797 = phi_1071_;
+                            let _e799 = phi_1073_;
+                            local_57 = _e797;
+                            local_58 = _e799;
+                            if (_e795.member < _e795.member_1) {
+                                phi_1069_ = type_12((_e795.member + 1u), _e795.member_1);
+                                phi_1095_ = type_12(1u, _e795.member);
                             } else {
-                                phi_1101_ = _e805;
-                                phi_1127_ = type_12(0u, type_12().member_1);
+                                phi_1069_ = _e795;
+                                phi_1095_ = type_12(0u, type_12().member_1);
                             }
-                            let _e822 = phi_1101_;
-                            let _e824 = phi_1127_;
-                            let _e827 = (bitcast<i32>(_e824.member) != 0i);
-                            if _e827 {
-                                phi_1104_ = ((_e609 * _e807) - (_e612 * _e809));
+                            let _e812 = phi_1069_;
+                            let _e814 = phi_1095_;
+                            let _e817 = (bitcast<i32>(_e814.member) != 0i);
+                            if _e817 {
+                                phi_1072_ = ((_e599 * _e797) - (_e602 * _e799));
                             } else {
-                                phi_1104_ = f32();
+                                phi_1072_ = f32();
                             }
-                            let _e832 = phi_1104_;
+                            let _e822 = phi_1072_;
                             continue;
                             continuing {
-                                phi_1100_ = _e822;
-                                phi_1103_ = _e832;
-                                phi_1105_ = _e807;
-                                break if !(_e827);
+                                phi_1068_ = _e812;
+                                phi_1071_ = _e822;
+                                phi_1073_ = _e797;
+                                break if !(_e817);
                             }
                         }
-                        let _e838 = local_37;
-                        phi_1142_ = type_12(_e342, _e838);
-                        let _e1234 = local_57;
-                        phi_1145_ = _e1234;
-                        phi_1147_ = f32(((2u * _e342) + 1u));
-                        phi_1149_ = 0f;
-                        let _e1239 = local_58;
-                        phi_1151_ = _e1239;
+                        let _e828 = local_37;
+                        phi_1110_ = type_12(_e338, _e828);
+                        let _e1222 = local_57;
+                        phi_1113_ = _e1222;
+                        phi_1115_ = f32(((2u * _e338) + 1u));
+                        phi_1117_ = 0f;
+                        let _e1227 = local_58;
+                        phi_1119_ = _e1227;
                         loop {
-                            let _e841 = phi_1142_;
-                            let _e843 = phi_1145_;
-                            let _e845 = phi_1147_;
-                            let _e847 = phi_1149_;
-                            let _e849 = phi_1151_;
-                            local_38 = _e843;
-                            if (_e841.member < _e841.member_1) {
-                                phi_1143_ = type_12((_e841.member + 1u), _e841.member_1);
-                                phi_1173_ = type_12(1u, _e841.member);
+                            let _e831 = phi_1110_;
+                            let _e833 = phi_1113_;
+                            let _e835 = phi_1115_;
+                            let _e837 = phi_1117_;
+                            let _e839 = phi_1119_;
+                            local_38 = _e833;
+                            if (_e831.member < _e831.member_1) {
+                                phi_1111_ = type_12((_e831.member + 1u), _e831.member_1);
+                                phi_1141_ = type_12(1u, _e831.member);
                             } else {
-                                phi_1143_ = _e841;
-                                phi_1173_ = type_12(0u, type_12().member_1);
+                                phi_1111_ = _e831;
+                                phi_1141_ = type_12(0u, type_12().member_1);
                             }
-                            let _e862 = phi_1143_;
-                            let _e864 = phi_1173_;
-                            let _e867 = (bitcast<i32>(_e864.member) != 0i);
-                            if _e867 {
-                                phi_1146_ = (((_e591 * _e845) * _e843) - (_e847 * _e849));
-                                phi_1148_ = (_e845 + 2f);
-                                phi_1150_ = (_e847 + _e845);
+                            let _e852 = phi_1111_;
+                            let _e854 = phi_1141_;
+                            let _e857 = (bitcast<i32>(_e854.member) != 0i);
+                            if _e857 {
+                                phi_1114_ = (((_e584 * _e835) * _e833) - (_e837 * _e839));
+                                phi_1116_ = (_e835 + 2f);
+                                phi_1118_ = (_e837 + _e835);
                             } else {
-                                phi_1146_ = f32();
-                                phi_1148_ = f32();
-                                phi_1150_ = f32();
+                                phi_1114_ = f32();
+                                phi_1116_ = f32();
+                                phi_1118_ = f32();
                             }
-                            let _e875 = phi_1146_;
-                            let _e877 = phi_1148_;
-                            let _e879 = phi_1150_;
+                            let _e865 = phi_1114_;
+                            let _e867 = phi_1116_;
+                            let _e869 = phi_1118_;
                             continue;
                             continuing {
-                                phi_1142_ = _e862;
-                                phi_1145_ = _e875;
-                                phi_1147_ = _e877;
-                                phi_1149_ = _e879;
-                                phi_1151_ = _e843;
-                                break if !(_e867);
+                                phi_1110_ = _e852;
+                                phi_1113_ = _e865;
+                                phi_1115_ = _e867;
+                                phi_1117_ = _e869;
+                                phi_1119_ = _e833;
+                                break if !(_e857);
                             }
                         }
-                        let _e882 = local_38;
-                        let _e883 = (_e882 * _e435);
-                        let _e893 = select(1f, 0f, _e454);
-                        if (_e458 == 0u) {
-                            phi_1211_ = _e893;
+                        let _e872 = local_38;
+                        let _e873 = (_e872 * _e431);
+                        let _e883 = select(1f, 0f, _e450);
+                        if (_e454 == 0u) {
+                            phi_1179_ = _e883;
                         } else {
-                            phi_1211_ = select(_e581, _e586, _e454);
+                            phi_1179_ = select(_e576, _e580, _e450);
                         }
-                        let _e897 = phi_1211_;
-                        phi_1218_ = type_12(1u, _e458);
-                        phi_1221_ = _e897;
-                        phi_1223_ = _e893;
+                        let _e887 = phi_1179_;
+                        phi_1186_ = type_12(1u, _e454);
+                        phi_1189_ = _e887;
+                        phi_1191_ = _e883;
                         loop {
-                            let _e900 = phi_1218_;
-                            let _e902 = phi_1221_;
-                            let _e904 = phi_1223_;
-                            local_59 = _e902;
-                            local_60 = _e904;
-                            if (_e900.member < _e900.member_1) {
-                                phi_1219_ = type_12((_e900.member + 1u), _e900.member_1);
-                                phi_1245_ = type_12(1u, _e900.member);
+                            let _e890 = phi_1186_;
+                            let _e892 = phi_1189_;
+                            let _e894 = phi_1191_;
+                            local_59 = _e892;
+                            local_60 = _e894;
+                            if (_e890.member < _e890.member_1) {
+                                phi_1187_ = type_12((_e890.member + 1u), _e890.member_1);
+                                phi_1213_ = type_12(1u, _e890.member);
                             } else {
-                                phi_1219_ = _e900;
-                                phi_1245_ = type_12(0u, type_12().member_1);
+                                phi_1187_ = _e890;
+                                phi_1213_ = type_12(0u, type_12().member_1);
                             }
-                            let _e917 = phi_1219_;
-                            let _e919 = phi_1245_;
-                            let _e922 = (bitcast<i32>(_e919.member) != 0i);
-                            if _e922 {
-                                phi_1222_ = ((_e609 * _e902) - (_e612 * _e904));
+                            let _e907 = phi_1187_;
+                            let _e909 = phi_1213_;
+                            let _e912 = (bitcast<i32>(_e909.member) != 0i);
+                            if _e912 {
+                                phi_1190_ = ((_e599 * _e892) - (_e602 * _e894));
                             } else {
-                                phi_1222_ = f32();
+                                phi_1190_ = f32();
                             }
-                            let _e927 = phi_1222_;
+                            let _e917 = phi_1190_;
                             continue;
                             continuing {
-                                phi_1218_ = _e917;
-                                phi_1221_ = _e927;
-                                phi_1223_ = _e902;
-                                break if !(_e922);
+                                phi_1186_ = _e907;
+                                phi_1189_ = _e917;
+                                phi_1191_ = _e892;
+                                break if !(_e912);
                             }
                         }
-                        let _e933 = local_39;
-                        phi_1260_ = type_12(_e458, _e933);
-                        let _e1257 = local_59;
-                        phi_1263_ = _e1257;
-                        phi_1265_ = f32(((2u * _e458) + 1u));
-                        phi_1267_ = 0f;
-                        let _e1262 = local_60;
-                        phi_1269_ = _e1262;
+                        let _e923 = local_39;
+                        phi_1228_ = type_12(_e454, _e923);
+                        let _e1245 = local_59;
+                        phi_1231_ = _e1245;
+                        phi_1233_ = f32(((2u * _e454) + 1u));
+                        phi_1235_ = 0f;
+                        let _e1250 = local_60;
+                        phi_1237_ = _e1250;
                         loop {
-                            let _e936 = phi_1260_;
-                            let _e938 = phi_1263_;
-                            let _e940 = phi_1265_;
-                            let _e942 = phi_1267_;
-                            let _e944 = phi_1269_;
-                            local_40 = _e938;
-                            if (_e936.member < _e936.member_1) {
-                                phi_1261_ = type_12((_e936.member + 1u), _e936.member_1);
-                                phi_1291_ = type_12(1u, _e936.member);
+                            let _e926 = phi_1228_;
+                            let _e928 = phi_1231_;
+                            let _e930 = phi_1233_;
+                            let _e932 = phi_1235_;
+                            let _e934 = phi_1237_;
+                            local_40 = _e928;
+                            if (_e926.member < _e926.member_1) {
+                                phi_1229_ = type_12((_e926.member + 1u), _e926.member_1);
+                                phi_1259_ = type_12(1u, _e926.member);
                             } else {
-                                phi_1261_ = _e936;
-                                phi_1291_ = type_12(0u, type_12().member_1);
+                                phi_1229_ = _e926;
+                                phi_1259_ = type_12(0u, type_12().member_1);
                             }
-                            let _e957 = phi_1261_;
-                            let _e959 = phi_1291_;
-                            let _e962 = (bitcast<i32>(_e959.member) != 0i);
-                            if _e962 {
-                                phi_1264_ = (((_e591 * _e940) * _e938) - (_e942 * _e944));
-                                phi_1266_ = (_e940 + 2f);
-                                phi_1268_ = (_e942 + _e940);
+                            let _e947 = phi_1229_;
+                            let _e949 = phi_1259_;
+                            let _e952 = (bitcast<i32>(_e949.member) != 0i);
+                            if _e952 {
+                                phi_1232_ = (((_e584 * _e930) * _e928) - (_e932 * _e934));
+                                phi_1234_ = (_e930 + 2f);
+                                phi_1236_ = (_e932 + _e930);
                             } else {
-                                phi_1264_ = f32();
-                                phi_1266_ = f32();
-                                phi_1268_ = f32();
+                                phi_1232_ = f32();
+                                phi_1234_ = f32();
+                                phi_1236_ = f32();
                             }
-                            let _e970 = phi_1264_;
-                            let _e972 = phi_1266_;
-                            let _e974 = phi_1268_;
+                            let _e960 = phi_1232_;
+                            let _e962 = phi_1234_;
+                            let _e964 = phi_1236_;
                             continue;
                             continuing {
-                                phi_1260_ = _e957;
-                                phi_1263_ = _e970;
-                                phi_1265_ = _e972;
-                                phi_1267_ = _e974;
-                                phi_1269_ = _e938;
-                                break if !(_e962);
+                                phi_1228_ = _e947;
+                                phi_1231_ = _e960;
+                                phi_1233_ = _e962;
+                                phi_1235_ = _e964;
+                                phi_1237_ = _e928;
+                                break if !(_e952);
                             }
                         }
-                        let _e977 = local_40;
-                        let _e978 = (_e977 * _e551);
-                        phi_766_ = array<f32, 12>((_e556[0] + (_e595 * _e693)), (_e556[1] + (_e595 * _e788)), (_e556[2] + (_e595 * _e883)), (_e556[3] + (_e595 * _e978)), (_e556[4] + (_e599 * _e693)), (_e556[5] + (_e599 * _e788)), (_e556[6] + (_e599 * _e883)), (_e556[7] + (_e599 * _e978)), (_e556[8] + (_e603 * _e693)), (_e556[9] + (_e603 * _e788)), (_e556[10] + (_e603 * _e883)), (_e556[11] + (_e603 * _e978)));
+                        let _e967 = local_40;
+                        let _e968 = (_e967 * _e547);
+                        phi_764_ = array<f32, 12>((_e552[0] + (_e587 * _e683)), (_e552[1] + (_e587 * _e778)), (_e552[2] + (_e587 * _e873)), (_e552[3] + (_e587 * _e968)), (_e552[4] + (_e590 * _e683)), (_e552[5] + (_e590 * _e778)), (_e552[6] + (_e590 * _e873)), (_e552[7] + (_e590 * _e968)), (_e552[8] + (_e593 * _e683)), (_e552[9] + (_e593 * _e778)), (_e552[10] + (_e593 * _e873)), (_e552[11] + (_e593 * _e968)));
                     } else {
-                        phi_766_ = array<f32, 12>();
+                        phi_764_ = array<f32, 12>();
                     }
-                    let _e990 = phi_766_;
+                    let _e980 = phi_764_;
                     continue;
                     continuing {
-                        phi_762_ = _e569;
-                        phi_765_ = _e990;
-                        phi_1425_ = false;
-                        break if !(_e575);
+                        phi_760_ = _e565;
+                        phi_763_ = _e980;
+                        break if !(_e571);
                     }
                 }
-                let _e993 = phi_1425_;
-                if _e993 {
-                    break;
-                }
-                let _e996 = params.member.member_3;
-                let _e998 = local_41;
-                let _e1002 = local_42;
-                let _e1006 = local_43;
-                let _e1010 = local_44;
-                let _e1014 = local_45;
-                let _e1018 = local_46;
-                let _e1022 = local_47;
-                let _e1026 = local_48;
-                let _e1030 = local_49;
-                let _e1034 = local_50;
-                let _e1038 = local_51;
-                let _e1042 = local_52;
-                local = array<f32, 12>((_e998[0] * _e996), (_e1002[1] * _e996), (_e1006[2] * _e996), (_e1010[3] * _e996), (_e1014[4] * _e996), (_e1018[5] * _e996), (_e1022[6] * _e996), (_e1026[7] * _e996), (_e1030[8] * _e996), (_e1034[9] * _e996), (_e1038[10] * _e996), (_e1042[11] * _e996));
-                phi_1370_ = type_12(0u, 12u);
+                let _e984 = params.member.member_3;
+                let _e986 = local_41;
+                let _e990 = local_42;
+                let _e994 = local_43;
+                let _e998 = local_44;
+                let _e1002 = local_45;
+                let _e1006 = local_46;
+                let _e1010 = local_47;
+                let _e1014 = local_48;
+                let _e1018 = local_49;
+                let _e1022 = local_50;
+                let _e1026 = local_51;
+                let _e1030 = local_52;
+                local = array<f32, 12>((_e986[0] * _e984), (_e990[1] * _e984), (_e994[2] * _e984), (_e998[3] * _e984), (_e1002[4] * _e984), (_e1006[5] * _e984), (_e1010[6] * _e984), (_e1014[7] * _e984), (_e1018[8] * _e984), (_e1022[9] * _e984), (_e1026[10] * _e984), (_e1030[11] * _e984));
+                phi_1338_ = type_12(0u, 12u);
                 loop {
-                    let _e1047 = phi_1370_;
-                    if (_e1047.member < _e1047.member_1) {
-                        phi_1371_ = type_12((_e1047.member + 1u), _e1047.member_1);
-                        phi_1394_ = type_12(1u, _e1047.member);
+                    let _e1035 = phi_1338_;
+                    if (_e1035.member < _e1035.member_1) {
+                        phi_1339_ = type_12((_e1035.member + 1u), _e1035.member_1);
+                        phi_1362_ = type_12(1u, _e1035.member);
                     } else {
-                        phi_1371_ = _e1047;
-                        phi_1394_ = type_12(0u, type_12().member_1);
+                        phi_1339_ = _e1035;
+                        phi_1362_ = type_12(0u, type_12().member_1);
                     }
-                    let _e1060 = phi_1371_;
-                    let _e1062 = phi_1394_;
-                    let _e1066 = (bitcast<i32>(_e1062.member) != 0i);
-                    if _e1066 {
-                        if (_e1062.member_1 < 12u) {
+                    let _e1048 = phi_1339_;
+                    let _e1050 = phi_1362_;
+                    let _e1054 = (bitcast<i32>(_e1050.member) != 0i);
+                    if _e1054 {
+                        if (_e1050.member_1 < 12u) {
                         } else {
-                            phi_1518_ = true;
+                            phi_1391_ = true;
                             break;
                         }
-                        let _e1069 = local[_e1062.member_1];
-                        let _e1071 = ((_e1062.member_1 * _e62) + _e66);
-                        if (_e1071 < arrayLength((&coefs.member))) {
+                        let _e1057 = local[_e1050.member_1];
+                        let _e1059 = ((_e1050.member_1 * _e58) + _e62);
+                        if (_e1059 < arrayLength((&coefs.member))) {
                         } else {
-                            phi_1518_ = true;
+                            phi_1391_ = true;
                             break;
                         }
-                        coefs.member[_e1071] = _e1069;
+                        coefs.member[_e1059] = _e1057;
                     }
                     continue;
                     continuing {
-                        phi_1370_ = _e1060;
-                        phi_1518_ = _e993;
-                        break if !(_e1066);
+                        phi_1338_ = _e1048;
+                        phi_1391_ = false;
+                        break if !(_e1054);
                     }
                 }
-                let _e1077 = phi_1518_;
-                if _e1077 {
+                let _e1065 = phi_1391_;
+                if _e1065 {
                     break;
                 }
             }

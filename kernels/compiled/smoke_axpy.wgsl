@@ -30,82 +30,74 @@ var<storage, read_write> out: type_8;
 
 fn function_() {
     var local: array<f32, 1>;
-    var phi_66_: u32;
-    var phi_84_: u32;
-    var phi_127_: type_17;
-    var phi_128_: type_17;
-    var phi_151_: type_17;
-    var phi_181_: bool;
+    var phi_64_: u32;
+    var phi_82_: u32;
+    var phi_115_: type_17;
+    var phi_116_: type_17;
+    var phi_139_: type_17;
+    var phi_169_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e17 = gid_1;
-            let _e26 = params.member.member;
-            let _e27 = (_e26 / 256u);
-            let _e29 = ((_e26 % 256u) > 0u);
-            if _e29 {
-                phi_66_ = (_e27 + 1u);
+            let _e22 = params.member.member;
+            let _e23 = (_e22 / 256u);
+            let _e25 = ((_e22 % 256u) > 0u);
+            if _e25 {
+                phi_64_ = (_e23 + 1u);
             } else {
-                phi_66_ = _e27;
+                phi_64_ = _e23;
             }
-            let _e32 = phi_66_;
-            if _e29 {
-                phi_84_ = (_e27 + 1u);
+            let _e28 = phi_64_;
+            if _e25 {
+                phi_82_ = (_e23 + 1u);
             } else {
-                phi_84_ = _e27;
+                phi_82_ = _e23;
             }
-            let _e35 = phi_84_;
-            let _e40 = (_e17.x + (_e17.y * 2097152u));
-            if (_e40 < (_e32 * 256u)) {
-                let _e45 = params.member.member_2;
-                if (_e40 < arrayLength((&x.member))) {
-                } else {
-                    break;
-                }
-                let _e49 = x.member[_e40];
-                if (_e40 < arrayLength((&y.member))) {
-                } else {
-                    break;
-                }
-                let _e54 = y.member[_e40];
-                local[0u] = ((_e45 * _e49) + _e54);
-                phi_127_ = type_17(0u, 1u);
+            let _e31 = phi_82_;
+            let _e36 = (_e17.x + (_e17.y * 2097152u));
+            if (_e36 < (_e28 * 256u)) {
+                let _e41 = params.member.member_2;
+                let _e44 = x.member[_e36];
+                let _e48 = y.member[_e36];
+                local[0u] = ((_e41 * _e44) + _e48);
+                phi_115_ = type_17(0u, 1u);
                 loop {
-                    let _e58 = phi_127_;
-                    if (_e58.member < _e58.member_1) {
-                        phi_128_ = type_17((_e58.member + 1u), _e58.member_1);
-                        phi_151_ = type_17(1u, _e58.member);
+                    let _e52 = phi_115_;
+                    if (_e52.member < _e52.member_1) {
+                        phi_116_ = type_17((_e52.member + 1u), _e52.member_1);
+                        phi_139_ = type_17(1u, _e52.member);
                     } else {
-                        phi_128_ = _e58;
-                        phi_151_ = type_17(0u, type_17().member_1);
+                        phi_116_ = _e52;
+                        phi_139_ = type_17(0u, type_17().member_1);
                     }
-                    let _e71 = phi_128_;
-                    let _e73 = phi_151_;
-                    let _e77 = (bitcast<i32>(_e73.member) != 0i);
-                    if _e77 {
-                        if (_e73.member_1 < 1u) {
+                    let _e65 = phi_116_;
+                    let _e67 = phi_139_;
+                    let _e71 = (bitcast<i32>(_e67.member) != 0i);
+                    if _e71 {
+                        if (_e67.member_1 < 1u) {
                         } else {
-                            phi_181_ = true;
+                            phi_169_ = true;
                             break;
                         }
-                        let _e80 = local[_e73.member_1];
-                        let _e82 = ((_e73.member_1 * (_e35 * 256u)) + _e40);
-                        if (_e82 < arrayLength((&out.member))) {
+                        let _e74 = local[_e67.member_1];
+                        let _e76 = ((_e67.member_1 * (_e31 * 256u)) + _e36);
+                        if (_e76 < arrayLength((&out.member))) {
                         } else {
-                            phi_181_ = true;
+                            phi_169_ = true;
                             break;
                         }
-                        out.member[_e82] = _e80;
+                        out.member[_e76] = _e74;
                     }
                     continue;
                     continuing {
-                        phi_127_ = _e71;
-                        phi_181_ = false;
-                        break if !(_e77);
+                        phi_115_ = _e65;
+                        phi_169_ = false;
+                        break if !(_e71);
                     }
                 }
-                let _e88 = phi_181_;
-                if _e88 {
+                let _e82 = phi_169_;
+                if _e82 {
                     break;
                 }
             }

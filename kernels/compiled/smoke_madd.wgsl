@@ -28,13 +28,13 @@ var<storage, read_write> out: type_8;
 
 fn function_() {
     var local: array<f32, 1>;
-    var phi_76_: u32;
-    var phi_94_: u32;
-    var phi_152_: type_17;
-    var phi_155_: array<f32, 12>;
-    var phi_153_: type_17;
-    var phi_178_: type_17;
-    var phi_156_: array<f32, 12>;
+    var phi_75_: u32;
+    var phi_93_: u32;
+    var phi_146_: type_17;
+    var phi_149_: array<f32, 12>;
+    var phi_147_: type_17;
+    var phi_172_: type_17;
+    var phi_150_: array<f32, 12>;
     var local_1: array<f32, 12>;
     var local_2: array<f32, 12>;
     var local_3: array<f32, 12>;
@@ -47,127 +47,123 @@ fn function_() {
     var local_10: array<f32, 12>;
     var local_11: array<f32, 12>;
     var local_12: array<f32, 12>;
-    var phi_260_: type_17;
-    var phi_261_: type_17;
-    var phi_284_: type_17;
-    var phi_314_: bool;
+    var phi_254_: type_17;
+    var phi_255_: type_17;
+    var phi_278_: type_17;
+    var phi_308_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e31 = gid_1;
-            let _e38 = params.member.member;
-            let _e39 = (_e38 / 256u);
-            let _e41 = ((_e38 % 256u) > 0u);
-            if _e41 {
-                phi_76_ = (_e39 + 1u);
+            let _e36 = params.member.member;
+            let _e37 = (_e36 / 256u);
+            let _e39 = ((_e36 % 256u) > 0u);
+            if _e39 {
+                phi_75_ = (_e37 + 1u);
             } else {
-                phi_76_ = _e39;
+                phi_75_ = _e37;
             }
-            let _e44 = phi_76_;
-            if _e41 {
-                phi_94_ = (_e39 + 1u);
+            let _e42 = phi_75_;
+            if _e39 {
+                phi_93_ = (_e37 + 1u);
             } else {
-                phi_94_ = _e39;
+                phi_93_ = _e37;
             }
-            let _e47 = phi_94_;
-            let _e52 = (_e31.x + (_e31.y * 2097152u));
-            if (_e52 < (_e44 * 256u)) {
-                if (_e52 < arrayLength((&x.member))) {
-                } else {
-                    break;
-                }
-                let _e58 = x.member[_e52];
-                let _e61 = params.member.member_2;
-                phi_152_ = type_17(0u, 64u);
-                phi_155_ = array<f32, 12>(0f, _e58, (_e58 * 2f), (_e58 * 3f), (_e58 * 4f), (_e58 * 5f), (_e58 * 6f), (_e58 * 7f), (_e58 * 8f), (_e58 * 9f), (_e58 * 10f), (_e58 * 11f));
+            let _e45 = phi_93_;
+            let _e50 = (_e31.x + (_e31.y * 2097152u));
+            if (_e50 < (_e42 * 256u)) {
+                let _e55 = x.member[_e50];
+                let _e58 = params.member.member_2;
+                phi_146_ = type_17(0u, 64u);
+                phi_149_ = array<f32, 12>(0f, _e55, (_e55 * 2f), (_e55 * 3f), (_e55 * 4f), (_e55 * 5f), (_e55 * 6f), (_e55 * 7f), (_e55 * 8f), (_e55 * 9f), (_e55 * 10f), (_e55 * 11f));
                 loop {
-                    let _e74 = phi_152_;
-                    let _e76 = phi_155_;
-                    local_1 = _e76;
-                    local_2 = _e76;
-                    local_3 = _e76;
-                    local_4 = _e76;
-                    local_5 = _e76;
-                    local_6 = _e76;
-                    local_7 = _e76;
-                    local_8 = _e76;
-                    local_9 = _e76;
-                    local_10 = _e76;
-                    local_11 = _e76;
-                    local_12 = _e76;
-                    if (_e74.member < _e74.member_1) {
-                        phi_153_ = type_17((_e74.member + 1u), _e74.member_1);
-                        phi_178_ = type_17(1u, _e74.member);
+                    let _e71 = phi_146_;
+                    let _e73 = phi_149_;
+                    local_1 = _e73;
+                    local_2 = _e73;
+                    local_3 = _e73;
+                    local_4 = _e73;
+                    local_5 = _e73;
+                    local_6 = _e73;
+                    local_7 = _e73;
+                    local_8 = _e73;
+                    local_9 = _e73;
+                    local_10 = _e73;
+                    local_11 = _e73;
+                    local_12 = _e73;
+                    if (_e71.member < _e71.member_1) {
+                        phi_147_ = type_17((_e71.member + 1u), _e71.member_1);
+                        phi_172_ = type_17(1u, _e71.member);
                     } else {
-                        phi_153_ = _e74;
-                        phi_178_ = type_17(0u, type_17().member_1);
+                        phi_147_ = _e71;
+                        phi_172_ = type_17(0u, type_17().member_1);
                     }
-                    let _e89 = phi_153_;
-                    let _e91 = phi_178_;
-                    let _e94 = (bitcast<i32>(_e91.member) != 0i);
-                    if _e94 {
-                        phi_156_ = array<f32, 12>(((_e76[0] * _e61) + _e58), ((_e76[1] * _e61) + _e58), ((_e76[2] * _e61) + _e58), ((_e76[3] * _e61) + _e58), ((_e76[4] * _e61) + _e58), ((_e76[5] * _e61) + _e58), ((_e76[6] * _e61) + _e58), ((_e76[7] * _e61) + _e58), ((_e76[8] * _e61) + _e58), ((_e76[9] * _e61) + _e58), ((_e76[10] * _e61) + _e58), ((_e76[11] * _e61) + _e58));
+                    let _e86 = phi_147_;
+                    let _e88 = phi_172_;
+                    let _e91 = (bitcast<i32>(_e88.member) != 0i);
+                    if _e91 {
+                        phi_150_ = array<f32, 12>(((_e73[0] * _e58) + _e55), ((_e73[1] * _e58) + _e55), ((_e73[2] * _e58) + _e55), ((_e73[3] * _e58) + _e55), ((_e73[4] * _e58) + _e55), ((_e73[5] * _e58) + _e55), ((_e73[6] * _e58) + _e55), ((_e73[7] * _e58) + _e55), ((_e73[8] * _e58) + _e55), ((_e73[9] * _e58) + _e55), ((_e73[10] * _e58) + _e55), ((_e73[11] * _e58) + _e55));
                     } else {
-                        phi_156_ = array<f32, 12>();
+                        phi_150_ = array<f32, 12>();
                     }
-                    let _e133 = phi_156_;
+                    let _e130 = phi_150_;
                     continue;
                     continuing {
-                        phi_152_ = _e89;
-                        phi_155_ = _e133;
-                        break if !(_e94);
+                        phi_146_ = _e86;
+                        phi_149_ = _e130;
+                        break if !(_e91);
                     }
                 }
-                let _e136 = local_1;
-                let _e139 = local_2;
-                let _e143 = local_3;
-                let _e147 = local_4;
-                let _e151 = local_5;
-                let _e155 = local_6;
-                let _e159 = local_7;
-                let _e163 = local_8;
-                let _e167 = local_9;
-                let _e171 = local_10;
-                let _e175 = local_11;
-                let _e179 = local_12;
-                local[0u] = (((((((((((_e136[0] + _e139[1]) + _e143[2]) + _e147[3]) + _e151[4]) + _e155[5]) + _e159[6]) + _e163[7]) + _e167[8]) + _e171[9]) + _e175[10]) + _e179[11]);
-                phi_260_ = type_17(0u, 1u);
+                let _e133 = local_1;
+                let _e136 = local_2;
+                let _e140 = local_3;
+                let _e144 = local_4;
+                let _e148 = local_5;
+                let _e152 = local_6;
+                let _e156 = local_7;
+                let _e160 = local_8;
+                let _e164 = local_9;
+                let _e168 = local_10;
+                let _e172 = local_11;
+                let _e176 = local_12;
+                local[0u] = (((((((((((_e133[0] + _e136[1]) + _e140[2]) + _e144[3]) + _e148[4]) + _e152[5]) + _e156[6]) + _e160[7]) + _e164[8]) + _e168[9]) + _e172[10]) + _e176[11]);
+                phi_254_ = type_17(0u, 1u);
                 loop {
-                    let _e184 = phi_260_;
-                    if (_e184.member < _e184.member_1) {
-                        phi_261_ = type_17((_e184.member + 1u), _e184.member_1);
-                        phi_284_ = type_17(1u, _e184.member);
+                    let _e181 = phi_254_;
+                    if (_e181.member < _e181.member_1) {
+                        phi_255_ = type_17((_e181.member + 1u), _e181.member_1);
+                        phi_278_ = type_17(1u, _e181.member);
                     } else {
-                        phi_261_ = _e184;
-                        phi_284_ = type_17(0u, type_17().member_1);
+                        phi_255_ = _e181;
+                        phi_278_ = type_17(0u, type_17().member_1);
                     }
-                    let _e197 = phi_261_;
-                    let _e199 = phi_284_;
-                    let _e203 = (bitcast<i32>(_e199.member) != 0i);
-                    if _e203 {
-                        if (_e199.member_1 < 1u) {
+                    let _e194 = phi_255_;
+                    let _e196 = phi_278_;
+                    let _e200 = (bitcast<i32>(_e196.member) != 0i);
+                    if _e200 {
+                        if (_e196.member_1 < 1u) {
                         } else {
-                            phi_314_ = true;
+                            phi_308_ = true;
                             break;
                         }
-                        let _e206 = local[_e199.member_1];
-                        let _e208 = ((_e199.member_1 * (_e47 * 256u)) + _e52);
-                        if (_e208 < arrayLength((&out.member))) {
+                        let _e203 = local[_e196.member_1];
+                        let _e205 = ((_e196.member_1 * (_e45 * 256u)) + _e50);
+                        if (_e205 < arrayLength((&out.member))) {
                         } else {
-                            phi_314_ = true;
+                            phi_308_ = true;
                             break;
                         }
-                        out.member[_e208] = _e206;
+                        out.member[_e205] = _e203;
                     }
                     continue;
                     continuing {
-                        phi_260_ = _e197;
-                        phi_314_ = false;
-                        break if !(_e203);
+                        phi_254_ = _e194;
+                        phi_308_ = false;
+                        break if !(_e200);
                     }
                 }
-                let _e214 = phi_314_;
-                if _e214 {
+                let _e211 = phi_308_;
+                if _e211 {
                     break;
                 }
             }

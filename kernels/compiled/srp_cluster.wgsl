@@ -11,14 +11,14 @@ struct type_14 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_19 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_19 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -29,19 +29,19 @@ struct type_19 {
     member_7: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_21 {
+    member: type_20,
 }
 
-struct type_23 {
-    member: array<type_18>,
+struct type_24 {
+    member: array<type_19>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_20;
+var<uniform> params: type_21;
 @group(0) @binding(1) 
-var<storage> pairs: type_23;
+var<storage> pairs: type_24;
 @group(0) @binding(2) 
 var<storage> blocks: type_14;
 @group(0) @binding(3) 
@@ -53,230 +53,171 @@ var<storage, read_write> partial: type_5;
 
 fn function_() {
     var local: array<f32, 6>;
-    var phi_135_: type_11;
+    var phi_133_: type_11;
+    var phi_136_: u32;
     var phi_138_: u32;
-    var phi_140_: u32;
-    var phi_142_: array<f32, 6>;
-    var phi_136_: type_11;
-    var phi_165_: type_11;
+    var phi_140_: array<f32, 6>;
+    var phi_134_: type_11;
+    var phi_163_: type_11;
+    var phi_137_: u32;
     var phi_139_: u32;
-    var phi_141_: u32;
-    var phi_143_: array<f32, 6>;
-    var phi_401_: bool;
+    var phi_141_: array<f32, 6>;
+    var phi_349_: bool;
     var local_1: array<f32, 6>;
     var local_2: array<f32, 6>;
     var local_3: array<f32, 6>;
     var local_4: array<f32, 6>;
     var local_5: array<f32, 6>;
     var local_6: array<f32, 6>;
-    var phi_345_: type_11;
-    var phi_346_: type_11;
-    var phi_369_: type_11;
-    var phi_405_: bool;
+    var phi_293_: type_11;
+    var phi_294_: type_11;
+    var phi_317_: type_11;
+    var phi_353_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e32 = gid_1;
             let _e36 = arrayLength((&blocks.member));
-            let _e38 = arrayLength((&words.member));
-            let _e40 = arrayLength((&coefs.member));
-            let _e45 = params.member.member;
-            let _e49 = params.member.member_2;
-            let _e53 = params.member.member_1;
-            let _e57 = (_e32.x + (_e32.y * 2097152u));
-            if (_e57 < (_e53 * 16u)) {
-                let _e60 = (_e57 / 16u);
-                let _e61 = (_e60 * 16u);
-                let _e62 = (_e57 - _e61);
-                let _e65 = (_e45 + _e60);
-                if (_e65 < arrayLength((&pairs.member))) {
+            let _e41 = params.member.member;
+            let _e45 = params.member.member_2;
+            let _e49 = params.member.member_1;
+            let _e53 = (_e32.x + (_e32.y * 2097152u));
+            if (_e53 < (_e49 * 16u)) {
+                let _e56 = (_e53 / 16u);
+                let _e57 = (_e56 * 16u);
+                let _e58 = (_e53 - _e57);
+                let _e61 = (_e41 + _e56);
+                if (_e61 < arrayLength((&pairs.member))) {
                 } else {
                     break;
                 }
-                let _e70 = pairs.member[_e65].member;
-                let _e74 = pairs.member[_e65].member_1;
-                let _e78 = pairs.member[_e65].member_2;
-                let _e81 = params.member.member_3;
-                phi_135_ = type_11(0u, _e78);
-                phi_138_ = _e74;
-                phi_140_ = (_e70 + _e62);
-                phi_142_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
+                let _e66 = pairs.member[_e61].member;
+                let _e70 = pairs.member[_e61].member_1;
+                let _e74 = pairs.member[_e61].member_2;
+                let _e77 = params.member.member_3;
+                phi_133_ = type_11(0u, _e74);
+                phi_136_ = _e70;
+                phi_138_ = (_e66 + _e58);
+                phi_140_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e85 = phi_135_;
-                    let _e87 = phi_138_;
-                    let _e89 = phi_140_;
-                    let _e91 = phi_142_;
-                    local_1 = _e91;
-                    local_2 = _e91;
-                    local_3 = _e91;
-                    local_4 = _e91;
-                    local_5 = _e91;
-                    local_6 = _e91;
-                    if (_e85.member < _e85.member_1) {
-                        phi_136_ = type_11((_e85.member + 1u), _e85.member_1);
-                        phi_165_ = type_11(1u, _e85.member);
+                    let _e81 = phi_133_;
+                    let _e83 = phi_136_;
+                    let _e85 = phi_138_;
+                    let _e87 = phi_140_;
+                    local_1 = _e87;
+                    local_2 = _e87;
+                    local_3 = _e87;
+                    local_4 = _e87;
+                    local_5 = _e87;
+                    local_6 = _e87;
+                    if (_e81.member < _e81.member_1) {
+                        phi_134_ = type_11((_e81.member + 1u), _e81.member_1);
+                        phi_163_ = type_11(1u, _e81.member);
                     } else {
-                        phi_136_ = _e85;
-                        phi_165_ = type_11(0u, type_11().member_1);
+                        phi_134_ = _e81;
+                        phi_163_ = type_11(0u, type_11().member_1);
                     }
-                    let _e104 = phi_136_;
-                    let _e106 = phi_165_;
-                    let _e109 = (bitcast<i32>(_e106.member) != 0i);
-                    if _e109 {
-                        if (_e87 < _e36) {
+                    let _e100 = phi_134_;
+                    let _e102 = phi_163_;
+                    let _e105 = (bitcast<i32>(_e102.member) != 0i);
+                    if _e105 {
+                        if (_e83 < _e36) {
                         } else {
-                            phi_401_ = true;
+                            phi_349_ = true;
                             break;
                         }
-                        let _e113 = blocks.member[_e87];
-                        let _e114 = (_e113 + _e62);
-                        let _e115 = (_e87 + 1u);
-                        if (_e115 < _e36) {
+                        let _e109 = blocks.member[_e83];
+                        let _e110 = (_e109 + _e58);
+                        let _e111 = (_e83 + 1u);
+                        if (_e111 < _e36) {
                         } else {
-                            phi_401_ = true;
+                            phi_349_ = true;
                             break;
                         }
-                        let _e119 = blocks.member[_e115];
-                        let _e120 = (_e119 + _e62);
-                        let _e121 = (_e89 < _e38);
-                        if _e121 {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e124 = words.member[_e89];
-                        let _e133 = (bitcast<f32>((((_e124 << bitcast<u32>(16i)) & 2147483648u) | ((_e124 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e121 {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e140 = (bitcast<f32>(((_e124 & 2147483648u) | ((_e124 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        let _e141 = (_e89 + 16u);
-                        let _e142 = (_e141 < _e38);
-                        if _e142 {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e145 = words.member[_e141];
-                        let _e154 = (bitcast<f32>((((_e145 << bitcast<u32>(16i)) & 2147483648u) | ((_e145 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e142 {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e161 = (bitcast<f32>(((_e145 & 2147483648u) | ((_e145 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if (_e114 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e165 = coefs.member[_e114];
-                        if (_e120 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e169 = coefs.member[_e120];
-                        let _e180 = (_e81 + _e114);
-                        if (_e180 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e184 = coefs.member[_e180];
-                        let _e185 = (_e81 + _e120);
-                        if (_e185 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e189 = coefs.member[_e185];
-                        let _e200 = (2u * _e81);
-                        let _e201 = (_e200 + _e114);
-                        if (_e201 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e205 = coefs.member[_e201];
-                        let _e206 = (_e200 + _e120);
-                        if (_e206 < _e40) {
-                        } else {
-                            phi_401_ = true;
-                            break;
-                        }
-                        let _e210 = coefs.member[_e206];
-                        phi_139_ = (_e87 + 2u);
-                        phi_141_ = (_e89 + 32u);
-                        phi_143_ = array<f32, 6>(((_e91[0] + (_e133 * _e165)) + (_e140 * _e169)), ((_e91[1] + (_e133 * _e184)) + (_e140 * _e189)), ((_e91[2] + (_e133 * _e205)) + (_e140 * _e210)), ((_e91[3] + (_e154 * _e165)) + (_e161 * _e169)), ((_e91[4] + (_e154 * _e184)) + (_e161 * _e189)), ((_e91[5] + (_e154 * _e205)) + (_e161 * _e210)));
+                        let _e115 = blocks.member[_e111];
+                        let _e116 = (_e115 + _e58);
+                        let _e119 = words.member[_e85];
+                        let _e128 = (bitcast<f32>((((_e119 << bitcast<u32>(16i)) & 2147483648u) | ((_e119 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e135 = (bitcast<f32>(((_e119 & 2147483648u) | ((_e119 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e139 = words.member[(_e85 + 16u)];
+                        let _e148 = (bitcast<f32>((((_e139 << bitcast<u32>(16i)) & 2147483648u) | ((_e139 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e155 = (bitcast<f32>(((_e139 & 2147483648u) | ((_e139 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e158 = coefs.member[_e110];
+                        let _e161 = coefs.member[_e116];
+                        let _e175 = coefs.member[(_e77 + _e110)];
+                        let _e179 = coefs.member[(_e77 + _e116)];
+                        let _e190 = (2u * _e77);
+                        let _e194 = coefs.member[(_e190 + _e110)];
+                        let _e198 = coefs.member[(_e190 + _e116)];
+                        phi_137_ = (_e83 + 2u);
+                        phi_139_ = (_e85 + 32u);
+                        phi_141_ = array<f32, 6>(((_e87[0] + (_e128 * _e158)) + (_e135 * _e161)), ((_e87[1] + (_e128 * _e175)) + (_e135 * _e179)), ((_e87[2] + (_e128 * _e194)) + (_e135 * _e198)), ((_e87[3] + (_e148 * _e158)) + (_e155 * _e161)), ((_e87[4] + (_e148 * _e175)) + (_e155 * _e179)), ((_e87[5] + (_e148 * _e194)) + (_e155 * _e198)));
                     } else {
+                        phi_137_ = u32();
                         phi_139_ = u32();
-                        phi_141_ = u32();
-                        phi_143_ = array<f32, 6>();
+                        phi_141_ = array<f32, 6>();
                     }
-                    let _e225 = phi_139_;
-                    let _e227 = phi_141_;
-                    let _e229 = phi_143_;
+                    let _e213 = phi_137_;
+                    let _e215 = phi_139_;
+                    let _e217 = phi_141_;
                     continue;
                     continuing {
-                        phi_135_ = _e104;
-                        phi_138_ = _e225;
-                        phi_140_ = _e227;
-                        phi_142_ = _e229;
-                        phi_401_ = false;
-                        break if !(_e109);
+                        phi_133_ = _e100;
+                        phi_136_ = _e213;
+                        phi_138_ = _e215;
+                        phi_140_ = _e217;
+                        phi_349_ = false;
+                        break if !(_e105);
                     }
                 }
-                let _e232 = phi_401_;
-                if _e232 {
+                let _e220 = phi_349_;
+                if _e220 {
                     break;
                 }
-                let _e234 = local_1;
-                let _e237 = local_2;
-                let _e240 = local_3;
-                let _e243 = local_4;
-                let _e246 = local_5;
-                let _e249 = local_6;
-                local = array<f32, 6>(_e234[0], _e237[1], _e240[2], _e243[3], _e246[4], _e249[5]);
-                phi_345_ = type_11(0u, 6u);
+                let _e222 = local_1;
+                let _e225 = local_2;
+                let _e228 = local_3;
+                let _e231 = local_4;
+                let _e234 = local_5;
+                let _e237 = local_6;
+                local = array<f32, 6>(_e222[0], _e225[1], _e228[2], _e231[3], _e234[4], _e237[5]);
+                phi_293_ = type_11(0u, 6u);
                 loop {
-                    let _e253 = phi_345_;
-                    if (_e253.member < _e253.member_1) {
-                        phi_346_ = type_11((_e253.member + 1u), _e253.member_1);
-                        phi_369_ = type_11(1u, _e253.member);
+                    let _e241 = phi_293_;
+                    if (_e241.member < _e241.member_1) {
+                        phi_294_ = type_11((_e241.member + 1u), _e241.member_1);
+                        phi_317_ = type_11(1u, _e241.member);
                     } else {
-                        phi_346_ = _e253;
-                        phi_369_ = type_11(0u, type_11().member_1);
+                        phi_294_ = _e241;
+                        phi_317_ = type_11(0u, type_11().member_1);
                     }
-                    let _e266 = phi_346_;
-                    let _e268 = phi_369_;
-                    let _e272 = (bitcast<i32>(_e268.member) != 0i);
-                    if _e272 {
-                        if (_e268.member_1 < 6u) {
+                    let _e254 = phi_294_;
+                    let _e256 = phi_317_;
+                    let _e260 = (bitcast<i32>(_e256.member) != 0i);
+                    if _e260 {
+                        if (_e256.member_1 < 6u) {
                         } else {
-                            phi_405_ = true;
+                            phi_353_ = true;
                             break;
                         }
-                        let _e275 = local[_e268.member_1];
-                        let _e277 = ((_e268.member_1 * (_e49 * 16u)) + (((_e45 * 16u) + _e61) + _e62));
-                        if (_e277 < arrayLength((&partial.member))) {
+                        let _e263 = local[_e256.member_1];
+                        let _e265 = ((_e256.member_1 * (_e45 * 16u)) + (((_e41 * 16u) + _e57) + _e58));
+                        if (_e265 < arrayLength((&partial.member))) {
                         } else {
-                            phi_405_ = true;
+                            phi_353_ = true;
                             break;
                         }
-                        partial.member[_e277] = _e275;
+                        partial.member[_e265] = _e263;
                     }
                     continue;
                     continuing {
-                        phi_345_ = _e266;
-                        phi_405_ = _e232;
-                        break if !(_e272);
+                        phi_293_ = _e254;
+                        phi_353_ = _e220;
+                        break if !(_e260);
                     }
                 }
-                let _e283 = phi_405_;
-                if _e283 {
+                let _e271 = phi_353_;
+                if _e271 {
                     break;
                 }
             }

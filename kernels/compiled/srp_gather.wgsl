@@ -38,114 +38,94 @@ var<storage, read_write> light: type_5;
 
 fn function_() {
     var local: array<f32, 3>;
-    var phi_90_: u32;
-    var phi_179_: u32;
-    var phi_252_: type_11;
-    var phi_253_: type_11;
-    var phi_276_: type_11;
-    var phi_306_: bool;
+    var phi_88_: u32;
+    var phi_177_: u32;
+    var phi_230_: type_11;
+    var phi_231_: type_11;
+    var phi_254_: type_11;
+    var phi_284_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e22 = gid_1;
-            let _e26 = arrayLength((&radiance.member));
-            let _e31 = params.member.member_3;
-            let _e33 = select(_e31, 16u, (_e31 == 0u));
-            let _e36 = params.member.member;
-            let _e37 = (_e36 / 16u);
-            let _e39 = ((_e36 % 16u) > 0u);
-            if _e39 {
-                phi_90_ = (_e37 + 1u);
+            let _e27 = params.member.member_3;
+            let _e29 = select(_e27, 16u, (_e27 == 0u));
+            let _e32 = params.member.member;
+            let _e33 = (_e32 / 16u);
+            let _e35 = ((_e32 % 16u) > 0u);
+            if _e35 {
+                phi_88_ = (_e33 + 1u);
             } else {
-                phi_90_ = _e37;
+                phi_88_ = _e33;
             }
-            let _e42 = phi_90_;
-            let _e43 = (_e33 == 0u);
-            if _e43 {
+            let _e38 = phi_88_;
+            let _e39 = (_e29 == 0u);
+            if _e39 {
                 break;
             }
-            if _e43 {
+            if _e39 {
                 break;
             }
-            let _e48 = params.member.member_6;
-            let _e49 = (((_e42 * _e33) * 16u) * _e48);
-            let _e54 = (_e22.x + (_e22.y * 2097152u));
-            if (_e54 < ((_e49 / 256u) * 256u)) {
-                let _e59 = params.member.member_5;
+            let _e44 = params.member.member_6;
+            let _e45 = (((_e38 * _e29) * 16u) * _e44);
+            let _e50 = (_e22.x + (_e22.y * 2097152u));
+            if (_e50 < ((_e45 / 256u) * 256u)) {
+                let _e55 = params.member.member_5;
+                if _e35 {
+                    phi_177_ = (_e33 + 1u);
+                } else {
+                    phi_177_ = _e33;
+                }
+                let _e58 = phi_177_;
                 if _e39 {
-                    phi_179_ = (_e37 + 1u);
-                } else {
-                    phi_179_ = _e37;
-                }
-                let _e62 = phi_179_;
-                if _e43 {
                     break;
                 }
-                if _e43 {
+                if _e39 {
                     break;
                 }
-                let _e66 = ((_e59 * ((_e62 * _e33) * 16u)) + _e54);
-                if (_e66 < arrayLength((&hits.member))) {
-                } else {
-                    break;
-                }
-                let _e70 = hits.member[_e66];
-                let _e71 = (4u * _e70);
-                if (_e71 < _e26) {
-                } else {
-                    break;
-                }
-                let _e75 = radiance.member[_e71];
-                let _e76 = (_e71 + 1u);
-                if (_e76 < _e26) {
-                } else {
-                    break;
-                }
-                let _e80 = radiance.member[_e76];
-                let _e81 = (_e71 + 2u);
-                if (_e81 < _e26) {
-                } else {
-                    break;
-                }
-                let _e85 = radiance.member[_e81];
-                local = array<f32, 3>(_e75, _e80, _e85);
-                phi_252_ = type_11(0u, 3u);
+                let _e65 = hits.member[((_e55 * ((_e58 * _e29) * 16u)) + _e50)];
+                let _e66 = (4u * _e65);
+                let _e69 = radiance.member[_e66];
+                let _e73 = radiance.member[(_e66 + 1u)];
+                let _e77 = radiance.member[(_e66 + 2u)];
+                local = array<f32, 3>(_e69, _e73, _e77);
+                phi_230_ = type_11(0u, 3u);
                 loop {
-                    let _e88 = phi_252_;
-                    if (_e88.member < _e88.member_1) {
-                        phi_253_ = type_11((_e88.member + 1u), _e88.member_1);
-                        phi_276_ = type_11(1u, _e88.member);
+                    let _e80 = phi_230_;
+                    if (_e80.member < _e80.member_1) {
+                        phi_231_ = type_11((_e80.member + 1u), _e80.member_1);
+                        phi_254_ = type_11(1u, _e80.member);
                     } else {
-                        phi_253_ = _e88;
-                        phi_276_ = type_11(0u, type_11().member_1);
+                        phi_231_ = _e80;
+                        phi_254_ = type_11(0u, type_11().member_1);
                     }
-                    let _e101 = phi_253_;
-                    let _e103 = phi_276_;
-                    let _e107 = (bitcast<i32>(_e103.member) != 0i);
-                    if _e107 {
-                        if (_e103.member_1 < 3u) {
+                    let _e93 = phi_231_;
+                    let _e95 = phi_254_;
+                    let _e99 = (bitcast<i32>(_e95.member) != 0i);
+                    if _e99 {
+                        if (_e95.member_1 < 3u) {
                         } else {
-                            phi_306_ = true;
+                            phi_284_ = true;
                             break;
                         }
-                        let _e110 = local[_e103.member_1];
-                        let _e112 = ((_e103.member_1 * _e49) + _e54);
-                        if (_e112 < arrayLength((&light.member))) {
+                        let _e102 = local[_e95.member_1];
+                        let _e104 = ((_e95.member_1 * _e45) + _e50);
+                        if (_e104 < arrayLength((&light.member))) {
                         } else {
-                            phi_306_ = true;
+                            phi_284_ = true;
                             break;
                         }
-                        light.member[_e112] = _e110;
+                        light.member[_e104] = _e102;
                     }
                     continue;
                     continuing {
-                        phi_252_ = _e101;
-                        phi_306_ = false;
-                        break if !(_e107);
+                        phi_230_ = _e93;
+                        phi_284_ = false;
+                        break if !(_e99);
                     }
                 }
-                let _e118 = phi_306_;
-                if _e118 {
+                let _e110 = phi_284_;
+                if _e110 {
                     break;
                 }
             }

@@ -34,22 +34,22 @@ var<storage, read_write> partial: type_5;
 
 fn function_() {
     var local: array<f32, 24>;
-    var phi_89_: u32;
-    var phi_107_: u32;
-    var phi_125_: u32;
-    var phi_187_: u32;
-    var phi_205_: u32;
-    var phi_223_: u32;
+    var phi_88_: u32;
+    var phi_106_: u32;
+    var phi_124_: u32;
+    var phi_186_: u32;
+    var phi_204_: u32;
+    var phi_222_: u32;
+    var phi_258_: type_11;
+    var phi_261_: u32;
+    var phi_263_: u32;
+    var phi_265_: array<f32, 24>;
     var phi_259_: type_11;
+    var phi_288_: type_11;
     var phi_262_: u32;
     var phi_264_: u32;
     var phi_266_: array<f32, 24>;
-    var phi_260_: type_11;
-    var phi_289_: type_11;
-    var phi_263_: u32;
-    var phi_265_: u32;
-    var phi_267_: array<f32, 24>;
-    var phi_565_: bool;
+    var phi_549_: bool;
     var local_1: array<f32, 24>;
     var local_2: array<f32, 24>;
     var local_3: array<f32, 24>;
@@ -74,299 +74,281 @@ fn function_() {
     var local_22: array<f32, 24>;
     var local_23: array<f32, 24>;
     var local_24: array<f32, 24>;
-    var phi_509_: type_11;
-    var phi_510_: type_11;
-    var phi_533_: type_11;
-    var phi_577_: bool;
+    var phi_493_: type_11;
+    var phi_494_: type_11;
+    var phi_517_: type_11;
+    var phi_561_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e28 = gid_1;
             let _e30 = arrayLength((&table.member));
-            let _e32 = arrayLength((&light.member));
-            let _e37 = params.member.member_3;
-            let _e39 = select(_e37, 16u, (_e37 == 0u));
-            let _e42 = params.member.member;
-            let _e43 = (_e42 / 16u);
-            let _e45 = ((_e42 % 16u) > 0u);
-            if _e45 {
-                phi_89_ = (_e43 + 1u);
+            let _e35 = params.member.member_3;
+            let _e37 = select(_e35, 16u, (_e35 == 0u));
+            let _e40 = params.member.member;
+            let _e41 = (_e40 / 16u);
+            let _e43 = ((_e40 % 16u) > 0u);
+            if _e43 {
+                phi_88_ = (_e41 + 1u);
             } else {
-                phi_89_ = _e43;
+                phi_88_ = _e41;
             }
-            let _e48 = phi_89_;
-            let _e51 = params.member.member_2;
-            let _e52 = (_e51 / 8u);
-            let _e54 = ((_e51 % 8u) > 0u);
-            if _e54 {
-                phi_107_ = (_e52 + 1u);
+            let _e46 = phi_88_;
+            let _e49 = params.member.member_2;
+            let _e50 = (_e49 / 8u);
+            let _e52 = ((_e49 % 8u) > 0u);
+            if _e52 {
+                phi_106_ = (_e50 + 1u);
             } else {
-                phi_107_ = _e52;
+                phi_106_ = _e50;
             }
-            let _e57 = phi_107_;
-            let _e60 = params.member.member_1;
-            let _e61 = (_e39 == 0u);
-            if _e61 {
+            let _e55 = phi_106_;
+            let _e58 = params.member.member_1;
+            let _e59 = (_e37 == 0u);
+            if _e59 {
                 break;
             }
-            let _e62 = (_e60 / _e39);
-            if _e61 {
+            let _e60 = (_e58 / _e37);
+            if _e59 {
                 break;
             }
-            let _e64 = ((_e60 % _e39) > 0u);
-            if _e64 {
-                phi_125_ = (_e62 + 1u);
+            let _e62 = ((_e58 % _e37) > 0u);
+            if _e62 {
+                phi_124_ = (_e60 + 1u);
             } else {
-                phi_125_ = _e62;
+                phi_124_ = _e60;
             }
-            let _e67 = phi_125_;
-            let _e68 = (_e48 * _e57);
-            let _e71 = params.member.member_6;
-            let _e75 = params.member.member_5;
-            let _e84 = (_e28.x + (_e28.y * 2097152u));
-            if (_e84 < ((_e71 * _e68) * 16u)) {
-                let _e87 = (_e84 / 16u);
-                let _e88 = (_e87 * 16u);
-                let _e89 = (_e84 - _e88);
-                if _e45 {
-                    phi_187_ = (_e43 + 1u);
+            let _e65 = phi_124_;
+            let _e66 = (_e46 * _e55);
+            let _e69 = params.member.member_6;
+            let _e73 = params.member.member_5;
+            let _e82 = (_e28.x + (_e28.y * 2097152u));
+            if (_e82 < ((_e69 * _e66) * 16u)) {
+                let _e85 = (_e82 / 16u);
+                let _e86 = (_e85 * 16u);
+                let _e87 = (_e82 - _e86);
+                if _e43 {
+                    phi_186_ = (_e41 + 1u);
                 } else {
-                    phi_187_ = _e43;
+                    phi_186_ = _e41;
                 }
-                let _e94 = phi_187_;
-                if _e54 {
-                    phi_205_ = (_e52 + 1u);
+                let _e92 = phi_186_;
+                if _e52 {
+                    phi_204_ = (_e50 + 1u);
                 } else {
-                    phi_205_ = _e52;
+                    phi_204_ = _e50;
                 }
-                let _e97 = phi_205_;
-                if _e61 {
+                let _e95 = phi_204_;
+                if _e59 {
                     break;
                 }
-                if _e61 {
+                if _e59 {
                     break;
                 }
-                if _e64 {
-                    phi_223_ = (_e62 + 1u);
+                if _e62 {
+                    phi_222_ = (_e60 + 1u);
                 } else {
-                    phi_223_ = _e62;
+                    phi_222_ = _e60;
                 }
-                let _e100 = phi_223_;
-                if (_e97 == 0u) {
+                let _e98 = phi_222_;
+                if (_e95 == 0u) {
                     break;
                 }
-                let _e102 = (_e87 / _e97);
-                if (_e94 == 0u) {
+                let _e100 = (_e85 / _e95);
+                if (_e92 == 0u) {
                     break;
                 }
-                let _e109 = (((_e94 * _e39) * 16u) * _e71);
-                let _e113 = ((_e87 - (_e102 * _e97)) * 8u);
-                phi_259_ = type_11(0u, _e39);
-                phi_262_ = (((_e39 * (((_e113 / 8u) * _e100) + (_e75 + (_e102 / _e94)))) * 8u) + (_e113 % 8u));
-                phi_264_ = (((_e102 * _e39) * 16u) + _e89);
-                phi_266_ = array<f32, 24>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e107 = (((_e92 * _e37) * 16u) * _e69);
+                let _e111 = ((_e85 - (_e100 * _e95)) * 8u);
+                phi_258_ = type_11(0u, _e37);
+                phi_261_ = (((_e37 * (((_e111 / 8u) * _e98) + (_e73 + (_e100 / _e92)))) * 8u) + (_e111 % 8u));
+                phi_263_ = (((_e100 * _e37) * 16u) + _e87);
+                phi_265_ = array<f32, 24>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e124 = phi_259_;
-                    let _e126 = phi_262_;
-                    let _e128 = phi_264_;
-                    let _e130 = phi_266_;
-                    local_1 = _e130;
-                    local_2 = _e130;
-                    local_3 = _e130;
-                    local_4 = _e130;
-                    local_5 = _e130;
-                    local_6 = _e130;
-                    local_7 = _e130;
-                    local_8 = _e130;
-                    local_9 = _e130;
-                    local_10 = _e130;
-                    local_11 = _e130;
-                    local_12 = _e130;
-                    local_13 = _e130;
-                    local_14 = _e130;
-                    local_15 = _e130;
-                    local_16 = _e130;
-                    local_17 = _e130;
-                    local_18 = _e130;
-                    local_19 = _e130;
-                    local_20 = _e130;
-                    local_21 = _e130;
-                    local_22 = _e130;
-                    local_23 = _e130;
-                    local_24 = _e130;
-                    if (_e124.member < _e124.member_1) {
-                        phi_260_ = type_11((_e124.member + 1u), _e124.member_1);
-                        phi_289_ = type_11(1u, _e124.member);
+                    let _e122 = phi_258_;
+                    let _e124 = phi_261_;
+                    let _e126 = phi_263_;
+                    let _e128 = phi_265_;
+                    local_1 = _e128;
+                    local_2 = _e128;
+                    local_3 = _e128;
+                    local_4 = _e128;
+                    local_5 = _e128;
+                    local_6 = _e128;
+                    local_7 = _e128;
+                    local_8 = _e128;
+                    local_9 = _e128;
+                    local_10 = _e128;
+                    local_11 = _e128;
+                    local_12 = _e128;
+                    local_13 = _e128;
+                    local_14 = _e128;
+                    local_15 = _e128;
+                    local_16 = _e128;
+                    local_17 = _e128;
+                    local_18 = _e128;
+                    local_19 = _e128;
+                    local_20 = _e128;
+                    local_21 = _e128;
+                    local_22 = _e128;
+                    local_23 = _e128;
+                    local_24 = _e128;
+                    if (_e122.member < _e122.member_1) {
+                        phi_259_ = type_11((_e122.member + 1u), _e122.member_1);
+                        phi_288_ = type_11(1u, _e122.member);
                     } else {
-                        phi_260_ = _e124;
-                        phi_289_ = type_11(0u, type_11().member_1);
+                        phi_259_ = _e122;
+                        phi_288_ = type_11(0u, type_11().member_1);
                     }
-                    let _e143 = phi_260_;
-                    let _e145 = phi_289_;
-                    let _e148 = (bitcast<i32>(_e145.member) != 0i);
-                    if _e148 {
-                        if (_e128 < _e32) {
+                    let _e141 = phi_259_;
+                    let _e143 = phi_288_;
+                    let _e146 = (bitcast<i32>(_e143.member) != 0i);
+                    if _e146 {
+                        let _e149 = light.member[_e126];
+                        let _e153 = light.member[(_e107 + _e126)];
+                        let _e158 = light.member[((2u * _e107) + _e126)];
+                        if (_e124 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e152 = light.member[_e128];
-                        let _e153 = (_e109 + _e128);
-                        if (_e153 < _e32) {
+                        let _e162 = table.member[_e124];
+                        let _e172 = (_e124 + 1u);
+                        if (_e172 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e157 = light.member[_e153];
-                        let _e159 = ((2u * _e109) + _e128);
-                        if (_e159 < _e32) {
+                        let _e176 = table.member[_e172];
+                        let _e186 = (_e124 + 2u);
+                        if (_e186 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e163 = light.member[_e159];
-                        if (_e126 < _e30) {
+                        let _e190 = table.member[_e186];
+                        let _e200 = (_e124 + 3u);
+                        if (_e200 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e167 = table.member[_e126];
-                        let _e177 = (_e126 + 1u);
-                        if (_e177 < _e30) {
+                        let _e204 = table.member[_e200];
+                        let _e214 = (_e124 + 4u);
+                        if (_e214 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e181 = table.member[_e177];
-                        let _e191 = (_e126 + 2u);
-                        if (_e191 < _e30) {
+                        let _e218 = table.member[_e214];
+                        let _e228 = (_e124 + 5u);
+                        if (_e228 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e195 = table.member[_e191];
-                        let _e205 = (_e126 + 3u);
-                        if (_e205 < _e30) {
+                        let _e232 = table.member[_e228];
+                        let _e242 = (_e124 + 6u);
+                        if (_e242 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e209 = table.member[_e205];
-                        let _e219 = (_e126 + 4u);
-                        if (_e219 < _e30) {
+                        let _e246 = table.member[_e242];
+                        let _e256 = (_e124 + 7u);
+                        if (_e256 < _e30) {
                         } else {
-                            phi_565_ = true;
+                            phi_549_ = true;
                             break;
                         }
-                        let _e223 = table.member[_e219];
-                        let _e233 = (_e126 + 5u);
-                        if (_e233 < _e30) {
-                        } else {
-                            phi_565_ = true;
-                            break;
-                        }
-                        let _e237 = table.member[_e233];
-                        let _e247 = (_e126 + 6u);
-                        if (_e247 < _e30) {
-                        } else {
-                            phi_565_ = true;
-                            break;
-                        }
-                        let _e251 = table.member[_e247];
-                        let _e261 = (_e126 + 7u);
-                        if (_e261 < _e30) {
-                        } else {
-                            phi_565_ = true;
-                            break;
-                        }
-                        let _e265 = table.member[_e261];
-                        phi_263_ = (_e126 + 8u);
-                        phi_265_ = (_e128 + 16u);
-                        phi_267_ = array<f32, 24>((_e130[0] + (_e152 * _e167)), (_e130[1] + (_e152 * _e181)), (_e130[2] + (_e152 * _e195)), (_e130[3] + (_e152 * _e209)), (_e130[4] + (_e152 * _e223)), (_e130[5] + (_e152 * _e237)), (_e130[6] + (_e152 * _e251)), (_e130[7] + (_e152 * _e265)), (_e130[8] + (_e157 * _e167)), (_e130[9] + (_e157 * _e181)), (_e130[10] + (_e157 * _e195)), (_e130[11] + (_e157 * _e209)), (_e130[12] + (_e157 * _e223)), (_e130[13] + (_e157 * _e237)), (_e130[14] + (_e157 * _e251)), (_e130[15] + (_e157 * _e265)), (_e130[16] + (_e163 * _e167)), (_e130[17] + (_e163 * _e181)), (_e130[18] + (_e163 * _e195)), (_e130[19] + (_e163 * _e209)), (_e130[20] + (_e163 * _e223)), (_e130[21] + (_e163 * _e237)), (_e130[22] + (_e163 * _e251)), (_e130[23] + (_e163 * _e265)));
+                        let _e260 = table.member[_e256];
+                        phi_262_ = (_e124 + 8u);
+                        phi_264_ = (_e126 + 16u);
+                        phi_266_ = array<f32, 24>((_e128[0] + (_e149 * _e162)), (_e128[1] + (_e149 * _e176)), (_e128[2] + (_e149 * _e190)), (_e128[3] + (_e149 * _e204)), (_e128[4] + (_e149 * _e218)), (_e128[5] + (_e149 * _e232)), (_e128[6] + (_e149 * _e246)), (_e128[7] + (_e149 * _e260)), (_e128[8] + (_e153 * _e162)), (_e128[9] + (_e153 * _e176)), (_e128[10] + (_e153 * _e190)), (_e128[11] + (_e153 * _e204)), (_e128[12] + (_e153 * _e218)), (_e128[13] + (_e153 * _e232)), (_e128[14] + (_e153 * _e246)), (_e128[15] + (_e153 * _e260)), (_e128[16] + (_e158 * _e162)), (_e128[17] + (_e158 * _e176)), (_e128[18] + (_e158 * _e190)), (_e128[19] + (_e158 * _e204)), (_e128[20] + (_e158 * _e218)), (_e128[21] + (_e158 * _e232)), (_e128[22] + (_e158 * _e246)), (_e128[23] + (_e158 * _e260)));
                     } else {
-                        phi_263_ = u32();
-                        phi_265_ = u32();
-                        phi_267_ = array<f32, 24>();
+                        phi_262_ = u32();
+                        phi_264_ = u32();
+                        phi_266_ = array<f32, 24>();
                     }
-                    let _e279 = phi_263_;
-                    let _e281 = phi_265_;
-                    let _e283 = phi_267_;
+                    let _e274 = phi_262_;
+                    let _e276 = phi_264_;
+                    let _e278 = phi_266_;
                     continue;
                     continuing {
-                        phi_259_ = _e143;
-                        phi_262_ = _e279;
-                        phi_264_ = _e281;
-                        phi_266_ = _e283;
-                        phi_565_ = false;
-                        break if !(_e148);
+                        phi_258_ = _e141;
+                        phi_261_ = _e274;
+                        phi_263_ = _e276;
+                        phi_265_ = _e278;
+                        phi_549_ = false;
+                        break if !(_e146);
                     }
                 }
-                let _e286 = phi_565_;
-                if _e286 {
+                let _e281 = phi_549_;
+                if _e281 {
                     break;
                 }
-                let _e288 = local_1;
-                let _e291 = local_2;
-                let _e294 = local_3;
-                let _e297 = local_4;
-                let _e300 = local_5;
-                let _e303 = local_6;
-                let _e306 = local_7;
-                let _e309 = local_8;
-                let _e312 = local_9;
-                let _e315 = local_10;
-                let _e318 = local_11;
-                let _e321 = local_12;
-                let _e324 = local_13;
-                let _e327 = local_14;
-                let _e330 = local_15;
-                let _e333 = local_16;
-                let _e336 = local_17;
-                let _e339 = local_18;
-                let _e342 = local_19;
-                let _e345 = local_20;
-                let _e348 = local_21;
-                let _e351 = local_22;
-                let _e354 = local_23;
-                let _e357 = local_24;
-                local = array<f32, 24>(_e288[0], _e291[1], _e294[2], _e297[3], _e300[4], _e303[5], _e306[6], _e309[7], _e312[8], _e315[9], _e318[10], _e321[11], _e324[12], _e327[13], _e330[14], _e333[15], _e336[16], _e339[17], _e342[18], _e345[19], _e348[20], _e351[21], _e354[22], _e357[23]);
-                phi_509_ = type_11(0u, 24u);
+                let _e283 = local_1;
+                let _e286 = local_2;
+                let _e289 = local_3;
+                let _e292 = local_4;
+                let _e295 = local_5;
+                let _e298 = local_6;
+                let _e301 = local_7;
+                let _e304 = local_8;
+                let _e307 = local_9;
+                let _e310 = local_10;
+                let _e313 = local_11;
+                let _e316 = local_12;
+                let _e319 = local_13;
+                let _e322 = local_14;
+                let _e325 = local_15;
+                let _e328 = local_16;
+                let _e331 = local_17;
+                let _e334 = local_18;
+                let _e337 = local_19;
+                let _e340 = local_20;
+                let _e343 = local_21;
+                let _e346 = local_22;
+                let _e349 = local_23;
+                let _e352 = local_24;
+                local = array<f32, 24>(_e283[0], _e286[1], _e289[2], _e292[3], _e295[4], _e298[5], _e301[6], _e304[7], _e307[8], _e310[9], _e313[10], _e316[11], _e319[12], _e322[13], _e325[14], _e328[15], _e331[16], _e334[17], _e337[18], _e340[19], _e343[20], _e346[21], _e349[22], _e352[23]);
+                phi_493_ = type_11(0u, 24u);
                 loop {
-                    let _e361 = phi_509_;
-                    if (_e361.member < _e361.member_1) {
-                        phi_510_ = type_11((_e361.member + 1u), _e361.member_1);
-                        phi_533_ = type_11(1u, _e361.member);
+                    let _e356 = phi_493_;
+                    if (_e356.member < _e356.member_1) {
+                        phi_494_ = type_11((_e356.member + 1u), _e356.member_1);
+                        phi_517_ = type_11(1u, _e356.member);
                     } else {
-                        phi_510_ = _e361;
-                        phi_533_ = type_11(0u, type_11().member_1);
+                        phi_494_ = _e356;
+                        phi_517_ = type_11(0u, type_11().member_1);
                     }
-                    let _e374 = phi_510_;
-                    let _e376 = phi_533_;
-                    let _e380 = (bitcast<i32>(_e376.member) != 0i);
-                    if _e380 {
-                        if (_e376.member_1 < 24u) {
+                    let _e369 = phi_494_;
+                    let _e371 = phi_517_;
+                    let _e375 = (bitcast<i32>(_e371.member) != 0i);
+                    if _e375 {
+                        if (_e371.member_1 < 24u) {
                         } else {
-                            phi_577_ = true;
+                            phi_561_ = true;
                             break;
                         }
-                        let _e383 = local[_e376.member_1];
-                        let _e385 = ((_e376.member_1 * (((_e67 * _e48) * _e57) * 16u)) + ((((_e75 * _e68) * 16u) + _e88) + _e89));
-                        if (_e385 < arrayLength((&partial.member))) {
+                        let _e378 = local[_e371.member_1];
+                        let _e380 = ((_e371.member_1 * (((_e65 * _e46) * _e55) * 16u)) + ((((_e73 * _e66) * 16u) + _e86) + _e87));
+                        if (_e380 < arrayLength((&partial.member))) {
                         } else {
-                            phi_577_ = true;
+                            phi_561_ = true;
                             break;
                         }
-                        partial.member[_e385] = _e383;
+                        partial.member[_e380] = _e378;
                     }
                     continue;
                     continuing {
-                        phi_509_ = _e374;
-                        phi_577_ = _e286;
-                        break if !(_e380);
+                        phi_493_ = _e369;
+                        phi_561_ = _e281;
+                        break if !(_e375);
                     }
                 }
-                let _e391 = phi_577_;
-                if _e391 {
+                let _e386 = phi_561_;
+                if _e386 {
                     break;
                 }
             }

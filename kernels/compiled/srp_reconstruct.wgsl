@@ -51,188 +51,177 @@ var<storage, read_write> irradiance: type_5;
 
 fn function_() {
     var local: array<f32, 3>;
+    var phi_130_: type_11;
+    var phi_133_: u32;
+    var phi_135_: u32;
+    var phi_137_: array<f32, 3>;
     var phi_131_: type_11;
+    var phi_160_: type_11;
     var phi_134_: u32;
     var phi_136_: u32;
     var phi_138_: array<f32, 3>;
-    var phi_132_: type_11;
-    var phi_161_: type_11;
-    var phi_135_: u32;
-    var phi_137_: u32;
-    var phi_139_: array<f32, 3>;
-    var phi_328_: bool;
+    var phi_317_: bool;
     var local_1: array<f32, 3>;
     var local_2: array<f32, 3>;
     var local_3: array<f32, 3>;
-    var phi_272_: type_11;
-    var phi_273_: type_11;
-    var phi_296_: type_11;
-    var phi_332_: bool;
+    var phi_261_: type_11;
+    var phi_262_: type_11;
+    var phi_285_: type_11;
+    var phi_321_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e33 = gid_1;
-            let _e39 = arrayLength((&basis.member));
-            let _e44 = params.member.member;
-            let _e48 = params.member.member_2;
-            let _e52 = params.member.member_1;
-            let _e56 = (_e33.x + (_e33.y * 2097152u));
-            if (_e56 < (_e52 * 16u)) {
-                let _e59 = (_e56 / 16u);
-                let _e60 = (_e59 * 16u);
-                let _e61 = (_e56 - _e60);
-                let _e64 = (_e44 + _e59);
-                if (_e64 < arrayLength((&blocks.member))) {
+            let _e37 = arrayLength((&basis.member));
+            let _e42 = params.member.member;
+            let _e46 = params.member.member_2;
+            let _e50 = params.member.member_1;
+            let _e54 = (_e33.x + (_e33.y * 2097152u));
+            if (_e54 < (_e50 * 16u)) {
+                let _e57 = (_e54 / 16u);
+                let _e58 = (_e57 * 16u);
+                let _e59 = (_e54 - _e58);
+                let _e62 = (_e42 + _e57);
+                if (_e62 < arrayLength((&blocks.member))) {
                 } else {
                     break;
                 }
-                let _e69 = blocks.member[_e64].member;
-                let _e73 = blocks.member[_e64].member_1;
-                let _e77 = blocks.member[_e64].member_2;
-                phi_131_ = type_11(0u, _e73);
-                phi_134_ = (4u * _e77);
-                phi_136_ = (_e69 + _e61);
-                phi_138_ = array<f32, 3>(0f, 0f, 0f);
+                let _e67 = blocks.member[_e62].member;
+                let _e71 = blocks.member[_e62].member_1;
+                let _e75 = blocks.member[_e62].member_2;
+                phi_130_ = type_11(0u, _e71);
+                phi_133_ = (4u * _e75);
+                phi_135_ = (_e67 + _e59);
+                phi_137_ = array<f32, 3>(0f, 0f, 0f);
                 loop {
-                    let _e82 = phi_131_;
-                    let _e84 = phi_134_;
-                    let _e86 = phi_136_;
-                    let _e88 = phi_138_;
-                    local_1 = _e88;
-                    local_2 = _e88;
-                    local_3 = _e88;
-                    if (_e82.member < _e82.member_1) {
-                        phi_132_ = type_11((_e82.member + 1u), _e82.member_1);
-                        phi_161_ = type_11(1u, _e82.member);
+                    let _e80 = phi_130_;
+                    let _e82 = phi_133_;
+                    let _e84 = phi_135_;
+                    let _e86 = phi_137_;
+                    local_1 = _e86;
+                    local_2 = _e86;
+                    local_3 = _e86;
+                    if (_e80.member < _e80.member_1) {
+                        phi_131_ = type_11((_e80.member + 1u), _e80.member_1);
+                        phi_160_ = type_11(1u, _e80.member);
                     } else {
-                        phi_132_ = _e82;
-                        phi_161_ = type_11(0u, type_11().member_1);
+                        phi_131_ = _e80;
+                        phi_160_ = type_11(0u, type_11().member_1);
                     }
-                    let _e101 = phi_132_;
-                    let _e103 = phi_161_;
-                    let _e106 = (bitcast<i32>(_e103.member) != 0i);
-                    if _e106 {
-                        let _e107 = (_e86 < arrayLength((&words.member)));
-                        if _e107 {
+                    let _e99 = phi_131_;
+                    let _e101 = phi_160_;
+                    let _e104 = (bitcast<i32>(_e101.member) != 0i);
+                    if _e104 {
+                        let _e107 = words.member[_e84];
+                        let _e116 = (bitcast<f32>((((_e107 << bitcast<u32>(16i)) & 2147483648u) | ((_e107 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e123 = (bitcast<f32>(((_e107 & 2147483648u) | ((_e107 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        if (_e82 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e110 = words.member[_e86];
-                        let _e119 = (bitcast<f32>((((_e110 << bitcast<u32>(16i)) & 2147483648u) | ((_e110 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e107 {
+                        let _e128 = basis.member[_e82];
+                        let _e131 = (_e82 + 4u);
+                        if (_e131 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e126 = (bitcast<f32>(((_e110 & 2147483648u) | ((_e110 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if (_e84 < _e39) {
+                        let _e135 = basis.member[_e131];
+                        let _e139 = (_e82 + 1u);
+                        if (_e139 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e131 = basis.member[_e84];
-                        let _e134 = (_e84 + 4u);
-                        if (_e134 < _e39) {
+                        let _e143 = basis.member[_e139];
+                        let _e146 = (_e82 + 5u);
+                        if (_e146 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e138 = basis.member[_e134];
-                        let _e142 = (_e84 + 1u);
-                        if (_e142 < _e39) {
+                        let _e150 = basis.member[_e146];
+                        let _e154 = (_e82 + 2u);
+                        if (_e154 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e146 = basis.member[_e142];
-                        let _e149 = (_e84 + 5u);
-                        if (_e149 < _e39) {
+                        let _e158 = basis.member[_e154];
+                        let _e161 = (_e82 + 6u);
+                        if (_e161 < _e37) {
                         } else {
-                            phi_328_ = true;
+                            phi_317_ = true;
                             break;
                         }
-                        let _e153 = basis.member[_e149];
-                        let _e157 = (_e84 + 2u);
-                        if (_e157 < _e39) {
-                        } else {
-                            phi_328_ = true;
-                            break;
-                        }
-                        let _e161 = basis.member[_e157];
-                        let _e164 = (_e84 + 6u);
-                        if (_e164 < _e39) {
-                        } else {
-                            phi_328_ = true;
-                            break;
-                        }
-                        let _e168 = basis.member[_e164];
-                        phi_135_ = (_e84 + 8u);
-                        phi_137_ = (_e86 + 16u);
-                        phi_139_ = array<f32, 3>(((_e88[0] + (_e119 * _e131)) + (_e126 * _e138)), ((_e88[1] + (_e119 * _e146)) + (_e126 * _e153)), ((_e88[2] + (_e119 * _e161)) + (_e126 * _e168)));
+                        let _e165 = basis.member[_e161];
+                        phi_134_ = (_e82 + 8u);
+                        phi_136_ = (_e84 + 16u);
+                        phi_138_ = array<f32, 3>(((_e86[0] + (_e116 * _e128)) + (_e123 * _e135)), ((_e86[1] + (_e116 * _e143)) + (_e123 * _e150)), ((_e86[2] + (_e116 * _e158)) + (_e123 * _e165)));
                     } else {
-                        phi_135_ = u32();
-                        phi_137_ = u32();
-                        phi_139_ = array<f32, 3>();
+                        phi_134_ = u32();
+                        phi_136_ = u32();
+                        phi_138_ = array<f32, 3>();
                     }
-                    let _e175 = phi_135_;
-                    let _e177 = phi_137_;
-                    let _e179 = phi_139_;
+                    let _e172 = phi_134_;
+                    let _e174 = phi_136_;
+                    let _e176 = phi_138_;
                     continue;
                     continuing {
-                        phi_131_ = _e101;
-                        phi_134_ = _e175;
-                        phi_136_ = _e177;
-                        phi_138_ = _e179;
-                        phi_328_ = false;
-                        break if !(_e106);
+                        phi_130_ = _e99;
+                        phi_133_ = _e172;
+                        phi_135_ = _e174;
+                        phi_137_ = _e176;
+                        phi_317_ = false;
+                        break if !(_e104);
                     }
                 }
-                let _e182 = phi_328_;
-                if _e182 {
+                let _e179 = phi_317_;
+                if _e179 {
                     break;
                 }
-                let _e184 = local_1;
-                let _e187 = local_2;
-                let _e190 = local_3;
-                local = array<f32, 3>(_e184[0], _e187[1], _e190[2]);
-                phi_272_ = type_11(0u, 3u);
+                let _e181 = local_1;
+                let _e184 = local_2;
+                let _e187 = local_3;
+                local = array<f32, 3>(_e181[0], _e184[1], _e187[2]);
+                phi_261_ = type_11(0u, 3u);
                 loop {
-                    let _e194 = phi_272_;
-                    if (_e194.member < _e194.member_1) {
-                        phi_273_ = type_11((_e194.member + 1u), _e194.member_1);
-                        phi_296_ = type_11(1u, _e194.member);
+                    let _e191 = phi_261_;
+                    if (_e191.member < _e191.member_1) {
+                        phi_262_ = type_11((_e191.member + 1u), _e191.member_1);
+                        phi_285_ = type_11(1u, _e191.member);
                     } else {
-                        phi_273_ = _e194;
-                        phi_296_ = type_11(0u, type_11().member_1);
+                        phi_262_ = _e191;
+                        phi_285_ = type_11(0u, type_11().member_1);
                     }
-                    let _e207 = phi_273_;
-                    let _e209 = phi_296_;
-                    let _e213 = (bitcast<i32>(_e209.member) != 0i);
-                    if _e213 {
-                        if (_e209.member_1 < 3u) {
+                    let _e204 = phi_262_;
+                    let _e206 = phi_285_;
+                    let _e210 = (bitcast<i32>(_e206.member) != 0i);
+                    if _e210 {
+                        if (_e206.member_1 < 3u) {
                         } else {
-                            phi_332_ = true;
+                            phi_321_ = true;
                             break;
                         }
-                        let _e216 = local[_e209.member_1];
-                        let _e218 = ((_e209.member_1 * (_e48 * 16u)) + (((_e44 * 16u) + _e60) + _e61));
-                        if (_e218 < arrayLength((&irradiance.member))) {
+                        let _e213 = local[_e206.member_1];
+                        let _e215 = ((_e206.member_1 * (_e46 * 16u)) + (((_e42 * 16u) + _e58) + _e59));
+                        if (_e215 < arrayLength((&irradiance.member))) {
                         } else {
-                            phi_332_ = true;
+                            phi_321_ = true;
                             break;
                         }
-                        irradiance.member[_e218] = _e216;
+                        irradiance.member[_e215] = _e213;
                     }
                     continue;
                     continuing {
-                        phi_272_ = _e207;
-                        phi_332_ = _e182;
-                        break if !(_e213);
+                        phi_261_ = _e204;
+                        phi_321_ = _e179;
+                        break if !(_e210);
                     }
                 }
-                let _e224 = phi_332_;
-                if _e224 {
+                let _e221 = phi_321_;
+                if _e221 {
                     break;
                 }
             }

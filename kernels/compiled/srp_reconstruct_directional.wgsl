@@ -51,16 +51,16 @@ var<storage, read_write> radiance: type_5;
 
 fn function_() {
     var local: array<f32, 12>;
+    var phi_133_: type_11;
+    var phi_136_: u32;
+    var phi_138_: u32;
+    var phi_140_: array<f32, 12>;
     var phi_134_: type_11;
+    var phi_163_: type_11;
     var phi_137_: u32;
     var phi_139_: u32;
     var phi_141_: array<f32, 12>;
-    var phi_135_: type_11;
-    var phi_164_: type_11;
-    var phi_138_: u32;
-    var phi_140_: u32;
-    var phi_142_: array<f32, 12>;
-    var phi_632_: bool;
+    var phi_591_: bool;
     var local_1: array<f32, 12>;
     var local_2: array<f32, 12>;
     var local_3: array<f32, 12>;
@@ -73,335 +73,287 @@ fn function_() {
     var local_10: array<f32, 12>;
     var local_11: array<f32, 12>;
     var local_12: array<f32, 12>;
-    var phi_576_: type_11;
-    var phi_577_: type_11;
-    var phi_600_: type_11;
-    var phi_636_: bool;
+    var phi_535_: type_11;
+    var phi_536_: type_11;
+    var phi_559_: type_11;
+    var phi_595_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e36 = gid_1;
-            let _e40 = arrayLength((&words.member));
-            let _e42 = arrayLength((&basis.member));
-            let _e47 = params.member.member;
-            let _e51 = params.member.member_2;
-            let _e55 = params.member.member_1;
-            let _e59 = (_e36.x + (_e36.y * 2097152u));
-            if (_e59 < (_e55 * 16u)) {
-                let _e62 = (_e59 / 16u);
-                let _e63 = (_e62 * 16u);
-                let _e64 = (_e59 - _e63);
-                let _e67 = (_e47 + _e62);
-                if (_e67 < arrayLength((&blocks.member))) {
+            let _e40 = arrayLength((&basis.member));
+            let _e45 = params.member.member;
+            let _e49 = params.member.member_2;
+            let _e53 = params.member.member_1;
+            let _e57 = (_e36.x + (_e36.y * 2097152u));
+            if (_e57 < (_e53 * 16u)) {
+                let _e60 = (_e57 / 16u);
+                let _e61 = (_e60 * 16u);
+                let _e62 = (_e57 - _e61);
+                let _e65 = (_e45 + _e60);
+                if (_e65 < arrayLength((&blocks.member))) {
                 } else {
                     break;
                 }
-                let _e72 = blocks.member[_e67].member;
-                let _e76 = blocks.member[_e67].member_1;
-                let _e80 = blocks.member[_e67].member_2;
-                phi_134_ = type_11(0u, _e76);
-                phi_137_ = (4u * _e80);
-                phi_139_ = (_e72 + _e64);
-                phi_141_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e70 = blocks.member[_e65].member;
+                let _e74 = blocks.member[_e65].member_1;
+                let _e78 = blocks.member[_e65].member_2;
+                phi_133_ = type_11(0u, _e74);
+                phi_136_ = (4u * _e78);
+                phi_138_ = (_e70 + _e62);
+                phi_140_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e85 = phi_134_;
-                    let _e87 = phi_137_;
-                    let _e89 = phi_139_;
-                    let _e91 = phi_141_;
-                    local_1 = _e91;
-                    local_2 = _e91;
-                    local_3 = _e91;
-                    local_4 = _e91;
-                    local_5 = _e91;
-                    local_6 = _e91;
-                    local_7 = _e91;
-                    local_8 = _e91;
-                    local_9 = _e91;
-                    local_10 = _e91;
-                    local_11 = _e91;
-                    local_12 = _e91;
-                    if (_e85.member < _e85.member_1) {
-                        phi_135_ = type_11((_e85.member + 1u), _e85.member_1);
-                        phi_164_ = type_11(1u, _e85.member);
+                    let _e83 = phi_133_;
+                    let _e85 = phi_136_;
+                    let _e87 = phi_138_;
+                    let _e89 = phi_140_;
+                    local_1 = _e89;
+                    local_2 = _e89;
+                    local_3 = _e89;
+                    local_4 = _e89;
+                    local_5 = _e89;
+                    local_6 = _e89;
+                    local_7 = _e89;
+                    local_8 = _e89;
+                    local_9 = _e89;
+                    local_10 = _e89;
+                    local_11 = _e89;
+                    local_12 = _e89;
+                    if (_e83.member < _e83.member_1) {
+                        phi_134_ = type_11((_e83.member + 1u), _e83.member_1);
+                        phi_163_ = type_11(1u, _e83.member);
                     } else {
-                        phi_135_ = _e85;
-                        phi_164_ = type_11(0u, type_11().member_1);
+                        phi_134_ = _e83;
+                        phi_163_ = type_11(0u, type_11().member_1);
                     }
-                    let _e104 = phi_135_;
-                    let _e106 = phi_164_;
-                    let _e109 = (bitcast<i32>(_e106.member) != 0i);
-                    if _e109 {
-                        let _e110 = (_e89 < _e40);
-                        if _e110 {
+                    let _e102 = phi_134_;
+                    let _e104 = phi_163_;
+                    let _e107 = (bitcast<i32>(_e104.member) != 0i);
+                    if _e107 {
+                        let _e110 = words.member[_e87];
+                        let _e119 = (bitcast<f32>((((_e110 << bitcast<u32>(16i)) & 2147483648u) | ((_e110 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e126 = (bitcast<f32>(((_e110 & 2147483648u) | ((_e110 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e128 = (_e85 < _e40);
+                        if _e128 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e113 = words.member[_e89];
-                        let _e122 = (bitcast<f32>((((_e113 << bitcast<u32>(16i)) & 2147483648u) | ((_e113 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e110 {
+                        let _e131 = basis.member[_e85];
+                        let _e134 = (_e85 + 4u);
+                        let _e135 = (_e134 < _e40);
+                        if _e135 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e129 = (bitcast<f32>(((_e113 & 2147483648u) | ((_e113 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        let _e131 = (_e87 < _e42);
-                        if _e131 {
+                        let _e138 = basis.member[_e134];
+                        let _e142 = (_e85 + 1u);
+                        let _e143 = (_e142 < _e40);
+                        if _e143 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e134 = basis.member[_e87];
-                        let _e137 = (_e87 + 4u);
-                        let _e138 = (_e137 < _e42);
-                        if _e138 {
+                        let _e146 = basis.member[_e142];
+                        let _e149 = (_e85 + 5u);
+                        let _e150 = (_e149 < _e40);
+                        if _e150 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e141 = basis.member[_e137];
-                        let _e145 = (_e87 + 1u);
-                        let _e146 = (_e145 < _e42);
-                        if _e146 {
+                        let _e153 = basis.member[_e149];
+                        let _e157 = (_e85 + 2u);
+                        let _e158 = (_e157 < _e40);
+                        if _e158 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e149 = basis.member[_e145];
-                        let _e152 = (_e87 + 5u);
-                        let _e153 = (_e152 < _e42);
-                        if _e153 {
+                        let _e161 = basis.member[_e157];
+                        let _e164 = (_e85 + 6u);
+                        let _e165 = (_e164 < _e40);
+                        if _e165 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e156 = basis.member[_e152];
-                        let _e160 = (_e87 + 2u);
-                        let _e161 = (_e160 < _e42);
-                        if _e161 {
+                        let _e168 = basis.member[_e164];
+                        let _e174 = words.member[(_e87 + 16u)];
+                        let _e183 = (bitcast<f32>((((_e174 << bitcast<u32>(16i)) & 2147483648u) | ((_e174 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e190 = (bitcast<f32>(((_e174 & 2147483648u) | ((_e174 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        if _e128 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e164 = basis.member[_e160];
-                        let _e167 = (_e87 + 6u);
-                        let _e168 = (_e167 < _e42);
-                        if _e168 {
+                        if _e135 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e171 = basis.member[_e167];
-                        let _e174 = (_e89 + 16u);
-                        let _e175 = (_e174 < _e40);
-                        if _e175 {
+                        if _e143 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e178 = words.member[_e174];
-                        let _e187 = (bitcast<f32>((((_e178 << bitcast<u32>(16i)) & 2147483648u) | ((_e178 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e175 {
+                        if _e150 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e194 = (bitcast<f32>(((_e178 & 2147483648u) | ((_e178 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e131 {
+                        if _e158 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e138 {
+                        if _e165 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e146 {
+                        let _e209 = words.member[(_e87 + 32u)];
+                        let _e218 = (bitcast<f32>((((_e209 << bitcast<u32>(16i)) & 2147483648u) | ((_e209 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e225 = (bitcast<f32>(((_e209 & 2147483648u) | ((_e209 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        if _e128 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e153 {
+                        if _e135 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e161 {
+                        if _e143 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e168 {
+                        if _e150 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e210 = (_e89 + 32u);
-                        let _e211 = (_e210 < _e40);
-                        if _e211 {
+                        if _e158 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e214 = words.member[_e210];
-                        let _e223 = (bitcast<f32>((((_e214 << bitcast<u32>(16i)) & 2147483648u) | ((_e214 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e211 {
+                        if _e165 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e230 = (bitcast<f32>(((_e214 & 2147483648u) | ((_e214 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e131 {
+                        let _e244 = words.member[(_e87 + 48u)];
+                        let _e253 = (bitcast<f32>((((_e244 << bitcast<u32>(16i)) & 2147483648u) | ((_e244 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        let _e260 = (bitcast<f32>(((_e244 & 2147483648u) | ((_e244 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
+                        if _e128 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e138 {
+                        if _e135 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e146 {
+                        if _e143 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e153 {
+                        if _e150 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e161 {
+                        if _e158 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        if _e168 {
+                        if _e165 {
                         } else {
-                            phi_632_ = true;
+                            phi_591_ = true;
                             break;
                         }
-                        let _e246 = (_e89 + 48u);
-                        let _e247 = (_e246 < _e40);
-                        if _e247 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        let _e250 = words.member[_e246];
-                        let _e259 = (bitcast<f32>((((_e250 << bitcast<u32>(16i)) & 2147483648u) | ((_e250 << bitcast<u32>(13i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e247 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        let _e266 = (bitcast<f32>(((_e250 & 2147483648u) | ((_e250 >> bitcast<u32>(3i)) & 268427264u))) * 5192297000000000000000000000000000f);
-                        if _e131 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        if _e138 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        if _e146 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        if _e153 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        if _e161 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        if _e168 {
-                        } else {
-                            phi_632_ = true;
-                            break;
-                        }
-                        phi_138_ = (_e87 + 8u);
-                        phi_140_ = (_e89 + 64u);
-                        phi_142_ = array<f32, 12>(((_e91[0] + (_e122 * _e134)) + (_e129 * _e141)), ((_e91[1] + (_e122 * _e149)) + (_e129 * _e156)), ((_e91[2] + (_e122 * _e164)) + (_e129 * _e171)), ((_e91[3] + (_e187 * _e134)) + (_e194 * _e141)), ((_e91[4] + (_e187 * _e149)) + (_e194 * _e156)), ((_e91[5] + (_e187 * _e164)) + (_e194 * _e171)), ((_e91[6] + (_e223 * _e134)) + (_e230 * _e141)), ((_e91[7] + (_e223 * _e149)) + (_e230 * _e156)), ((_e91[8] + (_e223 * _e164)) + (_e230 * _e171)), ((_e91[9] + (_e259 * _e134)) + (_e266 * _e141)), ((_e91[10] + (_e259 * _e149)) + (_e266 * _e156)), ((_e91[11] + (_e259 * _e164)) + (_e266 * _e171)));
+                        phi_137_ = (_e85 + 8u);
+                        phi_139_ = (_e87 + 64u);
+                        phi_141_ = array<f32, 12>(((_e89[0] + (_e119 * _e131)) + (_e126 * _e138)), ((_e89[1] + (_e119 * _e146)) + (_e126 * _e153)), ((_e89[2] + (_e119 * _e161)) + (_e126 * _e168)), ((_e89[3] + (_e183 * _e131)) + (_e190 * _e138)), ((_e89[4] + (_e183 * _e146)) + (_e190 * _e153)), ((_e89[5] + (_e183 * _e161)) + (_e190 * _e168)), ((_e89[6] + (_e218 * _e131)) + (_e225 * _e138)), ((_e89[7] + (_e218 * _e146)) + (_e225 * _e153)), ((_e89[8] + (_e218 * _e161)) + (_e225 * _e168)), ((_e89[9] + (_e253 * _e131)) + (_e260 * _e138)), ((_e89[10] + (_e253 * _e146)) + (_e260 * _e153)), ((_e89[11] + (_e253 * _e161)) + (_e260 * _e168)));
                     } else {
-                        phi_138_ = u32();
-                        phi_140_ = u32();
-                        phi_142_ = array<f32, 12>();
+                        phi_137_ = u32();
+                        phi_139_ = u32();
+                        phi_141_ = array<f32, 12>();
                     }
-                    let _e286 = phi_138_;
-                    let _e288 = phi_140_;
-                    let _e290 = phi_142_;
+                    let _e280 = phi_137_;
+                    let _e282 = phi_139_;
+                    let _e284 = phi_141_;
                     continue;
                     continuing {
-                        phi_134_ = _e104;
-                        phi_137_ = _e286;
-                        phi_139_ = _e288;
-                        phi_141_ = _e290;
-                        phi_632_ = false;
-                        break if !(_e109);
+                        phi_133_ = _e102;
+                        phi_136_ = _e280;
+                        phi_138_ = _e282;
+                        phi_140_ = _e284;
+                        phi_591_ = false;
+                        break if !(_e107);
                     }
                 }
-                let _e293 = phi_632_;
-                if _e293 {
+                let _e287 = phi_591_;
+                if _e287 {
                     break;
                 }
-                let _e295 = local_1;
-                let _e298 = local_2;
-                let _e301 = local_3;
-                let _e304 = local_4;
-                let _e307 = local_5;
-                let _e310 = local_6;
-                let _e313 = local_7;
-                let _e316 = local_8;
-                let _e319 = local_9;
-                let _e322 = local_10;
-                let _e325 = local_11;
-                let _e328 = local_12;
-                local = array<f32, 12>(_e295[0], _e298[1], _e301[2], _e304[3], _e307[4], _e310[5], _e313[6], _e316[7], _e319[8], _e322[9], _e325[10], _e328[11]);
-                phi_576_ = type_11(0u, 12u);
+                let _e289 = local_1;
+                let _e292 = local_2;
+                let _e295 = local_3;
+                let _e298 = local_4;
+                let _e301 = local_5;
+                let _e304 = local_6;
+                let _e307 = local_7;
+                let _e310 = local_8;
+                let _e313 = local_9;
+                let _e316 = local_10;
+                let _e319 = local_11;
+                let _e322 = local_12;
+                local = array<f32, 12>(_e289[0], _e292[1], _e295[2], _e298[3], _e301[4], _e304[5], _e307[6], _e310[7], _e313[8], _e316[9], _e319[10], _e322[11]);
+                phi_535_ = type_11(0u, 12u);
                 loop {
-                    let _e332 = phi_576_;
-                    if (_e332.member < _e332.member_1) {
-                        phi_577_ = type_11((_e332.member + 1u), _e332.member_1);
-                        phi_600_ = type_11(1u, _e332.member);
+                    let _e326 = phi_535_;
+                    if (_e326.member < _e326.member_1) {
+                        phi_536_ = type_11((_e326.member + 1u), _e326.member_1);
+                        phi_559_ = type_11(1u, _e326.member);
                     } else {
-                        phi_577_ = _e332;
-                        phi_600_ = type_11(0u, type_11().member_1);
+                        phi_536_ = _e326;
+                        phi_559_ = type_11(0u, type_11().member_1);
                     }
-                    let _e345 = phi_577_;
-                    let _e347 = phi_600_;
-                    let _e351 = (bitcast<i32>(_e347.member) != 0i);
-                    if _e351 {
-                        if (_e347.member_1 < 12u) {
+                    let _e339 = phi_536_;
+                    let _e341 = phi_559_;
+                    let _e345 = (bitcast<i32>(_e341.member) != 0i);
+                    if _e345 {
+                        if (_e341.member_1 < 12u) {
                         } else {
-                            phi_636_ = true;
+                            phi_595_ = true;
                             break;
                         }
-                        let _e354 = local[_e347.member_1];
-                        let _e356 = ((_e347.member_1 * (_e51 * 16u)) + (((_e47 * 16u) + _e63) + _e64));
-                        if (_e356 < arrayLength((&radiance.member))) {
+                        let _e348 = local[_e341.member_1];
+                        let _e350 = ((_e341.member_1 * (_e49 * 16u)) + (((_e45 * 16u) + _e61) + _e62));
+                        if (_e350 < arrayLength((&radiance.member))) {
                         } else {
-                            phi_636_ = true;
+                            phi_595_ = true;
                             break;
                         }
-                        radiance.member[_e356] = _e354;
+                        radiance.member[_e350] = _e348;
                     }
                     continue;
                     continuing {
-                        phi_576_ = _e345;
-                        phi_636_ = _e293;
-                        break if !(_e351);
+                        phi_535_ = _e339;
+                        phi_595_ = _e287;
+                        break if !(_e345);
                     }
                 }
-                let _e362 = phi_636_;
-                if _e362 {
+                let _e356 = phi_595_;
+                if _e356 {
                     break;
                 }
             }

@@ -55,27 +55,26 @@ var<storage> sums: type_9;
 var<storage, read_write> out: type_17;
 
 fn function_() {
+    var phi_88_: u32;
+    var phi_91_: u32;
     var phi_89_: u32;
     var phi_92_: u32;
-    var phi_90_: u32;
-    var phi_93_: u32;
-    var phi_569_: bool;
+    var phi_504_: bool;
     var local: u32;
     var local_1: u32;
-    var phi_212_: u32;
-    var phi_215_: u32;
-    var phi_217_: u32;
-    var phi_219_: u32;
-    var phi_309_: u32;
-    var phi_310_: u32;
-    var phi_311_: u32;
-    var phi_312_: u32;
-    var phi_213_: u32;
-    var phi_216_: u32;
-    var phi_218_: u32;
-    var phi_220_: u32;
-    var phi_314_: bool;
-    var phi_573_: bool;
+    var phi_181_: u32;
+    var phi_184_: u32;
+    var phi_186_: u32;
+    var phi_188_: u32;
+    var phi_248_: u32;
+    var phi_249_: u32;
+    var phi_250_: u32;
+    var phi_251_: u32;
+    var phi_182_: u32;
+    var phi_185_: u32;
+    var phi_187_: u32;
+    var phi_189_: u32;
+    var phi_253_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
@@ -87,315 +86,244 @@ fn function_() {
         default: {
             let _e31 = gid_1;
             let _e33 = arrayLength((&cells.member));
-            let _e35 = arrayLength((&facet_bits.member));
-            let _e37 = arrayLength((&sums.member));
-            let _e43 = (_e31.x + (_e31.y * 2097152u));
-            let _e44 = (_e43 < arrayLength((&out.member)));
-            if _e44 {
-                let _e49 = params.member.member_2[0u][3u];
-                phi_89_ = _e49;
-                phi_92_ = 0u;
+            let _e35 = arrayLength((&sums.member));
+            let _e41 = (_e31.x + (_e31.y * 2097152u));
+            let _e42 = (_e41 < arrayLength((&out.member)));
+            if _e42 {
+                let _e47 = params.member.member_2[0u][3u];
+                phi_88_ = _e47;
+                phi_91_ = 0u;
                 loop {
-                    let _e51 = phi_89_;
-                    let _e53 = phi_92_;
-                    local = _e53;
-                    local_1 = _e53;
-                    local_2 = _e53;
-                    local_3 = _e53;
-                    let _e55 = ((_e51 - _e53) > 1u);
-                    if _e55 {
-                        let _e57 = ((_e53 + _e51) / 2u);
-                        let _e59 = ((_e57 * 2u) + 1u);
-                        if (_e59 < _e33) {
+                    let _e49 = phi_88_;
+                    let _e51 = phi_91_;
+                    local = _e51;
+                    local_1 = _e51;
+                    local_2 = _e51;
+                    local_3 = _e51;
+                    let _e53 = ((_e49 - _e51) > 1u);
+                    if _e53 {
+                        let _e55 = ((_e51 + _e49) / 2u);
+                        let _e57 = ((_e55 * 2u) + 1u);
+                        if (_e57 < _e33) {
                         } else {
-                            phi_569_ = true;
+                            phi_504_ = true;
                             break;
                         }
-                        let _e63 = cells.member[_e59];
-                        let _e64 = (_e63 <= _e43);
-                        phi_90_ = select(_e57, _e51, _e64);
-                        phi_93_ = select(_e53, _e57, _e64);
+                        let _e61 = cells.member[_e57];
+                        let _e62 = (_e61 <= _e41);
+                        phi_89_ = select(_e55, _e49, _e62);
+                        phi_92_ = select(_e51, _e55, _e62);
                     } else {
-                        phi_90_ = u32();
-                        phi_93_ = u32();
+                        phi_89_ = u32();
+                        phi_92_ = u32();
                     }
-                    let _e68 = phi_90_;
-                    let _e70 = phi_93_;
+                    let _e66 = phi_89_;
+                    let _e68 = phi_92_;
                     continue;
                     continuing {
-                        phi_89_ = _e68;
-                        phi_92_ = _e70;
-                        phi_569_ = false;
-                        break if !(_e55);
+                        phi_88_ = _e66;
+                        phi_91_ = _e68;
+                        phi_504_ = false;
+                        break if !(_e53);
                     }
                 }
-                let _e73 = phi_569_;
-                if _e73 {
+                let _e71 = phi_504_;
+                if _e71 {
                     break;
                 }
-                let _e75 = local;
-                let _e76 = (2u * _e75);
-                if (_e76 < _e33) {
+                let _e73 = local;
+                let _e74 = (2u * _e73);
+                if (_e74 < _e33) {
                 } else {
                     break;
                 }
-                let _e80 = cells.member[_e76];
-                let _e81 = (_e76 + 1u);
-                if (_e81 < _e33) {
+                let _e78 = cells.member[_e74];
+                let _e79 = (_e74 + 1u);
+                if (_e79 < _e33) {
                 } else {
                     break;
                 }
-                let _e85 = cells.member[_e81];
-                let _e90 = (select(firstTrailingBit(_e80), 32u, (_e80 == 0u)) & 31u);
-                let _e92 = local_1;
-                let _e93 = (_e92 * 6u);
-                let _e94 = (_e93 < _e35);
-                if _e94 {
-                } else {
-                    break;
-                }
-                let _e97 = facet_bits.member[_e93];
-                let _e98 = (_e90 & 31u);
-                let _e102 = (_e93 + 1u);
-                let _e103 = (_e102 < _e35);
-                if _e103 {
-                } else {
-                    break;
-                }
-                let _e106 = facet_bits.member[_e102];
-                let _e111 = (_e93 + 2u);
-                let _e112 = (_e111 < _e35);
-                if _e112 {
-                } else {
-                    break;
-                }
-                let _e115 = facet_bits.member[_e111];
-                let _e120 = (_e93 + 3u);
-                let _e121 = (_e120 < _e35);
-                if _e121 {
-                } else {
-                    break;
-                }
-                let _e124 = facet_bits.member[_e120];
-                let _e129 = (_e93 + 4u);
-                let _e130 = (_e129 < _e35);
-                if _e130 {
-                } else {
-                    break;
-                }
-                let _e133 = facet_bits.member[_e129];
-                let _e138 = (_e93 + 5u);
-                let _e139 = (_e138 < _e35);
-                if _e139 {
-                } else {
-                    break;
-                }
-                let _e142 = facet_bits.member[_e138];
-                phi_212_ = (((((((_e97 >> bitcast<u32>(_e98)) & 1u) + ((_e106 >> bitcast<u32>(_e98)) & 1u)) + ((_e115 >> bitcast<u32>(_e98)) & 1u)) + ((_e124 >> bitcast<u32>(_e98)) & 1u)) + ((_e133 >> bitcast<u32>(_e98)) & 1u)) + ((_e142 >> bitcast<u32>(_e98)) & 1u));
-                phi_215_ = _e90;
-                phi_217_ = (_e43 - _e85);
-                phi_219_ = _e80;
+                let _e83 = cells.member[_e79];
+                let _e88 = (select(firstTrailingBit(_e78), 32u, (_e78 == 0u)) & 31u);
+                let _e90 = local_1;
+                let _e91 = (_e90 * 6u);
+                let _e94 = facet_bits.member[_e91];
+                let _e95 = (_e88 & 31u);
+                let _e102 = facet_bits.member[(_e91 + 1u)];
+                let _e110 = facet_bits.member[(_e91 + 2u)];
+                let _e118 = facet_bits.member[(_e91 + 3u)];
+                let _e126 = facet_bits.member[(_e91 + 4u)];
+                let _e134 = facet_bits.member[(_e91 + 5u)];
+                phi_181_ = (((((((_e94 >> bitcast<u32>(_e95)) & 1u) + ((_e102 >> bitcast<u32>(_e95)) & 1u)) + ((_e110 >> bitcast<u32>(_e95)) & 1u)) + ((_e118 >> bitcast<u32>(_e95)) & 1u)) + ((_e126 >> bitcast<u32>(_e95)) & 1u)) + ((_e134 >> bitcast<u32>(_e95)) & 1u));
+                phi_184_ = _e88;
+                phi_186_ = (_e41 - _e83);
+                phi_188_ = _e78;
                 loop {
-                    let _e148 = phi_212_;
-                    let _e150 = phi_215_;
-                    let _e152 = phi_217_;
-                    let _e154 = phi_219_;
-                    local_4 = _e150;
-                    local_5 = _e150;
-                    local_6 = _e150;
-                    local_7 = _e150;
-                    if (_e152 >= _e148) {
-                        let _e156 = (_e154 == 0u);
-                        if _e156 {
-                            phi_309_ = u32();
-                            phi_310_ = u32();
-                            phi_311_ = u32();
-                            phi_312_ = u32();
+                    let _e140 = phi_181_;
+                    let _e142 = phi_184_;
+                    let _e144 = phi_186_;
+                    let _e146 = phi_188_;
+                    local_4 = _e142;
+                    local_5 = _e142;
+                    local_6 = _e142;
+                    local_7 = _e142;
+                    if (_e144 >= _e140) {
+                        let _e148 = (_e146 == 0u);
+                        if _e148 {
+                            phi_248_ = u32();
+                            phi_249_ = u32();
+                            phi_250_ = u32();
+                            phi_251_ = u32();
                         } else {
-                            let _e159 = (_e154 & (_e154 - 1u));
-                            let _e163 = (select(firstTrailingBit(_e159), 32u, (_e159 == 0u)) & 31u);
-                            if _e94 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            let _e164 = (_e163 & 31u);
-                            if _e103 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            if _e112 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            if _e121 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            if _e130 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            if _e139 {
-                            } else {
-                                phi_573_ = true;
-                                break;
-                            }
-                            phi_309_ = (((((((_e97 >> bitcast<u32>(_e164)) & 1u) + ((_e106 >> bitcast<u32>(_e164)) & 1u)) + ((_e115 >> bitcast<u32>(_e164)) & 1u)) + ((_e124 >> bitcast<u32>(_e164)) & 1u)) + ((_e133 >> bitcast<u32>(_e164)) & 1u)) + ((_e142 >> bitcast<u32>(_e164)) & 1u));
-                            phi_310_ = _e163;
-                            phi_311_ = (_e152 - _e148);
-                            phi_312_ = _e159;
+                            let _e151 = (_e146 & (_e146 - 1u));
+                            let _e155 = (select(firstTrailingBit(_e151), 32u, (_e151 == 0u)) & 31u);
+                            let _e156 = (_e155 & 31u);
+                            phi_248_ = (((((((_e94 >> bitcast<u32>(_e156)) & 1u) + ((_e102 >> bitcast<u32>(_e156)) & 1u)) + ((_e110 >> bitcast<u32>(_e156)) & 1u)) + ((_e118 >> bitcast<u32>(_e156)) & 1u)) + ((_e126 >> bitcast<u32>(_e156)) & 1u)) + ((_e134 >> bitcast<u32>(_e156)) & 1u));
+                            phi_249_ = _e155;
+                            phi_250_ = (_e144 - _e140);
+                            phi_251_ = _e151;
                         }
-                        let _e189 = phi_309_;
-                        let _e191 = phi_310_;
-                        let _e193 = phi_311_;
-                        let _e195 = phi_312_;
-                        phi_213_ = _e189;
-                        phi_216_ = _e191;
-                        phi_218_ = _e193;
-                        phi_220_ = _e195;
-                        phi_314_ = select(true, false, _e156);
+                        let _e181 = phi_248_;
+                        let _e183 = phi_249_;
+                        let _e185 = phi_250_;
+                        let _e187 = phi_251_;
+                        phi_182_ = _e181;
+                        phi_185_ = _e183;
+                        phi_187_ = _e185;
+                        phi_189_ = _e187;
+                        phi_253_ = select(true, false, _e148);
                     } else {
-                        phi_213_ = u32();
-                        phi_216_ = u32();
-                        phi_218_ = u32();
-                        phi_220_ = u32();
-                        phi_314_ = false;
+                        phi_182_ = u32();
+                        phi_185_ = u32();
+                        phi_187_ = u32();
+                        phi_189_ = u32();
+                        phi_253_ = false;
                     }
-                    let _e198 = phi_213_;
-                    let _e200 = phi_216_;
-                    let _e202 = phi_218_;
-                    let _e204 = phi_220_;
-                    let _e206 = phi_314_;
+                    let _e190 = phi_182_;
+                    let _e192 = phi_185_;
+                    let _e194 = phi_187_;
+                    let _e196 = phi_189_;
+                    let _e198 = phi_253_;
                     continue;
                     continuing {
-                        phi_212_ = _e198;
-                        phi_215_ = _e200;
-                        phi_217_ = _e202;
-                        phi_219_ = _e204;
-                        phi_573_ = _e73;
-                        break if !(_e206);
+                        phi_181_ = _e190;
+                        phi_184_ = _e192;
+                        phi_186_ = _e194;
+                        phi_188_ = _e196;
+                        break if !(_e198);
                     }
                 }
-                let _e209 = phi_573_;
-                if _e209 {
+                let _e203 = params.member.member_2[0u];
+                if (_e203.y == 0u) {
                     break;
                 }
-                let _e213 = params.member.member_2[0u];
-                if (_e213.y == 0u) {
+                let _e207 = local_2;
+                let _e208 = (_e207 / _e203.y);
+                let _e211 = local_3;
+                let _e212 = (_e211 - (_e208 * _e203.y));
+                if (_e203.x == 0u) {
                     break;
                 }
-                let _e217 = local_2;
-                let _e218 = (_e217 / _e213.y);
-                let _e221 = local_3;
-                let _e222 = (_e221 - (_e218 * _e213.y));
-                if (_e213.x == 0u) {
-                    break;
-                }
-                let _e225 = (_e222 / _e213.x);
-                let _e231 = local_4;
-                let _e235 = local_5;
-                let _e237 = (_e235 >> bitcast<u32>(2i));
-                let _e239 = ((((_e222 - (_e225 * _e213.x)) << bitcast<u32>(2i)) | (_e231 & 1u)) | (_e237 & 2u));
-                let _e243 = local_6;
-                let _e249 = local_7;
-                let _e253 = (((_e225 << bitcast<u32>(2i)) | ((_e243 >> bitcast<u32>(1i)) & 1u)) | ((_e249 >> bitcast<u32>(3i)) & 2u));
-                let _e257 = ((_e218 << bitcast<u32>(1i)) | (_e237 & 1u));
-                let _e258 = (_e43 * 13u);
-                if (_e258 < _e37) {
+                let _e215 = (_e212 / _e203.x);
+                let _e221 = local_4;
+                let _e225 = local_5;
+                let _e227 = (_e225 >> bitcast<u32>(2i));
+                let _e229 = ((((_e212 - (_e215 * _e203.x)) << bitcast<u32>(2i)) | (_e221 & 1u)) | (_e227 & 2u));
+                let _e233 = local_6;
+                let _e239 = local_7;
+                let _e243 = (((_e215 << bitcast<u32>(2i)) | ((_e233 >> bitcast<u32>(1i)) & 1u)) | ((_e239 >> bitcast<u32>(3i)) & 2u));
+                let _e247 = ((_e208 << bitcast<u32>(1i)) | (_e227 & 1u));
+                let _e248 = (_e41 * 13u);
+                if (_e248 < _e35) {
                 } else {
                     break;
                 }
-                let _e262 = sums.member[_e258];
-                let _e263 = f32(_e262);
-                let _e265 = select(1f, _e263, (_e263 > 1f));
-                let _e266 = (_e258 + 4u);
-                if (_e266 < _e37) {
+                let _e252 = sums.member[_e248];
+                let _e253 = f32(_e252);
+                let _e255 = select(1f, _e253, (_e253 > 1f));
+                let _e256 = (_e248 + 4u);
+                if (_e256 < _e35) {
                 } else {
                     break;
                 }
-                let _e270 = sums.member[_e266];
-                let _e273 = (_e258 + 5u);
-                if (_e273 < _e37) {
+                let _e260 = sums.member[_e256];
+                let _e263 = (_e248 + 5u);
+                if (_e263 < _e35) {
                 } else {
                     break;
                 }
-                let _e277 = sums.member[_e273];
-                let _e280 = (_e258 + 6u);
-                if (_e280 < _e37) {
+                let _e267 = sums.member[_e263];
+                let _e270 = (_e248 + 6u);
+                if (_e270 < _e35) {
                 } else {
                     break;
                 }
-                let _e284 = sums.member[_e280];
-                let _e292 = params.member.member;
-                let _e305 = params.member.member[3u];
-                let _e314 = params.member.member_1;
-                let _e318 = params.member.member_7;
-                let _e320 = (_e258 + 1u);
-                if (_e320 < _e37) {
+                let _e274 = sums.member[_e270];
+                let _e282 = params.member.member;
+                let _e295 = params.member.member[3u];
+                let _e304 = params.member.member_1;
+                let _e308 = params.member.member_7;
+                let _e310 = (_e248 + 1u);
+                if (_e310 < _e35) {
                 } else {
                     break;
                 }
-                let _e324 = sums.member[_e320];
-                let _e327 = (_e258 + 2u);
-                if (_e327 < _e37) {
+                let _e314 = sums.member[_e310];
+                let _e317 = (_e248 + 2u);
+                if (_e317 < _e35) {
                 } else {
                     break;
                 }
-                let _e331 = sums.member[_e327];
-                let _e334 = (_e258 + 3u);
-                if (_e334 < _e37) {
+                let _e321 = sums.member[_e317];
+                let _e324 = (_e248 + 3u);
+                if (_e324 < _e35) {
                 } else {
                     break;
                 }
-                let _e338 = sums.member[_e334];
-                let _e351 = (_e258 + 7u);
-                if (_e351 < _e37) {
+                let _e328 = sums.member[_e324];
+                let _e341 = (_e248 + 7u);
+                if (_e341 < _e35) {
                 } else {
                     break;
                 }
-                let _e355 = sums.member[_e351];
-                let _e358 = (_e258 + 8u);
-                if (_e358 < _e37) {
+                let _e345 = sums.member[_e341];
+                let _e348 = (_e248 + 8u);
+                if (_e348 < _e35) {
                 } else {
                     break;
                 }
-                let _e362 = sums.member[_e358];
-                let _e365 = (_e258 + 9u);
-                if (_e365 < _e37) {
+                let _e352 = sums.member[_e348];
+                let _e355 = (_e248 + 9u);
+                if (_e355 < _e35) {
                 } else {
                     break;
                 }
-                let _e369 = sums.member[_e365];
-                let _e376 = (_e258 + 10u);
-                if (_e376 < _e37) {
+                let _e359 = sums.member[_e355];
+                let _e366 = (_e248 + 10u);
+                if (_e366 < _e35) {
                 } else {
                     break;
                 }
-                let _e380 = sums.member[_e376];
-                let _e383 = (_e258 + 11u);
-                if (_e383 < _e37) {
+                let _e370 = sums.member[_e366];
+                let _e373 = (_e248 + 11u);
+                if (_e373 < _e35) {
                 } else {
                     break;
                 }
-                let _e387 = sums.member[_e383];
-                let _e390 = (_e258 + 12u);
-                if (_e390 < _e37) {
+                let _e377 = sums.member[_e373];
+                let _e380 = (_e248 + 12u);
+                if (_e380 < _e35) {
                 } else {
                     break;
                 }
-                let _e394 = sums.member[_e390];
-                let _e399 = params.member.member_8;
-                let _e400 = (_e399 / _e265);
-                if _e44 {
+                let _e384 = sums.member[_e380];
+                let _e389 = params.member.member_8;
+                let _e390 = (_e389 / _e255);
+                if _e42 {
                 } else {
                     break;
                 }
-                out.member[_e43] = type_15(array<f32, 3>((_e292.x + ((f32(_e239) + (f32(bitcast<i32>(_e270)) / _e265)) * _e305)), (_e292.y + ((f32(_e253) + (f32(bitcast<i32>(_e277)) / _e265)) * _e305)), (_e292.z + ((f32(_e257) + (f32(bitcast<i32>(_e284)) / _e265)) * _e305))), (_e265 / _e318), array<f32, 3>((f32(bitcast<i32>(_e324)) / _e318), (f32(bitcast<i32>(_e331)) / _e318), (f32(bitcast<i32>(_e338)) / _e318)), (_e239 + (_e314.x * (_e253 + (_e314.y * _e257)))), array<f32, 3>((f32(bitcast<i32>(_e355)) / _e265), (f32(bitcast<i32>(_e362)) / _e265), (f32(bitcast<i32>(_e369)) / _e265)), 0u, array<f32, 3>((f32(bitcast<i32>(_e380)) * _e400), (f32(bitcast<i32>(_e387)) * _e400), (f32(bitcast<i32>(_e394)) * _e400)), 0u);
+                out.member[_e41] = type_15(array<f32, 3>((_e282.x + ((f32(_e229) + (f32(bitcast<i32>(_e260)) / _e255)) * _e295)), (_e282.y + ((f32(_e243) + (f32(bitcast<i32>(_e267)) / _e255)) * _e295)), (_e282.z + ((f32(_e247) + (f32(bitcast<i32>(_e274)) / _e255)) * _e295))), (_e255 / _e308), array<f32, 3>((f32(bitcast<i32>(_e314)) / _e308), (f32(bitcast<i32>(_e321)) / _e308), (f32(bitcast<i32>(_e328)) / _e308)), (_e229 + (_e304.x * (_e243 + (_e304.y * _e247)))), array<f32, 3>((f32(bitcast<i32>(_e345)) / _e255), (f32(bitcast<i32>(_e352)) / _e255), (f32(bitcast<i32>(_e359)) / _e255)), 0u, array<f32, 3>((f32(bitcast<i32>(_e370)) * _e390), (f32(bitcast<i32>(_e377)) * _e390), (f32(bitcast<i32>(_e384)) * _e390)), 0u);
             }
             break;
         }

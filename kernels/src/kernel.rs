@@ -144,6 +144,21 @@ pub fn prefetch(words: &[u32], i: usize) {
     let _ = (words, i);
 }
 
+/// Element `i` of a buffer. Kernels never index out of bounds: the CPU checks that at every access, on the same inputs. A
+/// device would pay for the check at every access too (a comparison and a branch, which also keep a compiler from
+/// gathering accesses), so there it is left to the adapter: graphics interfaces' robust buffer access, which wgpu always asks for.
+#[inline(always)]
+#[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
+pub fn fetch<T>(buffer: &[T], i: usize) -> &T {
+    #[cfg(target_arch = "spirv")]
+    // SAFETY: the index lies inside, or the adapter keeps the access inside.
+    unsafe {
+        spirv_std::arch::IndexUnchecked::index_unchecked(buffer, i)
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    &buffer[i]
+}
+
 /// Words that many invocations change at once, in any order, with the same result.
 pub trait AtomicWords {
     /// Adds to a word (wrapping) and returns what it was; do not let a result depend on what it was.
@@ -533,18 +548,17 @@ macro_rules! kernel {
 
             #[cfg(not(target_arch = "spirv"))]
             #[inline(always)]
-            fn piece_body(rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]) {
-                use $crate::real::{Lanes, WIDTH};
+            fn piece_body<R: Real>(rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]) {
                 let len = rows.len as usize;
                 for row in 0..row_count {
                     let start = (row * rows.pitch) as usize;
                     let mut x = 0;
-                    while x + WIDTH <= len {
-                        let values: [Lanes<WIDTH>; $planes] = $body(rows.cell(first_row + row, x as u32), $p, $($i,)*);
+                    while x + R::LANES <= len {
+                        let values: [R; $planes] = $body(rows.cell(first_row + row, x as u32), $p, $($i,)*);
                         for plane in 0..$planes { values[plane].store(planes[plane], start + x); }
-                        x += WIDTH;
+                        x += R::LANES;
                         // The last lanes of a row overlap what is done: the same bits again, and no scalar rest.
-                        if x < len && len - x < WIDTH { x = len - WIDTH; }
+                        if x < len && len - x < R::LANES { x = len - R::LANES; }
                         if x == len { break; }
                     }
                     while x < len {
@@ -554,7 +568,7 @@ macro_rules! kernel {
                     }
                 }
             }
-            $crate::kernel::widest_vectors!(piece = piece_body,
+            $crate::kernel::widest_vectors!(piece = piece_body over lanes,
                 (rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]));
 
             /// What [`piece`] must agree with: the device's body, one element at a time.
@@ -679,19 +693,26 @@ macro_rules! scatter {
     };
 }
 
-/// Compiles a function again for the wider vector units of x86 and picks at run time. Results do not change: Rust never
-/// contracts or reorders float operations.
+/// Compiles a function again for the wider vector units of x86 and picks at run time; `over lanes` also hands it the
+/// register as its type parameter. Results do not change: Rust never contracts or reorders float operations.
 macro_rules! widest_vectors {
-    ($name:ident = $inner:ident, ($($arg:ident: $ty:ty),* $(,)?)) => {
+    ($name:ident = $inner:ident over lanes, $args:tt) => {
+        $crate::kernel::widest_vectors!(@pick $name = ($inner::<$crate::real::x86::Avx512>)
+            ($inner::<$crate::real::x86::Avx2>) ($inner::<$crate::real::Lanes<{ $crate::real::WIDTH }>>), $args);
+    };
+    ($name:ident = $inner:ident, $args:tt) => {
+        $crate::kernel::widest_vectors!(@pick $name = ($inner) ($inner) ($inner), $args);
+    };
+    (@pick $name:ident = ($wide:expr) ($middle:expr) ($any:expr), ($($arg:ident: $ty:ty),* $(,)?)) => {
         #[cfg(not(target_arch = "spirv"))]
         #[allow(unsafe_code)]
         fn $name($($arg: $ty),*) {
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
             {
                 #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
-                fn avx512($($arg: $ty),*) { $inner($($arg),*) }
+                fn avx512($($arg: $ty),*) { $wide($($arg),*) }
                 #[target_feature(enable = "avx2")]
-                fn avx2($($arg: $ty),*) { $inner($($arg),*) }
+                fn avx2($($arg: $ty),*) { $middle($($arg),*) }
                 if std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl")
                     && std::is_x86_feature_detected!("avx512bw") && std::is_x86_feature_detected!("avx512dq") {
                     // SAFETY: the processor has these instructions.
@@ -702,7 +723,7 @@ macro_rules! widest_vectors {
                     return unsafe { avx2($($arg),*) };
                 }
             }
-            $inner($($arg),*)
+            $any($($arg),*)
         }
     };
 }

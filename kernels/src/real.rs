@@ -1,9 +1,10 @@
 //! Numbers that stand for one invocation on a device or for several neighbouring elements on a CPU.
 //!
-//! An arithmetic kernel body is generic over [`Real`]. The device runs it with `f32`; the CPU runs it with
-//! [`Lanes`], which rustc turns into vector instructions. Every operation is defined lane by lane with the same IEEE
+//! An arithmetic kernel body is generic over [`Real`]. The device runs it with `f32`; the CPU runs it with the registers of
+//! `x86` where the processor has them, else with [`Lanes`], which rustc turns into vector instructions. Every operation is defined lane by lane with the same IEEE
 //! operations as `f32`, no contraction and no reassociation, so scalar and lanes agree bit for bit.
 
+use crate::kernel::fetch;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What a lane-generic body may do with a number. Comparison gives a mask; `select` takes the place of a branch.
@@ -22,6 +23,14 @@ pub trait Real:
     fn load(plane: &[f32], i: usize) -> Self;
     /// Elements `i, i+stride, …` of a plane.
     fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self;
+    /// Elements of a row of half the resolution, below elements `x, x+1, …` of this one: `i + x/2, i + (x+1)/2, …`. On a CPU
+    /// the elements before and after them must exist as well.
+    fn load_halved(plane: &[f32], i: usize, x: usize) -> Self;
+    /// The neighbours of what [`Self::load_halved`] gives on the side of each lane's element: the one before where x is
+    /// even, the one after where it is odd.
+    fn load_beside(plane: &[f32], i: usize, x: usize) -> Self;
+    /// 1 where `x, x+1, …` is odd, 0 where it is even.
+    fn parity(x: usize) -> Self;
     /// Words `i, i+1, …` converted from unsigned integers (rounded to nearest).
     fn load_u32(plane: &[u32], i: usize) -> Self;
     /// The first three of the four floats of records `index[i]`, `index[i+1]`, …
@@ -72,24 +81,36 @@ impl Real for f32 {
     }
     #[inline(always)]
     fn load(plane: &[f32], i: usize) -> f32 {
-        plane[i]
+        *fetch(plane, i)
     }
     #[inline(always)]
     fn load_strided(plane: &[f32], i: usize, _stride: usize) -> f32 {
-        plane[i]
+        *fetch(plane, i)
+    }
+    #[inline(always)]
+    fn load_halved(plane: &[f32], i: usize, x: usize) -> f32 {
+        *fetch(plane, i + x / 2)
+    }
+    #[inline(always)]
+    fn load_beside(plane: &[f32], i: usize, x: usize) -> f32 {
+        *fetch(plane, i + x / 2 + 2 * (x & 1) - 1)
+    }
+    #[inline(always)]
+    fn parity(x: usize) -> f32 {
+        (x & 1) as f32
     }
     #[inline(always)]
     fn load_u32(plane: &[u32], i: usize) -> f32 {
-        plane[i] as f32
+        *fetch(plane, i) as f32
     }
     #[inline(always)]
     fn gather3(records: &[f32], index: &[u32], i: usize) -> [f32; 3] {
-        let at = 4 * index[i] as usize;
-        [records[at], records[at + 1], records[at + 2]]
+        let at = 4 * *fetch(index, i) as usize;
+        [*fetch(records, at), *fetch(records, at + 1), *fetch(records, at + 2)]
     }
     #[inline(always)]
     fn load_f16x2(words: &[u32], i: usize) -> [f32; 2] {
-        [half_low(words[i]), half_high(words[i])]
+        [half_low(*fetch(words, i)), half_high(*fetch(words, i))]
     }
     #[inline(always)]
     fn store(self, plane: &mut [f32], i: usize) {
@@ -115,15 +136,17 @@ impl Real for f32 {
 
 /// 2¹¹²: takes an exponent biased by 15 to one biased by 127.
 const HALF_SCALE: f32 = f32::from_bits((127 + 112) << 23);
+/// Exponent and mantissa of a half float that was moved to a float's place.
+const HALF_BITS: u32 = 0x0FFF_E000;
 /// The half float in a word's low bits: sign, exponent and mantissa moved to their places, without a branch.
 #[inline(always)]
 fn half_low(word: u32) -> f32 {
-    f32::from_bits(((word << 16) & 0x8000_0000) | ((word << 13) & 0x0FFF_E000)) * HALF_SCALE
+    f32::from_bits(((word << 16) & 0x8000_0000) | ((word << 13) & HALF_BITS)) * HALF_SCALE
 }
 /// The half float in a word's high bits.
 #[inline(always)]
 fn half_high(word: u32) -> f32 {
-    f32::from_bits((word & 0x8000_0000) | ((word >> 3) & 0x0FFF_E000)) * HALF_SCALE
+    f32::from_bits((word & 0x8000_0000) | ((word >> 3) & HALF_BITS)) * HALF_SCALE
 }
 
 #[cfg(not(target_arch = "spirv"))]
@@ -131,12 +154,15 @@ pub use counted::{Counted, count_operations};
 #[cfg(not(target_arch = "spirv"))]
 pub use lanes::{Lanes, WIDTH};
 
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+pub(crate) mod x86;
+
 #[cfg(not(target_arch = "spirv"))]
 mod lanes {
     use super::{Real, half_high, half_low};
     use core::ops::{Add, Div, Mul, Neg, Sub};
 
-    /// Lanes that the CPU executor uses: one 512-bit register, two of 256 bits or four of 128.
+    /// Lanes where the processor's registers are not named: four of 128 bits.
     pub const WIDTH: usize = 16;
 
     /// `N` neighbouring elements.
@@ -198,6 +224,20 @@ mod lanes {
                 r[lane] = part[lane * stride];
             }
             Self(r)
+        }
+        #[inline(always)]
+        fn load_halved(plane: &[f32], i: usize, x: usize) -> Self {
+            let part = &plane[i + x / 2..=i + (x + N - 1) / 2];
+            Self(core::array::from_fn(|lane| part[(x % 2 + lane) / 2]))
+        }
+        #[inline(always)]
+        fn load_beside(plane: &[f32], i: usize, x: usize) -> Self {
+            let part = &plane[i + x / 2 - 1..=i + (x + N - 1) / 2 + 1];
+            Self(core::array::from_fn(|lane| part[(x % 2 + lane) / 2 + 2 * ((x + lane) % 2)]))
+        }
+        #[inline(always)]
+        fn parity(x: usize) -> Self {
+            Self(core::array::from_fn(|lane| ((x + lane) % 2) as f32))
         }
         #[inline(always)]
         fn load_u32(plane: &[u32], i: usize) -> Self {
@@ -339,6 +379,15 @@ mod counted {
         }
         fn load_strided(plane: &[f32], i: usize, _stride: usize) -> Self {
             Self(plane[i])
+        }
+        fn load_halved(plane: &[f32], i: usize, x: usize) -> Self {
+            Self(f32::load_halved(plane, i, x))
+        }
+        fn load_beside(plane: &[f32], i: usize, x: usize) -> Self {
+            Self(f32::load_beside(plane, i, x))
+        }
+        fn parity(x: usize) -> Self {
+            Self(f32::parity(x))
         }
         fn load_u32(plane: &[u32], i: usize) -> Self {
             Self(plane[i] as f32)

@@ -42,6 +42,7 @@ pub fn axpy_rows(p: &SmokeParams) -> Rows {
 const AXPY_ROW: u32 = 256;
 
 /// `scale·x + y` for one element of one plane.
+#[inline(always)]
 pub fn axpy<R: Real>(at: At, p: &SmokeParams, x: &[f32], y: &[f32]) -> [R; 1] {
     [R::splat(p.scale) * R::load(x, at.i) + R::load(y, at.i)]
 }
@@ -68,6 +69,7 @@ kernel! {
 const MADD_STEPS: u32 = 64;
 
 /// Twelve chains of multiply-adds that start from multiples of one element: enough of them to fill any pipeline.
+#[inline(always)]
 pub fn madd<R: Real>(at: At, p: &SmokeParams, x: &[f32]) -> [R; 1] {
     let (x, scale) = (R::load(x, at.i), R::splat(p.scale));
     let mut chains = [x; 12];

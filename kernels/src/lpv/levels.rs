@@ -6,17 +6,16 @@
 //! distance from the source.)
 //!
 //! `lpv_restrict`: one invocation adds up what travels in the eight cells below one coarse cell: flux and first moment, kept exactly. `lpv_prolong`: one
-//! invocation adds one number of what has passed on the coarser grid, trilinear (without cells behind walls) and per area of a cell's face, to what has passed on the finer one.
+//! invocation adds what has passed through one channel on the coarser grid, trilinear (without cells behind walls) and per area of a cell's face, to what has passed on the finer one.
 //!
 //! Pass before: `propagate.rs` on the finer (`lpv_restrict`) or coarser (`lpv_prolong`) grid. Pass after: `propagate.rs` on the coarser grid; `gather.rs`.
 
-use super::grid::{cell_row, coarse_rows};
+use super::grid::{CellRow, cell_row, coarse_rows, rows};
 use super::lobe::outflow;
 use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
-use glam::{UVec3, UVec4, Vec3};
 #[cfg(not(target_arch = "spirv"))]
 use interreflect_shared::lpv::{FLUX_VALUES, PASSED_VALUES, STATE_VALUES};
 use interreflect_shared::lpv::{FRONT_VALUES, LpvLayout, LpvParams};
@@ -47,91 +46,101 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
     out
 }
 
-/// Cell at element `i` of a plane; its `x` is the number of cells in the halo.
+/// What has passed through one channel of a cell: `keep` times an earlier total, its own, and the coarser grid's.
 #[inline(always)]
-fn cell_at(l: &LpvLayout, dims: UVec4, i: u32) -> UVec3 {
-    let n = i.max(l.first) - l.first;
-    let z = n / l.layer;
-    let rest = n - z * l.layer;
-    let y = rest / l.pitch;
-    let x = rest - y * l.pitch;
-    let real = i >= l.first && x < dims.x && y < dims.y && z < dims.z;
-    UVec3::new(if real { x } else { dims.x }, y, z)
-}
-
-/// Number `i` of the finer grid's passed light: `keep` times an earlier total, its own, and the coarser grid's.
-pub fn prolong(
-    i: u32,
+pub fn prolong<R: Real>(
+    at: At,
     p: &LpvParams,
     before: &[f32],
     state: &[f32],
     coarse: &[f32],
     opacity: &[f32],
     coarse_opacity: &[f32],
-) -> f32 {
+) -> [R; 6] {
     let l = LpvLayout::new(p.dims);
-    let plane = i / l.plane;
-    let element = i - plane * l.plane;
-    let cell = cell_at(&l, p.dims, element);
-    let mut sum = 0.0;
-    if cell.x < p.dims.x {
-        sum = before[i as usize] * p.keep + state[(FRONT_VALUES * l.value() + i) as usize];
+    let (i, value, front) = (at.i, l.value() as usize, (FRONT_VALUES * l.value()) as usize);
+    let row = cell_row(at, p.dims, &l);
+    let mut out = [R::splat(0.0); 6];
+    if row.real {
+        let keep = R::splat(p.keep);
+        unroll!(J in 0, 1, 2, 3, 4, 5 => {
+            out[J] = R::load(before, J * value + i) * keep + R::load(state, front + J * value + i);
+        });
         if p.coarse_weight > 0.0 {
-            let c = LpvLayout::new(p.coarse_dims);
-            let (d, here) = (p.coarse_dims, cell / 2);
-            let other = UVec3::new(nearer(cell.x, d.x), nearer(cell.y, d.y), nearer(cell.z, d.z));
-            let at = c.at(here.x, here.y, here.z);
-            let weight = Vec3::new(
-                other_weight(cell.x, element, 1, at, 1, opacity, coarse_opacity),
-                other_weight(cell.y, l.plane + element, l.pitch, c.plane + at, c.pitch, opacity, coarse_opacity),
-                other_weight(
-                    cell.z,
-                    2 * l.plane + element,
-                    l.layer,
-                    2 * c.plane + at,
-                    c.layer,
-                    opacity,
-                    coarse_opacity,
-                ),
-            );
-            sum += interpolated(&c, coarse, plane * c.plane, here, other, weight) * p.coarse_weight;
+            let around = CoarseCells::<R>::new(at, &row, p, &l, opacity, coarse_opacity);
+            let (share, coarse_value) = (R::splat(p.coarse_weight), LpvLayout::new(p.coarse_dims).value() as usize);
+            unroll!(J in 0, 1, 2, 3, 4, 5 => {
+                out[J] = out[J] + around.interpolated(coarse, J * coarse_value) * share;
+            });
         }
     }
-    sum
+    out
 }
 
-/// Weight of the coarse neighbour along one axis: ¼ in the open. Where a wall stands between the two coarse centres only
-/// one of them is on the cell's side: the neighbour if the wall is between the cell and its sibling, at whose common face the coarse cell's own
-/// centre lies. `fine`, `coarse`: elements of the axis' opacities; they hold the face above.
-#[inline(always)]
-fn other_weight(
-    cell: u32,
-    fine: u32,
-    step: u32,
-    coarse: u32,
-    coarse_step: u32,
-    opacity: &[f32],
-    coarse_opacity: &[f32],
-) -> f32 {
-    let upper = cell & 1 == 1;
-    let wall = coarse_opacity[(if upper { coarse } else { coarse - coarse_step }) as usize];
-    let between = opacity[(if upper { fine - step } else { fine }) as usize];
-    0.25 * (1.0 - wall) + wall * between
+/// The coarse cell around a fine one and its neighbours on the fine one's side.
+struct CoarseCells<R> {
+    /// Cell along x on the finer grid.
+    x: usize,
+    /// Elements of x = 0 in the cell's own layer: its own row and the one beside it.
+    near: [usize; 2],
+    /// The same in the layer beside it.
+    far: [usize; 2],
+    /// Weight of the neighbour along each axis.
+    weight: [R; 3],
 }
 
-/// Linear along each axis between a coarse cell and its neighbour.
-#[inline(always)]
-fn interpolated(l: &LpvLayout, coarse: &[f32], base: u32, here: UVec3, other: UVec3, w: Vec3) -> f32 {
-    let near = row(l, coarse, base, here.x, other.x, w.x, here.y, here.z) * (1.0 - w.y)
-        + row(l, coarse, base, here.x, other.x, w.x, other.y, here.z) * w.y;
-    let far = row(l, coarse, base, here.x, other.x, w.x, here.y, other.z) * (1.0 - w.y)
-        + row(l, coarse, base, here.x, other.x, w.x, other.y, other.z) * w.y;
-    near * (1.0 - w.z) + far * w.z
+impl<R: Real> CoarseCells<R> {
+    #[inline(always)]
+    fn new(at: At, row: &CellRow, p: &LpvParams, l: &LpvLayout, opacity: &[f32], coarse_opacity: &[f32]) -> Self {
+        let c = LpvLayout::new(p.coarse_dims);
+        let (x, plane, coarse_plane) = (at.x as usize, l.plane as usize, c.plane as usize);
+        let [y, z] = [row.y / 2, row.z / 2];
+        let [beside_y, beside_z] = [nearer(row.y, p.coarse_dims.y), nearer(row.z, p.coarse_dims.z)];
+        let element = at.i - row.channel as usize * plane;
+        let here = c.at(0, y, z) as usize;
+        // Faces are kept by the cell below them: the coarse one on the fine cell's side, and the one to its sibling.
+        let odd = R::splat(0.5).lt(R::parity(x));
+        let sibling = R::select(odd, R::load(opacity, element - 1), R::load(opacity, element));
+        let along_x = other_weight(R::load_halved(coarse_opacity, here - 1, x + 1), sibling);
+        let wall = coarse_plane + here - if row.y & 1 == 1 { 0 } else { c.pitch as usize };
+        let sibling = plane + element - if row.y & 1 == 1 { l.pitch as usize } else { 0 };
+        let along_y = other_weight(R::load_halved(coarse_opacity, wall, x), R::load(opacity, sibling));
+        let wall = 2 * coarse_plane + here - if row.z & 1 == 1 { 0 } else { c.layer as usize };
+        let sibling = 2 * plane + element - if row.z & 1 == 1 { l.layer as usize } else { 0 };
+        let along_z = other_weight(R::load_halved(coarse_opacity, wall, x), R::load(opacity, sibling));
+        // At the border the coarse cell stands for its neighbour.
+        let cell_x = R::ramp(at.x as f32, 1.0);
+        let last = R::splat(2.0 * p.coarse_dims.x as f32 - 1.5);
+        let inside = R::select(cell_x.lt(R::splat(0.5)), R::splat(0.0), along_x);
+        let along_x = R::select(last.lt(cell_x), R::splat(0.0), inside);
+        let first = row.channel * c.plane;
+        let near = [(first + c.at(0, y, z)) as usize, (first + c.at(0, beside_y, z)) as usize];
+        let far = [(first + c.at(0, y, beside_z)) as usize, (first + c.at(0, beside_y, beside_z)) as usize];
+        Self { x, near, far, weight: [along_x, along_y, along_z] }
+    }
+
+    /// A number of the coarser grid, whose elements begin at `base`: linear along each axis.
+    #[inline(always)]
+    fn interpolated(&self, coarse: &[f32], base: usize) -> R {
+        let [x, y, z] = self.weight;
+        let one = R::splat(1.0);
+        let rows = [self.near[0], self.near[1], self.far[0], self.far[1]];
+        let mut along_x = [x; 4];
+        unroll!(K in 0, 1, 2, 3 => {
+            along_x[K] = R::load_halved(coarse, base + rows[K], self.x) * (one - x) + R::load_beside(coarse, base + rows[K], self.x) * x;
+        });
+        let near = along_x[0] * (one - y) + along_x[1] * y;
+        let far = along_x[2] * (one - y) + along_x[3] * y;
+        near * (one - z) + far * z
+    }
 }
 
+/// Weight of the coarse neighbour along one axis: ¼ in the open. Where a wall stands between the two coarse centres (`wall`:
+/// its opacity) only one of them is on the cell's side: the neighbour if the wall is between the cell and its sibling
+/// (`sibling`), at whose common face the coarse cell's own centre lies.
 #[inline(always)]
-fn row(l: &LpvLayout, coarse: &[f32], base: u32, x: u32, other: u32, weight: f32, y: u32, z: u32) -> f32 {
-    coarse[(base + l.at(x, y, z)) as usize] * (1.0 - weight) + coarse[(base + l.at(other, y, z)) as usize] * weight
+fn other_weight<R: Real>(wall: R, sibling: R) -> R {
+    R::splat(0.25) * (R::splat(1.0) - wall) + wall * sibling
 }
 
 /// Coarse neighbour on the side of a fine cell; at the border the coarse cell itself.
@@ -183,13 +192,14 @@ kernel! {
 
 kernel! {
     /// What has passed, with the coarser grid's share.
-    mod lpv_prolong = super::prolong; entry "lpv_prolong" threads(64);
+    lanes mod lpv_prolong = super::prolong; entry "lpv_prolong" threads(64);
     uniform 0 params: LpvParams;
     read 1 before: f32;
     read 2 state: f32;
     read 3 coarse: f32;
     read 4 opacity: f32;
     read 5 coarse_opacity: f32;
-    write 6 out: f32;
+    write 6 out: f32 x 6;
+    over super::rows;
     case super::prolong_case; tolerance Tolerance::RelAbs(2e-5, 1e-35), "products of positive numbers with weights that are differences from 1, which a device may fuse";
 }

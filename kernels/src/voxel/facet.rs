@@ -21,7 +21,7 @@ use super::mark::{tile_items, tile_owner};
 use super::overlap::clip;
 use super::tile::{GridTriangle, TileWalk};
 use super::view::facet_total;
-use crate::kernel::AtomicWords;
+use crate::kernel::{AtomicWords, fetch};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, max, min};
@@ -35,15 +35,28 @@ use interreflect_shared::voxel::{AREA_LIMIT, FACET_KINDS, FACET_WORDS, VoxelFace
 #[inline(always)]
 pub fn facet_index(cells: &[u32], facet_bits: &[u32], cell: u32, bit: u32, kind: u32) -> u32 {
     let first = (cell * FACET_KINDS) as usize;
-    let mut index = cells[(2 * cell + 1) as usize];
+    let mut index = *fetch(cells, (2 * cell + 1) as usize);
     for k in 0..FACET_KINDS {
-        let word = facet_bits[first + k as usize];
+        let word = *fetch(facet_bits, first + k as usize);
         index += (word & below(bit)).count_ones();
         if k < kind {
             index += word >> bit & 1;
         }
     }
     index
+}
+
+/// Index of a voxel's first facet, and how many it has.
+#[inline(always)]
+pub fn facets_of(cells: &[u32], facet_bits: &[u32], cell: u32, bit: u32) -> (u32, u32) {
+    let first_word = (cell * FACET_KINDS) as usize;
+    let (mut first, mut count) = (*fetch(cells, (2 * cell + 1) as usize), 0);
+    unroll!(KIND in 0, 1, 2, 3, 4, 5 => {
+        let word = *fetch(facet_bits, first_word + KIND);
+        first += (word & below(bit)).count_ones();
+        count += word >> bit & 1;
+    });
+    (first, count)
 }
 
 /// Adds the part of a triangle in each voxel of one tile to its facets. `sums`: [`FACET_WORDS`] words per facet and one

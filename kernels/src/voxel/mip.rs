@@ -21,6 +21,7 @@ use super::cells::pass_rows;
 use super::facet::facet_index;
 use super::grid::below;
 use super::view::{at_most_covered, axis_direction, facet_total, facets_seen, facets_seen_from_everywhere};
+use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use glam::Vec4;
@@ -64,16 +65,16 @@ pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Ve
     let element = p.first + i;
     let record = element / p.direction_count;
     let direction = element - record * p.direction_count;
-    let child = children[record as usize];
+    let child = *fetch(children, record as usize);
     let cell = 2 * (child >> 2) as usize;
     let byte = child & 3;
-    let word = cells[cell];
+    let word = *fetch(cells, cell);
     let bits = word >> (8 * byte);
-    let mut next = cells[cell + 1] + (word & below(8 * byte)).count_ones();
+    let mut next = *fetch(cells, cell + 1) + (word & below(8 * byte)).count_ones();
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
-            v[K] = finer[(next * p.direction_count + direction) as usize];
+            v[K] = *fetch(finer, (next * p.direction_count + direction) as usize);
             next += 1;
         }
     });
@@ -93,10 +94,10 @@ pub fn mip_base(
 ) -> Vec4 {
     let record = i / p.direction_count;
     let direction = i - record * p.direction_count;
-    let child = children[record as usize];
+    let child = *fetch(children, record as usize);
     let cell = child >> 2;
     let first_bit = 8 * (child & 3);
-    let bits = cells[(2 * cell) as usize] >> first_bit;
+    let bits = *fetch(cells, (2 * cell) as usize) >> first_bit;
     let mut next = facet_index(cells, facet_bits, cell, first_bit, 0);
     let looking = axis_direction(direction >> 1, direction & 1 == 1);
     let mut v = [Vec4::ZERO; 8];

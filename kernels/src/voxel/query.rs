@@ -1,8 +1,9 @@
 //! What another renderer imports to look into a voxel pyramid: [`VoxelPyramid::crossing`].
 
-use super::facet::facet_index;
+use super::facet::facets_of;
 use super::grid::{Grid, Place, below};
-use super::view::{at_most_covered, axis_direction, facet_total, facets_seen, facets_seen_from_everywhere};
+use super::view::{at_most_covered, axis_direction, facets_seen, facets_seen_from_everywhere};
+use crate::kernel::fetch;
 use crate::math::float::floor;
 use glam::{UVec3, UVec4, Vec3, Vec4};
 use interreflect_shared::voxel::VoxelFacet;
@@ -81,8 +82,7 @@ impl VoxelPyramid<'_> {
     fn voxel<G: Grid>(&self, grid: &G, level: u32, at: Place, word: u32, axis: u32, down: bool) -> Vec4 {
         let isotropic = grid.direction_count() == 1;
         if level == 0 {
-            let first = facet_index(self.cells, self.facet_bits, at.cell, at.bit, 0);
-            let count = facet_total(self.facet_bits, at.cell, at.bit);
+            let (first, count) = facets_of(self.cells, self.facet_bits, at.cell, at.bit);
             let seen = if isotropic {
                 facets_seen_from_everywhere(first, count, self.facets, self.radiance)
             } else {
@@ -90,9 +90,9 @@ impl VoxelPyramid<'_> {
             };
             return at_most_covered(seen);
         }
-        let record = self.cells[(2 * at.cell + 1) as usize] + (word & below(at.bit)).count_ones();
+        let record = *fetch(self.cells, (2 * at.cell + 1) as usize) + (word & below(at.bit)).count_ones();
         let i = if isotropic { record } else { 6 * record + 2 * axis + down as u32 } as usize;
-        if level & 1 == 1 { self.odd[i] } else { self.even[i] }
+        if level & 1 == 1 { *fetch(self.odd, i) } else { *fetch(self.even, i) }
     }
 
     /// What a ray sees in the layer of voxels whose middles it crosses: premultiplied radiance and coverage, bilinear in the
@@ -136,7 +136,7 @@ impl VoxelPyramid<'_> {
                 cell: table.z + across.cell0 + if u1 { u.cell1 } else { u.cell0 } + if v1 { v.cell1 } else { v.cell0 },
                 bit: across.bit0 | if u1 { u.bit1 } else { u.bit0 } | if v1 { v.bit1 } else { v.bit0 },
             };
-            let word = self.cells[(2 * at.cell) as usize];
+            let word = *fetch(self.cells, (2 * at.cell) as usize);
             if weight > 0.0 && word >> at.bit & 1 == 1 {
                 sum += self.voxel(grid, level, at, word, axis, down) * weight;
             }

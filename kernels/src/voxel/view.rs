@@ -1,5 +1,6 @@
 //! What a viewer sees of one voxel's facets.
 
+use crate::kernel::fetch;
 use crate::math::float::max;
 use crate::math::vector::length;
 use glam::{Vec3, Vec4};
@@ -26,12 +27,12 @@ pub fn at_most_covered(seen: Vec4) -> Vec4 {
 #[inline(always)]
 pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
     let first = (cell * FACET_KINDS) as usize;
-    (facet_bits[first] >> bit & 1)
-        + (facet_bits[first + 1] >> bit & 1)
-        + (facet_bits[first + 2] >> bit & 1)
-        + (facet_bits[first + 3] >> bit & 1)
-        + (facet_bits[first + 4] >> bit & 1)
-        + (facet_bits[first + 5] >> bit & 1)
+    (*fetch(facet_bits, first) >> bit & 1)
+        + (*fetch(facet_bits, first + 1) >> bit & 1)
+        + (*fetch(facet_bits, first + 2) >> bit & 1)
+        + (*fetch(facet_bits, first + 3) >> bit & 1)
+        + (*fetch(facet_bits, first + 4) >> bit & 1)
+        + (*fetch(facet_bits, first + 5) >> bit & 1)
 }
 
 /// Facets `first ..` of one voxel, looked at along a unit direction: radiance times coverage, and coverage, the facets'
@@ -43,11 +44,11 @@ pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
 pub fn facets_seen(first: u32, count: u32, looking: Vec3, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
     let (mut front, mut back) = (Vec4::ZERO, Vec4::ZERO);
     for facet in first..first + count {
-        let towards = -looking.dot(Vec3::from_array(facets[facet as usize].normal));
+        let towards = -looking.dot(Vec3::from_array(fetch(facets, facet as usize).normal));
         if towards > 0.0 {
-            front += radiance[(2 * facet) as usize].truncate().extend(1.0) * towards;
+            front += fetch(radiance, (2 * facet) as usize).truncate().extend(1.0) * towards;
         } else {
-            back -= radiance[(2 * facet + 1) as usize].truncate().extend(1.0) * towards;
+            back -= fetch(radiance, (2 * facet + 1) as usize).truncate().extend(1.0) * towards;
         }
     }
     if back.w > front.w { front + back * ((back.w - front.w) / back.w) } else { front }
@@ -59,9 +60,9 @@ pub fn facets_seen(first: u32, count: u32, looking: Vec3, facets: &[VoxelFacet],
 pub fn facets_seen_from_everywhere(first: u32, count: u32, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
     let mut sum = Vec4::ZERO;
     for facet in first..first + count {
-        let (a, b) = (radiance[(2 * facet) as usize], radiance[(2 * facet + 1) as usize]);
+        let (a, b) = (*fetch(radiance, (2 * facet) as usize), *fetch(radiance, (2 * facet + 1) as usize));
         let brighter = Vec4::new(max(a.x, b.x), max(a.y, b.y), max(a.z, b.z), 1.0);
-        sum += brighter * length(Vec3::from_array(facets[facet as usize].normal));
+        sum += brighter * length(Vec3::from_array(fetch(facets, facet as usize).normal));
     }
     sum
 }
