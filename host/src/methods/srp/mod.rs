@@ -39,7 +39,7 @@ mod method;
 pub use compress::Compression;
 pub use method::{ROW, bake_options};
 pub use model::{Cluster, SrpBake};
-pub use plan::{BakeOptions, Plan};
+pub use plan::{BakeOptions, Plan, Window};
 pub use probes::Placement;
 
 /// Name of the method.

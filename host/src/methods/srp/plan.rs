@@ -46,6 +46,8 @@ pub struct BakeOptions {
     pub placement: Placement,
     /// Order of the probes' spherical harmonics, 0 to 9.
     pub order: u32,
+    /// Window on the bands of what probes see, applied to the transport's columns: run time does not know of it.
+    pub window: Window,
     /// Rays per receiver.
     pub rays: u32,
     /// Rays per probe at run time.
@@ -85,6 +87,7 @@ impl Default for BakeOptions {
             probe_positions: None,
             placement: Placement::default(),
             order: 7,
+            window: Window::None,
             rays: 512,
             relight_rays: 2048,
             overlap: 10.0,
@@ -98,6 +101,36 @@ impl Default for BakeOptions {
             compression: Compression::default(),
             light_metric: true,
             seed: 1,
+        }
+    }
+}
+
+/// Window on bands of spherical harmonics, as wide as the order (Sloan 2008).
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Window {
+    /// None: sharpest, rings.
+    #[default]
+    None,
+    /// Rings least, loses most contrast.
+    Hanning,
+    /// Between the two.
+    Lanczos,
+}
+
+impl Window {
+    /// Multiplies transport, of which each row holds all coefficients of one probe after the other.
+    pub fn apply(self, matrix: &mut [f32], order: u32) {
+        let width = (order + 1) as f32;
+        let factor = |l: u32| match self {
+            Self::None => 1.0,
+            Self::Hanning => sh::hanning_window(l, width),
+            Self::Lanczos => sh::lanczos_window(l, width),
+        };
+        if self != Self::None {
+            let factors: Vec<f32> = (0..sh::count(order)).map(|c| factor(sh::band(c))).collect();
+            matrix.par_chunks_exact_mut(factors.len()).for_each(|probe| {
+                probe.iter_mut().zip(&factors).for_each(|(x, f)| *x *= f);
+            });
         }
     }
 }
@@ -241,6 +274,8 @@ impl<'a> Plan<'a> {
         let (o, members) = (&self.options, &self.clusters[index]);
         let Local { probes, mut matrix, factors, rays } = self.local(index);
         self.round_trip.correct(&mut matrix, &probes, &factors);
+        // After the correction, which would otherwise undo it.
+        o.window.apply(&mut matrix, o.order);
         let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
         let lights = self.round_trip.lights(&probes, o.light_metric);
         let (rows, k) = (o.rows as usize, sh::count(o.order));
@@ -491,5 +526,28 @@ impl Plan<'_> {
             "visibility_known_by_texel": agreeing,
             "rank_histogram": histogram(bake.clusters.iter().map(|c| c.rank)),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windows_lower_high_bands_and_keep_the_mean() {
+        // Two probes of order 3, every coefficient 1.
+        let windowed = |window: Window| {
+            let mut matrix = vec![1.0; 2 * sh::count(3)];
+            window.apply(&mut matrix, 3);
+            assert_eq!(matrix[..sh::count(3)], matrix[sh::count(3)..]);
+            matrix
+        };
+        assert!(windowed(Window::None).iter().all(|x| *x == 1.0));
+        let (hanning, lanczos) = (windowed(Window::Hanning), windowed(Window::Lanczos));
+        assert_eq!((hanning[0], lanczos[0]), (1.0, 1.0));
+        for c in 1..sh::count(3) {
+            assert!(0.0 < hanning[c] && hanning[c] < lanczos[c] && lanczos[c] < 1.0, "{c}");
+        }
+        assert!(hanning[sh::count(2)] < hanning[sh::count(1)] && hanning[sh::count(1)] < hanning[1]);
     }
 }

@@ -11,6 +11,10 @@ use glam::Vec3;
 /// Samples of the truth for a mean over a picture.
 const TRUTH_SPP: u32 = 64;
 
+/// Windows on bands, where a method has them, and the orders at which they are tried.
+const WINDOWS: [&str; 2] = ["lanczos", "hanning"];
+const WINDOWED_ORDERS: [u32; 3] = [2, 4, 7];
+
 /// A dark room whose floor has a bright patch: a spot of a narrow cone (half angle in degrees).
 fn patch(half_angle_deg: f32) -> Scene {
     let mut b = SceneBuilder::new("patch");
@@ -90,12 +94,22 @@ fn per_order(lab: &mut Lab, negative: &Question, contrast: &Question) -> Result<
     let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
     let truth = spread(&lab.truth(&scene, &surfels, 8 * TRUTH_SPP)?);
     let mut pictures = Vec::new();
+    let mut names = Vec::new();
     for order in &orders {
         let text = order.to_string();
-        let settings = lab.changed(&[("order", text.as_str())]).unwrap_or_else(|| lab.settings.clone());
-        pictures.push(lab.measure_with(&settings, &scene, &surfels)?.values);
+        let mut variants = vec![(format!("order {order}"), vec![("order", text.as_str())])];
+        let windowed =
+            |window| (format!("order {order}, {window}"), vec![("order", text.as_str()), ("window", window)]);
+        if WINDOWED_ORDERS.contains(order) {
+            variants.extend(WINDOWS.map(windowed));
+        }
+        for (name, changes) in variants {
+            // A method without windows has the plain order alone.
+            let Some(settings) = lab.changed(&changes) else { continue };
+            pictures.push(lab.measure_with(&settings, &scene, &surfels)?.values);
+            names.push(name);
+        }
     }
-    let names: Vec<String> = orders.iter().map(|o| format!("order {o}")).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let below = negative.cases(lab, "ringing", &names, |_, k| Ok(most_negative(&pictures[k]).into()));
     let lost = contrast.cases(lab, "ringing", &names, |_, k| Ok((1.0 - spread(&pictures[k]) / truth).max(0.0).into()));
