@@ -2,7 +2,7 @@
 
 use crate::exec::{BufferId, DeviceInfo, ExecError, Executor, ExecutorExt};
 use crate::image_io::Image;
-use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, StageClock};
+use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, StageClock, Terms};
 use crate::metrics::ErrorMetrics;
 use crate::report::{self, Frame, MemoryBytes, MethodResult, TimeMs, TimeSpread};
 use crate::scene::device::SceneBuffers;
@@ -118,6 +118,8 @@ pub struct MethodRun {
     pub buffers: Vec<(String, u64)>,
     /// What the method decided by itself.
     pub needs: serde_json::Value,
+    /// What the terms that its settings cut off would carry.
+    pub terms: Vec<Terms>,
 }
 
 /// Runs a method from nothing to irradiance at every pixel of a G-buffer; gives its buffers back.
@@ -167,6 +169,7 @@ fn run_marked(
         runs: [precompute.runs, light.runs, frame.runs],
         buffers: exec.buffers().split_off(before),
         needs: method.needs(),
+        terms: method.terms(),
     })
 }
 

@@ -224,9 +224,9 @@ fn advice(html: &mut String, scene: &SceneChart) {
             None => "no rung of any method".into(),
         };
         if let Some((row, ms, _)) = simplest.filter(|c| best.is_none_or(|b| c.1 < b.1)) {
-            let _ = write!(words, "<br>the control {} does it in {}", escape(&row.title()), milliseconds(ms));
+            let _ = write!(words, "<br>the control {} is enough, in {}", escape(&row.title()), milliseconds(ms));
         } else if let Some(ms) = paths.filter(|ms| best.is_none_or(|b| *ms < b.1)) {
-            let _ = write!(words, "<br>plain path tracing does it in {}", milliseconds(ms));
+            let _ = write!(words, "<br>plain path tracing is faster here: {}", milliseconds(ms));
         }
         let _ =
             writeln!(errors, "<tr><th scope=\"row\">at most {:.0}&nbsp;%</th><td>{words}</td></tr>", 100.0 * target);

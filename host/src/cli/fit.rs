@@ -85,6 +85,9 @@ fn print(report: &FitReport, args: &FitArgs) {
     for reason in &report.why {
         println!("  {}", reason.words);
     }
+    for line in &report.spared {
+        println!("  {line}");
+    }
     for other in &report.rejected {
         println!("  not {}: {}", other.method, other.reason);
     }

@@ -1,29 +1,50 @@
-//! What a method's settings are worth on a view, as cheaply as the question allows: whole frames are run, for their time,
-//! but the truth is traced on a few of the picture's blocks only, more of them where the answer is close to the limit.
+//! What a method's settings are worth on a view, as cheaply as the question allows. A *glance* runs every phase about once,
+//! and the frame for the pixels of a sample of the picture's blocks; the truth is traced on a few of these. Only where the
+//! answer is close to the limit is the whole picture computed, and the truth traced on more of it.
 
 use crate::chart::trial::SceneSpec;
 use crate::error::Error;
 use crate::evaluate::{self, Repeats, View};
-use crate::exec::Executor;
+use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::image_io::Image;
-use crate::methods::{Input, MethodRow, Settings};
+use crate::methods::{Input, MethodRow, Settings, StageClock, Terms};
 use crate::metrics::BLOCK_PX;
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::Scene;
 use crate::scene::device::SceneBuffers;
 use glam::{DVec3, Vec3, Vec4};
+use interreflect_shared::scene::Surfel;
 use std::path::PathBuf;
 use std::time::Instant;
 
 /// Blocks at which the truth is known, by level: each level is asked only where the one before leaves the answer open.
-const LEVELS: [usize; 4] = [64, 192, 576, usize::MAX];
+const LEVELS: [usize; 4] = [64, SAMPLE_BLOCKS, 512, usize::MAX];
+/// Blocks of a glance.
+const SAMPLE_BLOCKS: usize = 128;
 /// Samples per pixel of the truth. Over a block's 64 pixels its noise is an eighth of a pixel's, and what is left is known
 /// and subtracted.
 const TRUTH_SPP: u32 = 128;
-/// Standard errors between an estimate and its bound: one side of nine in ten.
-const CONFIDENCE: f64 = 1.28;
-/// Runs of each phase, and milliseconds after which a phase is not repeated.
+/// Standard errors between an estimate and its bound: one side of 19 in 20, because the cheapest of many that seem to keep
+/// a limit is among those that only seem to.
+const CONFIDENCE: f64 = 1.645;
+/// Runs of each phase of a whole picture, and milliseconds after which a phase is not repeated.
 const REPEATS: Repeats = Repeats { count: 3, budget_ms: 150.0 };
+/// The same of a glance: what is quick is run again, because the first run is slower and short times are noisy.
+const GLANCE: Repeats = Repeats { count: 4, budget_ms: 50.0 };
+
+/// Most and fewest rounds of a duel after its warm-up, and seconds after which it ends.
+const DUEL_ROUNDS: u32 = 15;
+const DUEL_LEAST: u32 = 3;
+const DUEL_S: f64 = 4.0;
+
+/// How much of a picture is computed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Effort {
+    /// Some blocks, about once.
+    Glance,
+    /// All pixels, the fastest of some runs.
+    Whole,
+}
 
 /// Settings and what they gave.
 #[derive(Clone, PartialEq, Debug)]
@@ -46,7 +67,16 @@ pub struct Candidate {
     pub frame_ms: f64,
     /// The method's buffers.
     pub memory_bytes: u64,
-    irradiance: Vec<Vec4>,
+    /// Seconds that the trial took.
+    pub wall_s: f64,
+    /// What terms beyond its settings would carry, as far as the method knows.
+    pub terms: Vec<Terms>,
+    /// Mean irradiance (W/m²) of each block that was computed, in the evidence's order of blocks.
+    pub means: Vec<DVec3>,
+    /// How it was run.
+    pub effort: Effort,
+    /// Per pixel, where the whole picture was computed; else empty.
+    pub(super) irradiance: Vec<Vec4>,
 }
 
 /// A view with as much truth as was needed so far.
@@ -61,6 +91,8 @@ pub struct Evidence {
     cache: PathBuf,
     /// Pixels of each block that has visible ones, the blocks in random order.
     blocks: Vec<Vec<usize>>,
+    /// Surface points of the first [`SAMPLE_BLOCKS`] blocks' pixels, one block after the other, and their number.
+    sample: (BufferId, usize),
     truth: Vec<BlockTruth>,
     /// Seconds that truths took.
     pub truth_s: f64,
@@ -105,6 +137,8 @@ impl Evidence {
             return Err(crate::metrics::MetricsError::NoVisiblePoint.into());
         }
         shuffle(&mut blocks, seed);
+        let sample: Vec<Surfel> = blocks.iter().take(SAMPLE_BLOCKS).flatten().map(|k| view.surfels[*k]).collect();
+        let sample = (exec.upload_slice("sample of surface points", &sample)?, sample.len());
         Ok(Self {
             scene,
             exec,
@@ -113,6 +147,7 @@ impl Evidence {
             seed,
             cache,
             blocks,
+            sample,
             truth: Vec::new(),
             truth_s: 0.0,
             trials_s: 0.0,
@@ -120,28 +155,95 @@ impl Evidence {
         })
     }
 
-    /// Runs settings; the error is judged on the first level of blocks.
+    /// Runs settings; the error is judged on the blocks whose truth is known, the first level at least.
     ///
     /// # Errors
     /// What the method says.
-    pub fn try_settings(&mut self, row: &'static MethodRow, settings: &Settings) -> Result<Candidate, Error> {
+    pub fn try_settings(
+        &mut self,
+        row: &'static MethodRow,
+        settings: &Settings,
+        effort: Effort,
+    ) -> Result<Candidate, Error> {
         self.trace(LEVELS[0])?;
-        let mut candidate = self.execute(row, settings)?;
+        let mut candidate = self.execute(row, settings, effort)?;
         self.judge(&mut candidate);
         Ok(candidate)
     }
 
-    /// Runs settings without judging them.
+    /// Times (ms) of a frame in which lights move, of two sets of settings in turn, so that whatever else the machine does
+    /// meets both: the least of each.
+    ///
+    /// # Errors
+    /// What the methods say.
+    pub fn duel(&mut self, sides: [(&'static MethodRow, &Settings); 2]) -> Result<[f64; 2], Error> {
+        let mark = self.exec.mark();
+        let times = self.duel_marked(sides);
+        self.exec.free_since(mark);
+        times
+    }
+
+    fn duel_marked(&mut self, sides: [(&'static MethodRow, &Settings); 2]) -> Result<[f64; 2], Error> {
+        let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
+        let exec = self.exec.as_mut();
+        let irradiance = exec.zeroed_slice::<Vec4>("irradiance", self.view.surfels.len())?;
+        let mut methods = Vec::new();
+        for (row, settings) in sides {
+            let mut method = (row.new)(settings)?;
+            method.precompute(exec, &input, &mut StageClock::default())?;
+            methods.push(method);
+        }
+        let mut least = [f64::INFINITY; 2];
+        let start = Instant::now();
+        // The first round is a warm-up.
+        for round in 0..=DUEL_ROUNDS {
+            for (method, least) in methods.iter_mut().zip(&mut least) {
+                let begin = Instant::now();
+                method.light_change(exec, &input, &mut StageClock::default())?;
+                method.frame(exec, &input, self.view.gbuffer, irradiance, &mut StageClock::default())?;
+                exec.begin();
+                exec.end()?;
+                let ms = begin.elapsed().as_secs_f64() * 1e3;
+                *least = if round == 0 { *least } else { least.min(ms) };
+            }
+            if round >= DUEL_LEAST && start.elapsed().as_secs_f64() > DUEL_S {
+                break;
+            }
+        }
+        Ok(least)
+    }
+
+    /// Runs settings without judging them. A glance's time of a frame is that of its pixels, times the share that they are.
     ///
     /// # Errors
     /// What the method says.
-    pub fn execute(&mut self, row: &'static MethodRow, settings: &Settings) -> Result<Candidate, Error> {
+    pub fn execute(
+        &mut self,
+        row: &'static MethodRow,
+        settings: &Settings,
+        effort: Effort,
+    ) -> Result<Candidate, Error> {
         let start = Instant::now();
         let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
-        let count = self.view.surfels.len();
-        let run = evaluate::run(self.exec.as_mut(), &input, row, settings, self.view.gbuffer, count, REPEATS)?;
-        self.trials_s += start.elapsed().as_secs_f64();
+        let pixels = self.view.surfels.len();
+        let whole = effort == Effort::Whole || self.blocks.len() <= SAMPLE_BLOCKS;
+        let (points, count) = if whole { (self.view.gbuffer, pixels) } else { self.sample };
+        let repeats = if effort == Effort::Whole { REPEATS } else { GLANCE };
+        let run = evaluate::run(self.exec.as_mut(), &input, row, settings, points, count, repeats)?;
+        let wall_s = start.elapsed().as_secs_f64();
+        self.trials_s += wall_s;
         self.trials += 1;
+        // The fastest of the runs: the one that other work on the machine disturbed least.
+        let light_ms = run.times.spread.map_or(run.times.light_change, |s| s.light_change[0]);
+        let frame_ms = run.times.spread.map_or(run.times.frame, |s| s.frame[0]) * pixels as f64 / count.max(1) as f64;
+        let means = if whole {
+            let pixel = |k: &usize| run.irradiance[*k].truncate();
+            self.blocks.iter().map(|b| mean_of(b.len(), b.iter().map(pixel))).collect()
+        } else {
+            let mut values = run.irradiance.iter().map(|v| v.truncate());
+            let known = self.blocks.iter().take(SAMPLE_BLOCKS);
+            known.map(|b| mean_of(b.len(), values.by_ref().take(b.len()))).collect()
+        };
         Ok(Candidate {
             row: row.name,
             settings: settings.clone(),
@@ -149,33 +251,54 @@ impl Evidence {
             bounds: [0.0; 2],
             blocks: 0,
             precompute_ms: run.times.precompute,
-            // The fastest of the runs: the one that other work on the machine disturbed least.
-            dynamic_ms: run.times.dynamic_spread().map_or(run.times.dynamic_frame(), |s| s[0]),
-            frame_ms: run.times.spread.map_or(run.times.frame, |s| s.frame[0]),
+            dynamic_ms: light_ms + frame_ms,
+            frame_ms,
             memory_bytes: run.buffers.iter().map(|b| b.1).sum(),
-            irradiance: run.irradiance,
+            wall_s,
+            terms: run.terms,
+            means,
+            effort,
+            irradiance: if whole { run.irradiance } else { Vec::new() },
         })
     }
 
-    /// A candidate's picture of indirect irradiance.
+    /// A candidate's picture of indirect irradiance; black where it was not computed.
     pub fn image(&self, candidate: &Candidate) -> Image {
-        self.view.image(|k| candidate.irradiance[k].truncate())
+        self.view.image(|k| candidate.irradiance.get(k).map_or(Vec3::ZERO, |v| v.truncate()))
     }
 
-    /// Looks at more blocks until the error is clearly below or above a limit, or all levels are used.
+    /// Block NRMSE of block means that were not computed but estimated, without the part that the truth's noise adds.
+    pub fn error_of(&self, means: &[DVec3]) -> f64 {
+        self.relative(self.squares(means).0)
+    }
+
+    /// Looks at more blocks until the error is clearly below or above a limit, or all levels are used; at `least` as many as
+    /// that in any case.
     ///
     /// # Errors
-    /// What the path tracer says.
-    pub fn settle(&mut self, candidate: &mut Candidate, limit: f64) -> Result<(), Error> {
+    /// What the path tracer and the method say.
+    pub fn settle(
+        &mut self,
+        row: &'static MethodRow,
+        candidate: &mut Candidate,
+        limit: f64,
+        least: usize,
+    ) -> Result<(), Error> {
+        let least = least.min(self.blocks.len());
         for level in LEVELS {
-            if candidate.blocks < self.truth.len() {
+            if candidate.blocks < self.truth.len().min(candidate.means.len()) {
                 self.judge(candidate);
             }
             let open = candidate.bounds[0] <= limit && limit < candidate.bounds[1];
-            if !open {
+            if !open && candidate.blocks >= least {
                 break;
             }
             self.trace(level)?;
+            if candidate.means.len() < level.min(self.blocks.len()) {
+                let glance_s = candidate.wall_s;
+                *candidate = self.execute(row, &candidate.settings, Effort::Whole)?;
+                candidate.wall_s = glance_s;
+            }
             self.judge(candidate);
         }
         Ok(())
@@ -226,27 +349,44 @@ impl Evidence {
 
     /// Block NRMSE over the blocks that are known, without the part that the truth's noise adds, and its bounds.
     fn judge(&self, candidate: &mut Candidate) {
-        let scale = self.mean();
+        let (mean, doubt, count) = self.squares(&candidate.means);
+        candidate.error = self.relative(mean);
+        candidate.bounds = [self.relative(mean - doubt), self.relative(mean + doubt)];
+        candidate.blocks = count;
+    }
+
+    /// Mean square error (W²/m⁴) over the blocks that are known, half of its confidence interval, and their number.
+    fn squares(&self, means: &[DVec3]) -> (f64, f64, usize) {
         let mut squares = Vec::with_capacity(self.truth.len());
-        let mut weight = 0.0;
-        for (block, truth) in self.blocks.iter().zip(&self.truth) {
-            let sum: Vec3 = block.iter().map(|&k| candidate.irradiance[k].truncate()).sum();
-            let difference = sum.as_dvec3() / truth.count - truth.mean;
-            let square = difference.length_squared() - truth.variance.element_sum();
+        let (mut weight, mut noise) = (0.0, 0.0);
+        for (value, truth) in means.iter().zip(&self.truth) {
+            let (difference, variance) = (*value - truth.mean, truth.variance);
+            let square = difference.length_squared() - variance.element_sum();
             squares.push((square / 3.0, truth.count));
             weight += truth.count;
+            // Variance of a noisy difference's square, were the noise normal: 4d²v + 2v².
+            let of_square = 4.0 * difference * difference * variance + 2.0 * variance * variance;
+            noise += of_square.element_sum() * (truth.count / 3.0).powi(2);
         }
-        let mean = squares.iter().map(|(s, w)| s * w).sum::<f64>() / weight.max(1.0);
-        let deviation: f64 =
-            squares.iter().map(|(s, w)| ((s - mean) * w).powi(2)).sum::<f64>().sqrt() / weight.max(1.0);
-        // The known blocks are a sample of all without replacement: all of them leave no doubt.
-        let unknown = 1.0 - squares.len() as f64 / self.blocks.len() as f64;
-        let doubt = CONFIDENCE * deviation * unknown.max(0.0).sqrt();
-        let relative = |square: f64| if scale > 0.0 { square.max(0.0).sqrt() / scale } else { f64::INFINITY };
-        candidate.error = relative(mean);
-        candidate.bounds = [relative(mean - doubt), relative(mean + doubt)];
-        candidate.blocks = squares.len();
+        let weight = weight.max(1.0);
+        let mean = squares.iter().map(|(s, w)| s * w).sum::<f64>() / weight;
+        let spread = squares.iter().map(|(s, w)| ((s - mean) * w).powi(2)).sum::<f64>();
+        // The known blocks are a sample of all without replacement: all of them leave no doubt but the truth's noise.
+        let unknown = (1.0 - squares.len() as f64 / self.blocks.len() as f64).max(0.0);
+        let doubt = (spread * unknown + noise * (1.0 - unknown)).sqrt() / weight;
+        (mean, CONFIDENCE * doubt, squares.len())
     }
+
+    /// Root of a mean square over the truth's mean.
+    fn relative(&self, square: f64) -> f64 {
+        let scale = self.mean();
+        if scale > 0.0 { square.max(0.0).sqrt() / scale } else { f64::INFINITY }
+    }
+}
+
+/// Mean of some values.
+fn mean_of(count: usize, values: impl Iterator<Item = Vec3>) -> DVec3 {
+    values.map(|v| v.as_dvec3()).sum::<DVec3>() / count.max(1) as f64
 }
 
 /// Fisher and Yates' shuffle with hashed numbers: the same order for the same seed.
@@ -261,6 +401,48 @@ fn shuffle<T>(items: &mut [T], seed: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn noise_of_the_truth_leaves_doubt_where_every_block_is_known() {
+        let cache = tempfile::tempdir().unwrap();
+        let spec = SceneSpec { scene: "cornell-box".into(), ..SceneSpec::default() };
+        let exec = Box::new(crate::exec::CpuExecutor::new());
+        let mut evidence = Evidence::new(&spec, [16, 16], 1, cache.path().into(), exec).unwrap();
+        let row = crate::methods::method("direct").unwrap();
+        let mut candidate = evidence.try_settings(row, &row.defaults(), Effort::Glance).unwrap();
+        assert_eq!((candidate.blocks, candidate.means.len()), (evidence.blocks.len(), evidence.blocks.len()));
+        // Without indirect light the error is at least 1; the sampled truth says it only within its noise.
+        assert!(
+            candidate.bounds[0] < candidate.error && candidate.error < candidate.bounds[1],
+            "{:?}",
+            candidate.bounds
+        );
+        assert!(candidate.bounds[1] < 1.1 * candidate.error);
+        for truth in &mut evidence.truth {
+            truth.variance *= 100.0;
+        }
+        let before = candidate.bounds[1] - candidate.bounds[0];
+        evidence.judge(&mut candidate);
+        assert!(candidate.bounds[1] - candidate.bounds[0] > 3.0 * before);
+    }
+
+    #[test]
+    fn a_glance_at_a_sample_has_the_means_of_the_whole_picture() {
+        let cache = tempfile::tempdir().unwrap();
+        let spec = SceneSpec { scene: "cornell-box".into(), ..SceneSpec::default() };
+        let exec = Box::new(crate::exec::CpuExecutor::new());
+        let mut evidence = Evidence::new(&spec, [128, 128], 1, cache.path().into(), exec).unwrap();
+        assert!(evidence.blocks.len() > SAMPLE_BLOCKS);
+        let row = crate::methods::method("lpv").unwrap();
+        let settings = row.with(row.ladder[0].1.iter().copied()).unwrap();
+        let [glance, whole] =
+            [Effort::Glance, Effort::Whole].map(|effort| evidence.execute(row, &settings, effort).unwrap());
+        assert_eq!((glance.means.len(), whole.means.len()), (SAMPLE_BLOCKS, evidence.blocks.len()));
+        assert!(whole.means[0].min_element() > 0.0);
+        for (a, b) in glance.means.iter().zip(&whole.means) {
+            assert!(a.distance(*b) <= 1e-5 * b.length(), "{a} {b}");
+        }
+    }
 
     #[test]
     fn shuffles_keep_every_item_and_move_most() {

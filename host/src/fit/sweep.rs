@@ -1,9 +1,11 @@
 //! How good the search is: its choice beside the best that an exhaustive sweep of the same settings finds.
 //!
-//! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, against the
-//! truth of the whole picture. The search runs from nothing, with a cache of its own, once per target.
+//! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, each from nothing
+//! for the whole picture, every phase up to three times after a warm-up until it has taken 150 ms, and judges them by the
+//! truth of the whole picture, whose time counts. The search runs from nothing once per target, with a cache of its own: loading
+//! the scene, tracing its truths, its trials and its confirmation count. Scene and executor are loaded once in both.
 
-use super::{Candidate, Evidence, Goal, axes, fit, step};
+use super::{Candidate, Effort, Evidence, Goal, axes, fit, step};
 use crate::chart::trial::SceneSpec;
 use crate::chart::{Judge, TruthPlan};
 use crate::error::Error;
@@ -178,7 +180,7 @@ fn sweep(
                     continue;
                 }
                 // What a method refuses is no answer.
-                let Ok(candidate) = evidence.execute(row, &settings) else { continue };
+                let Ok(candidate) = evidence.execute(row, &settings, Effort::Whole) else { continue };
                 if !limits.affords(&candidate) {
                     too_slow |= n == 0;
                 } else if let Some(error) = full_error(evidence, judge, &candidate)? {
@@ -237,19 +239,17 @@ fn one(
     let chosen = report.choice.filter(|_| report.found);
     let (Some(choice), Some(best)) = (chosen, best) else { return Ok(case) };
     let Some(row) = methods.iter().find(|m| m.name == choice.method).copied() else { return Ok(case) };
-    // In turn, and the least of each, so that whatever else the machine does meets neither.
-    let (mut costs, mut bests) = (Vec::new(), Vec::new());
-    for _ in 0..3 {
-        let candidate = evidence.execute(row, &choice.settings)?;
-        costs.push(candidate.dynamic_ms);
-        case.error = full_error(evidence, judge, &candidate)?;
-        bests.push(evidence.execute(best.row, &best.settings)?.dynamic_ms);
-    }
+    let candidate = evidence.execute(row, &choice.settings, Effort::Whole)?;
+    case.error = full_error(evidence, judge, &candidate)?;
+    let same = row.name == best.row.name && choice.settings == best.settings;
+    case.cost_ratio = Some(if same {
+        1.0
+    } else {
+        let [own, other] = evidence.duel([(row, &choice.settings), (best.row, &best.settings)])?;
+        own / other.max(1e-9)
+    });
     case.choice = name(row, &choice.settings);
     case.within = case.error.is_some_and(|e| e <= target);
-    let least = |times: Vec<f64>| times.into_iter().fold(f64::INFINITY, f64::min);
-    let same = row.name == best.row.name && choice.settings == best.settings;
-    case.cost_ratio = Some(if same { 1.0 } else { least(costs) / least(bests).max(1e-9) });
     Ok(case)
 }
 

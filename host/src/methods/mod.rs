@@ -171,6 +171,34 @@ pub struct Unit {
     pub metres: f32,
 }
 
+/// What a setting cuts off that ends a series: bands of spherical harmonics, bounces.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Terms {
+    /// Key of the setting, a whole number.
+    pub key: &'static str,
+    /// What is cut off, for sentences: `bands`, `bounces`.
+    pub name: &'static str,
+    /// By value of the setting, ascending: the part of the light's amplitude that all terms beyond it carry.
+    pub beyond: Vec<(u32, f64)>,
+}
+
+impl Terms {
+    /// A series whose every term is `ratio` times the one before, the first being number 1.
+    pub fn geometric(key: &'static str, name: &'static str, ratio: f64) -> Self {
+        let beyond = (1..=MOST_TERMS).map(|n| (n, ratio.clamp(0.0, 1.0).powi(n as i32))).collect();
+        Self { key, name, beyond }
+    }
+
+    /// The part of the light that a value leaves out, where it is known.
+    pub fn left_out(&self, value: &str) -> Option<f64> {
+        let value: u32 = value.parse().ok()?;
+        self.beyond.iter().find(|(v, _)| *v == value).map(|(_, share)| *share)
+    }
+}
+
+/// Terms of a geometric series that are listed.
+const MOST_TERMS: u32 = 64;
+
 /// Values of one setting, cheapest first, that a search may try.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SearchAxis {
@@ -234,8 +262,15 @@ pub trait Method: Send {
         None
     }
 
-    /// Settings that `fit` lowers one by one from the rung that it found, each with its values from cheapest to
-    /// dearest. Empty (the default): the values that occur in the ladder.
+    /// What the terms carry that settings cut off, as the last light change found: by this `fit` knows what not to try. Empty
+    /// (the default): not known.
+    fn terms(&self) -> Vec<Terms> {
+        Vec::new()
+    }
+
+    /// Settings that `fit` changes from the rung that it found, each with its values from cheapest to dearest. The first is
+    /// the method's size, which time depends on most: what the others do is learnt at its smallest value. Empty (the
+    /// default): the values that occur in the ladder.
     fn search(&self) -> &'static [SearchAxis] {
         &[]
     }

@@ -6,7 +6,7 @@
 
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
-use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Unit};
+use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use glam::{DVec3, Vec3, Vec4};
 use interreflect_kernels::cone::gather::{cone_bounce, cone_gather};
@@ -321,6 +321,10 @@ impl Method for Vct {
 
     fn feedback_gain(&self) -> Option<f64> {
         self.state.as_ref()?.ratio
+    }
+
+    fn terms(&self) -> Vec<Terms> {
+        self.feedback_gain().map(|ratio| Terms::geometric("bounces", "bounces", ratio)).into_iter().collect()
     }
 
     fn search(&self) -> &'static [SearchAxis] {

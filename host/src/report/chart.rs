@@ -317,7 +317,9 @@ impl Chart {
         if let Some(floor) = self.noise_floor {
             let y = c.y.at(floor);
             let _ = writeln!(svg, "<path class=\"floor\" d=\"M{left} {y:.1}H{right}\"/>");
-            text(svg, "hint", left + 6.0, y - 5.0, "noise of the truth");
+            // Without path tracing's line the right end is free, and controls stand at the left one.
+            let (class, x) = if self.path_tracing.is_some() { ("hint", left + 6.0) } else { ("hint end", right - 6.0) };
+            text(svg, class, x, y - 5.0, "noise of the truth");
         }
         if let Some(at_one_ms) = self.path_tracing {
             draw_path_tracing(svg, c, at_one_ms);

@@ -8,7 +8,7 @@ pub mod volume;
 
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
-use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Unit};
+use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::scene::{Camera, Scene};
 use glam::{IVec4, UVec4, Vec3, Vec4};
@@ -518,6 +518,10 @@ impl Method for Lpv {
 
     fn feedback_gain(&self) -> Option<f64> {
         self.state.as_ref()?.report.ratio
+    }
+
+    fn terms(&self) -> Vec<Terms> {
+        self.feedback_gain().map(|ratio| Terms::geometric("bounces", "bounces", ratio)).into_iter().collect()
     }
 
     fn search(&self) -> &'static [SearchAxis] {

@@ -4,10 +4,10 @@ use super::atlas::Lookup;
 use super::feedback::Feedback;
 use super::model::{Blend, SrpBake};
 use super::runtime::{Points, RuntimeOptions, SrpRuntime};
-use super::{BakeOptions, Compression, NAME, Placement, Plan, file};
+use super::{BakeOptions, Compression, NAME, Placement, Plan, Window, file};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::methods::settings::parse;
-use crate::methods::{Input, Method, MethodError, MethodRow, Setting, Settings, StageClock, Unit};
+use crate::methods::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
 use glam::Vec3;
 use interreflect_kernels::math::sh;
 use interreflect_shared::scene::{NO_SURFACE, SceneTriangle, Surfel};
@@ -48,6 +48,13 @@ pub const ROW: MethodRow = MethodRow {
             default: "7",
             allowed: "from 0 to 9",
             help: "Order of the probes' spherical harmonics, (order + 1)² coefficients. Higher: sharper light from far probes.",
+        },
+        Setting {
+            key: "window",
+            default: "none",
+            allowed: "`none`, `hanning` or `lanczos`",
+            help: "Window on the bands of what probes see. `lanczos`, and more so `hanning`: less ringing beside small bright \
+                   lights, less contrast everywhere. The window widens with the order.",
         },
         Setting {
             key: "rays",
@@ -205,6 +212,8 @@ impl Options {
         let metric: String = parse(&ROW, settings, "metric", |m: &String| m == "light" || m == "matrix")?;
         let atoms = parse(&ROW, settings, "atoms", |n| (1..=256).contains(n))?;
         let sparsity = parse(&ROW, settings, "sparsity", |n| (1..=64).contains(n))?;
+        let window: String =
+            parse(&ROW, settings, "window", |w: &String| ["none", "hanning", "lanczos"].contains(&w.as_str()))?;
         let visibility: String = parse(&ROW, settings, "visibility", |v: &String| v == "texels" || v == "rays")?;
         Ok(Self {
             file: parse(&ROW, settings, "file", |_: &String| true)?,
@@ -212,6 +221,11 @@ impl Options {
                 receivers: parse(&ROW, settings, "receivers", |n| (64..=1 << 24).contains(n))?,
                 probes: parse(&ROW, settings, "probes", |n| (1..=1 << 16).contains(n))?,
                 order: parse(&ROW, settings, "order", |n| *n <= 9)?,
+                window: match window.as_str() {
+                    "hanning" => Window::Hanning,
+                    "lanczos" => Window::Lanczos,
+                    _ => Window::None,
+                },
                 rays: parse(&ROW, settings, "rays", |n| (16..=1 << 16).contains(n))?,
                 relight_rays: parse(&ROW, settings, "relight_rays", |n| (16..=1 << 16).contains(n))?,
                 overlap: parse(&ROW, settings, "overlap", |x| (1.0..=64.0).contains(x))?,
@@ -253,6 +267,8 @@ struct State {
     report: serde_json::Value,
     /// SH coefficients per probe.
     coefficient_count: usize,
+    /// By order: part of the probes' light, as amplitude, that the bands beyond it carry.
+    beyond_order: Vec<(u32, f64)>,
     /// Frames for which nothing but their own pixels was computed.
     idle_frames: u32,
     /// Whether light has changed since the last frame.
@@ -286,6 +302,7 @@ impl Method for Srp {
             texel_m,
             report,
             coefficient_count,
+            beyond_order: Vec::new(),
             idle_frames: 0,
             changed: true,
         });
@@ -310,6 +327,7 @@ impl Method for Srp {
         state.report["bounces"] = json!(bounces.min(most));
         let coefs: Vec<f32> = exec.read_slice(state.runtime.coefficients_buffer())?;
         state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count));
+        state.beyond_order = beyond_order(&coefs, state.coefficient_count);
         state.changed = true;
         Ok(())
     }
@@ -348,6 +366,27 @@ impl Method for Srp {
 
     fn feedback_gain(&self) -> Option<f64> {
         Some(self.state.as_ref()?.feedback.spectral_radius)
+    }
+
+    fn terms(&self) -> Vec<Terms> {
+        let Some(state) = &self.state else { return Vec::new() };
+        let bounces = Terms::geometric("bounces", "bounces", state.feedback.spectral_radius);
+        let bands = Terms { key: "order", name: "bands", beyond: state.beyond_order.clone() };
+        vec![bounces, bands]
+    }
+
+    fn search(&self) -> &'static [SearchAxis] {
+        const AXES: &[SearchAxis] = &[
+            SearchAxis { key: "receivers", values: &["2048", "4096", "8192", "16384", "40960"] },
+            SearchAxis { key: "probes", values: &["8", "27", "64", "125"] },
+            SearchAxis { key: "order", values: &["2", "3", "4", "5", "7", "9"] },
+            SearchAxis { key: "relight_rays", values: &["512", "1024", "2048", "4096", "8192"] },
+            SearchAxis { key: "error", values: &["0.02", "0.01", "0.005", "0.002"] },
+            SearchAxis { key: "light_samples", values: &["4", "8", "16"] },
+            SearchAxis { key: "rays", values: &["128", "256", "512", "1024"] },
+            SearchAxis { key: "overlap", values: &["5", "10", "20"] },
+        ];
+        AXES
     }
 
     fn needs(&self) -> serde_json::Value {
@@ -434,6 +473,23 @@ fn probes_by_order(coefs: &[f32], k: usize) -> Vec<u32> {
     counts
 }
 
+/// By order: the part of the probes' light, as amplitude over all probes, that the bands beyond it carry. Of what lies
+/// beyond the last band nothing is known; bands fall, so that the last one's share stands for the next.
+fn beyond_order(coefs: &[f32], k: usize) -> Vec<(u32, f64)> {
+    let order = sh::band(k.max(1) - 1);
+    let mut energies = vec![0.0; order as usize + 1];
+    for (c, value) in coefs.iter().enumerate() {
+        energies[sh::band(c % k.max(1)) as usize] += f64::from(*value).powi(2);
+    }
+    let total: f64 = energies.iter().sum();
+    if total <= 0.0 {
+        return Vec::new();
+    }
+    let beyond = |l: u32| energies.iter().skip(l as usize + 1).sum::<f64>();
+    let last = energies[order as usize];
+    (0..=order).map(|l| (l, (if l < order { beyond(l) } else { last } / total).sqrt())).collect()
+}
+
 impl State {
     /// The receivers around a pixel's surface point.
     fn blend(&self, s: &Surfel) -> Blend {
@@ -461,6 +517,18 @@ mod tests {
         coefs[0] = 2.0;
         coefs[27 + 9 + 5] = 1.0;
         assert_eq!(probes_by_order(&coefs, 9), [1, 0, 1]);
+    }
+
+    #[test]
+    fn what_lies_beyond_an_order_is_the_energy_of_its_bands() {
+        // One probe, one channel: band 0 carries 16 parts, band 1 8, band 2 1.
+        let mut coefs = vec![0.0; 27];
+        (coefs[0], coefs[2], coefs[5]) = (4.0, 8f32.sqrt(), 1.0);
+        let beyond = beyond_order(&coefs, 9);
+        for ((order, got), expected) in beyond.iter().zip([9.0 / 25.0_f64, 1.0 / 25.0, 1.0 / 25.0]) {
+            assert!((got - expected.sqrt()).abs() < 1e-6, "{order}: {got}");
+        }
+        assert!(beyond_order(&[0.0; 27], 9).is_empty());
     }
 
     #[test]

@@ -1,0 +1,641 @@
+//! The search itself.
+
+use super::model::Prediction;
+use super::{
+    Axis, Candidate, Effect, Effort, Evidence, Goal, Neighbour, Reason, Rejected, axes, finite, same, step, words,
+};
+use crate::error::Error;
+use crate::methods::{MethodRow, Settings};
+
+/// Error over the limit up to which dearer parameters of a rung may be enough.
+const FAR_OFF: f64 = 2.5;
+/// Rungs per method, of those that all but keep the limit, from which dearer parameters are tried.
+const NEAR_MISSES: usize = 2;
+/// Cost over the best's up to which another method's rung may still become cheaper than it, parameter by parameter.
+const RIVAL: f64 = 2.0;
+/// Overrun that a step must leave of the one before, where nothing fits yet.
+const NEARER: f64 = 0.99;
+/// Share of the cost that a step must leave at most: less is the clock's noise, and not worth an error.
+const SAVES: f64 = 0.97;
+/// How much faster a trial at the smallest size must be for the model to be asked there.
+const CHEAP: f64 = 4.0;
+/// Settings, the one in question among them, in which a place where an effect was learnt may differ.
+const FAR: usize = 3;
+/// Proposals of the model that are run, per start.
+const PROPOSALS: usize = 5;
+/// Cost over the cheapest's up to which a candidate is timed again on the whole picture, and how many of them.
+const FINALISTS: (f64, usize) = (1.15, 3);
+/// Part of the error below which the light that all further terms carry is not worth a trial.
+const NEGLIGIBLE: f64 = 0.1;
+/// Blocks of the picture at which the truth of a finalist is traced at least: a few blocks may miss where the error is.
+const CONFIRMED_BLOCKS: usize = 512;
+/// Least ratio of errors from rung to rung that a ladder is expected to go on with, and how much better than that it may
+/// turn out to be.
+const OPTIMISM: [f64; 2] = [0.6, 0.7];
+
+/// What the search remembers.
+pub(super) struct Search<'a> {
+    evidence: &'a mut Evidence,
+    goal: Goal,
+    methods: &'a [&'static MethodRow],
+    news: &'a mut dyn FnMut(&Candidate),
+    tried: Vec<Candidate>,
+    rejected: Vec<Rejected>,
+    /// What estimates spared, in words.
+    pub spared: Vec<String>,
+}
+
+/// How far a method's ladder was climbed.
+struct Ladder {
+    row: &'static MethodRow,
+    next: usize,
+    /// Cost of the last rung: rungs are ordered by it.
+    cost: f64,
+    errors: Vec<f64>,
+}
+
+impl Ladder {
+    /// Error of the last rung, if errors go on falling as they do, and somewhat faster; `None` before they are known to fall.
+    fn expected(&self) -> Option<f64> {
+        let [.., before, last] = self.errors.as_slice() else { return None };
+        let left = self.row.ladder.len().saturating_sub(self.next) as i32;
+        Some(OPTIMISM[1] * last * (last / before).clamp(OPTIMISM[0], 1.0).powi(left))
+    }
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(
+        evidence: &'a mut Evidence,
+        goal: Goal,
+        methods: &'a [&'static MethodRow],
+        news: &'a mut dyn FnMut(&Candidate),
+    ) -> Self {
+        Self { evidence, goal, methods, news, tried: Vec::new(), rejected: Vec::new(), spared: Vec::new() }
+    }
+
+    /// Sets of settings and seconds that the evidence has spent.
+    pub(super) fn spent(&self) -> (usize, f64) {
+        (self.evidence.trials, self.evidence.truth_s)
+    }
+
+    pub(super) fn reject_all(&mut self, reason: &str) {
+        self.rejected =
+            self.methods.iter().map(|m| Rejected { method: m.name.into(), reason: reason.into() }).collect();
+    }
+
+    /// The best settings that keep the limits; `None` where none were found.
+    pub(super) fn find(&mut self) -> Result<Option<Candidate>, Error> {
+        self.climb()?;
+        if self.best().is_none() {
+            self.rescue()?;
+        }
+        if let Some(best) = self.best() {
+            self.refine(best)?;
+        }
+        self.confirmed()
+    }
+
+    fn row(&self, name: &str) -> Option<&'static MethodRow> {
+        self.methods.iter().find(|m| m.name == name).copied()
+    }
+
+    fn fits(&self, c: &Candidate) -> bool {
+        self.goal.affords(c) && self.goal.accepts(c)
+    }
+
+    /// The best of all that were tried.
+    fn best(&self) -> Option<Candidate> {
+        let fitting = self.tried.iter().filter(|c| self.fits(c));
+        let better = |a: &&Candidate, b: &&Candidate| match self.goal.error {
+            Some(_) => self.goal.cost(a).total_cmp(&self.goal.cost(b)),
+            None => a.error.total_cmp(&b.error),
+        };
+        fitting.min_by(better).cloned()
+    }
+
+    /// Glances at settings unless they were run; `None` where the method refuses, with the reason kept.
+    fn run(&mut self, row: &'static MethodRow, settings: &Settings) -> Option<Candidate> {
+        if let Some(known) = self.tried.iter().find(|c| c.row == row.name && c.settings == *settings) {
+            return Some(known.clone());
+        }
+        let evidence = &mut *self.evidence;
+        let work = || evidence.try_settings(row, settings, Effort::Glance);
+        match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
+            Ok(Ok(candidate)) => {
+                (self.news)(&candidate);
+                self.tried.push(candidate.clone());
+                Some(candidate)
+            }
+            Ok(Err(error)) => {
+                self.rejected.push(Rejected { method: row.name.into(), reason: error.to_string() });
+                None
+            }
+            Err(_) => {
+                self.rejected.push(Rejected { method: row.name.into(), reason: "it crashed".into() });
+                None
+            }
+        }
+    }
+
+    /// [`Self::run`], until it is clear on which side of the limit the error lies.
+    fn run_clear(&mut self, row: &'static MethodRow, settings: &Settings) -> Result<Option<Candidate>, Error> {
+        let Some(mut candidate) = self.run(row, settings) else { return Ok(None) };
+        if let Some(limit) = self.goal.error {
+            self.evidence.settle(row, &mut candidate, limit, 0)?;
+            self.remember(&candidate);
+        }
+        Ok(Some(candidate))
+    }
+
+    fn remember(&mut self, candidate: &Candidate) {
+        match self.tried.iter_mut().find(|c| c.row == candidate.row && c.settings == candidate.settings) {
+            Some(known) => *known = candidate.clone(),
+            None => self.tried.push(candidate.clone()),
+        }
+    }
+
+    /// All methods' ladders, cheapest first, as far as a rung can still win.
+    fn climb(&mut self) -> Result<(), Error> {
+        let start = |row: &&'static MethodRow| Ladder { row, next: 0, cost: 0.0, errors: Vec::new() };
+        let mut open: Vec<Ladder> = self.methods.iter().map(start).collect();
+        let mut best_cost = f64::INFINITY;
+        loop {
+            open.retain(|l| {
+                l.next < l.row.ladder.len() && l.cost < best_cost && self.goal.ms.is_none_or(|ms| l.cost <= ms)
+            });
+            let limit = self.goal.error.unwrap_or(0.0);
+            let hopeless = |l: &Ladder| limit > 0.0 && l.expected().is_some_and(|e| e > limit);
+            let order = |a: &&usize, b: &&usize| {
+                let (a, b) = (&open[**a], &open[**b]);
+                hopeless(a).cmp(&hopeless(b)).then(a.cost.total_cmp(&b.cost))
+            };
+            let all: Vec<usize> = (0..open.len()).collect();
+            let Some(&at) = all.iter().min_by(order) else { return Ok(()) };
+            if hopeless(&open[at]) && best_cost.is_finite() {
+                open.iter().for_each(|l| self.spare_ladder(l));
+                return Ok(());
+            }
+            let ladder = &mut open[at];
+            let row = ladder.row;
+            let settings = row.with(row.ladder[ladder.next].1.iter().copied())?;
+            ladder.next += 1;
+            let Some(candidate) = self.run_clear(row, &settings)? else { continue };
+            ladder.cost = self.goal.cost(&candidate);
+            ladder.errors.push(candidate.error);
+            if self.goal.precompute_ms.is_some_and(|ms| candidate.precompute_ms > ms) {
+                // Its further rungs take longer to prepare.
+                open.remove(at);
+            } else if self.fits(&candidate) && self.goal.error.is_some() {
+                best_cost = best_cost.min(self.goal.cost(&candidate));
+                // Its further rungs cost more.
+                open.remove(at);
+            }
+        }
+    }
+
+    fn spare_ladder(&mut self, ladder: &Ladder) {
+        let (Some(expected), Some(last)) = (ladder.expected(), ladder.errors.last()) else { return };
+        let (name, left) = (ladder.row.name, ladder.row.ladder.len() - ladder.next);
+        let reason = format!(
+            "its error is {last:.3} after {} rungs; as it falls, the {left} dearer ones would leave no less than {expected:.3}: \
+             not tried",
+            ladder.next
+        );
+        self.spared.push(format!("{name}: {reason}"));
+        self.rejected.push(Rejected { method: name.into(), reason });
+    }
+
+    /// Where no rung fits: from each method's nearest one beyond the ladder's ends, parameter by parameter, as long as that
+    /// brings it nearer.
+    fn rescue(&mut self) -> Result<(), Error> {
+        for row in self.methods.iter().copied() {
+            let own = self.tried.iter().filter(|c| c.row == row.name);
+            let nearest = own.min_by(|a, b| self.goal.overrun(a).total_cmp(&self.goal.overrun(b))).cloned();
+            let Some(mut best) = nearest else { continue };
+            for axis in axes(row, &best.settings) {
+                // Too slow or too large asks for less, too wrong for more.
+                let direction = if self.goal.affords(&best) { 1 } else { -1 };
+                while let Some(settings) = step(&best.settings, &axis, direction) {
+                    let Some(next) = self.run_clear(row, &settings)? else { break };
+                    if self.goal.overrun(&next) > NEARER * self.goal.overrun(&best) {
+                        break;
+                    }
+                    best = next;
+                    if self.fits(&best) {
+                        return Ok(());
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Where nothing fits: the smallest error of all that time and memory allow, or of all.
+    pub(super) fn closest(&self) -> Option<Candidate> {
+        let least = |all: &mut dyn Iterator<Item = &Candidate>| all.min_by(|a, b| a.error.total_cmp(&b.error)).cloned();
+        least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
+    }
+
+    /// Something better than the best rung: beside it, beside what all but fits, beside what fits and costs little more.
+    fn refine(&mut self, best: Candidate) -> Result<(), Error> {
+        let Some(row) = self.row(best.row) else { return Ok(()) };
+        let Some(limit) = self.goal.error else { return self.raise(row, best) };
+        let mut best = self.lower(row, best, limit)?;
+        for row in self.methods.iter().copied() {
+            let cost = self.goal.cost(&best);
+            let rival = self.tried.iter().filter(|c| c.row == row.name && c.row != best.row);
+            let rival = rival.filter(|c| self.fits(c) && self.goal.cost(c) < RIVAL * cost);
+            let rival = rival.min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b))).cloned();
+            let between = self.between_rungs(row, cost, limit)?;
+            for start in rival.into_iter().chain(between) {
+                let found = self.lower(row, start, limit)?;
+                if self.goal.cost(&found) < self.goal.cost(&best) {
+                    best = found;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Cheaper settings that still fit, from some that do.
+    fn lower(&mut self, row: &'static MethodRow, mut best: Candidate, limit: f64) -> Result<Candidate, Error> {
+        // A second round, because a parameter that was needed may not be once another is lower.
+        for _ in 0..2 {
+            let before = self.goal.cost(&best);
+            if let Some(size) = axes(row, &best.settings).first().cloned() {
+                best = self.lower_axis(row, best, &size)?;
+            }
+            best = match self.cheap_base(row, &best) {
+                Some(_) => self.lower_by_model(row, best, limit)?,
+                None => self.lower_by_trials(row, best, limit)?,
+            };
+            if self.goal.cost(&best) > SAVES * before {
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// One axis down, value by value, while the limit holds and time is saved.
+    fn lower_axis(&mut self, row: &'static MethodRow, mut best: Candidate, axis: &Axis) -> Result<Candidate, Error> {
+        while let Some(settings) = step(&best.settings, axis, -1) {
+            let Some(next) = self.run(row, &settings) else { break };
+            if self.goal.cost(&next) > SAVES * self.goal.cost(&best) {
+                break;
+            }
+            let Some(next) = self.run_clear(row, &settings)? else { break };
+            if !(self.fits(&next) && self.goal.cost(&next) <= SAVES * self.goal.cost(&best)) {
+                break;
+            }
+            best = next;
+        }
+        Ok(best)
+    }
+
+    /// Every axis but the first down, by trials; what earlier pairs of trials say is useless is not tried.
+    fn lower_by_trials(
+        &mut self,
+        row: &'static MethodRow,
+        mut best: Candidate,
+        limit: f64,
+    ) -> Result<Candidate, Error> {
+        for axis in axes(row, &best.settings).into_iter().skip(1) {
+            let Some(settings) = step(&best.settings, &axis, -1) else { continue };
+            if let Some(effect) = self.known_effect(row, &best, &axis.key, &settings[&axis.key]) {
+                let predicted = Prediction::measured(&best).with(&effect);
+                let saves = predicted.cost(&self.goal) <= SAVES * self.goal.cost(&best);
+                if !saves || self.evidence.error_of(&predicted.means) > 1.3 * limit {
+                    self.spare(&best, &effect, &predicted);
+                    continue;
+                }
+            }
+            best = self.lower_axis(row, best, &axis)?;
+        }
+        Ok(best)
+    }
+
+    /// Every axis but the first, as the model proposes; each proposal is run.
+    fn lower_by_model(&mut self, row: &'static MethodRow, mut best: Candidate, limit: f64) -> Result<Candidate, Error> {
+        let mut slack = 1.0;
+        for _ in 0..PROPOSALS {
+            let Some((settings, predicted)) = self.propose(row, &best, slack * limit, f64::INFINITY) else { break };
+            if predicted.cost(&self.goal) > SAVES * self.goal.cost(&best) {
+                break;
+            }
+            let Some(next) = self.run_clear(row, &settings)? else { break };
+            let saves = self.goal.cost(&next) <= SAVES * self.goal.cost(&best);
+            if self.fits(&next) && saves {
+                best = next;
+            } else if saves {
+                // Too hopeful: ask it for as much less.
+                let error = self.evidence.error_of(&predicted.means);
+                slack *= (error / next.error).clamp(0.5, 0.97);
+            } else {
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Settings that the model expects to keep `limit` at the least cost, below `bar` (ms), the size being that of `at`:
+    /// dearer values while the limit is not kept, those first that gain most for their time, then cheaper ones while it is.
+    fn propose(
+        &mut self,
+        row: &'static MethodRow,
+        at: &Candidate,
+        limit: f64,
+        bar: f64,
+    ) -> Option<(Settings, Prediction)> {
+        let axes: Vec<Axis> = axes(row, &at.settings).into_iter().skip(1).collect();
+        let mut moves: Vec<Option<Effect>> = vec![None; axes.len()];
+        let mut now = Prediction::measured(at);
+        let mut error = self.evidence.error_of(&now.means);
+        for direction in [1, -1] {
+            let mut raised: Vec<bool> = moves.iter().map(Option::is_some).collect();
+            while (direction > 0 && error > limit) || direction < 0 {
+                let mut chosen: Option<(f64, usize, Effect, Prediction, f64)> = None;
+                for (k, axis) in axes.iter().enumerate() {
+                    // What was raised is not lowered again.
+                    if direction < 0 && raised[k] {
+                        continue;
+                    }
+                    let mut settings = at.settings.clone();
+                    if let Some(moved) = &moves[k] {
+                        settings.insert(axis.key.clone(), moved.value.clone());
+                    }
+                    let Some(next) = step(&settings, axis, direction) else { continue };
+                    if direction > 0 && self.carries_nothing(at, &axis.key) {
+                        continue;
+                    }
+                    let Some(effect) = self.effect(row, at, &axis.key, &next[&axis.key]) else { continue };
+                    let others = moves.iter().enumerate().filter(|(n, _)| *n != k).filter_map(|(_, m)| m.as_ref());
+                    let predicted =
+                        others.chain([&effect]).fold(Prediction::measured(at), |sum, effect| sum.with(effect));
+                    let (new_error, cost) = (self.evidence.error_of(&predicted.means), now.cost(&self.goal));
+                    let saved = cost - predicted.cost(&self.goal);
+                    let growth = new_error * new_error - error * error;
+                    let least = 0.01 * error * error;
+                    let score = if direction > 0 {
+                        let useful = growth < -least && predicted.cost(&self.goal) < bar;
+                        useful.then(|| -growth / (-saved).max(0.01 * cost))
+                    } else {
+                        let useful = new_error <= limit && saved >= (1.0 - SAVES) * cost;
+                        useful.then(|| saved / growth.max(least))
+                    };
+                    match score {
+                        Some(score) if chosen.as_ref().is_none_or(|c| score > c.0) => {
+                            chosen = Some((score, k, effect, predicted, new_error));
+                        }
+                        None if direction < 0 && moves[k].is_none() => self.spare(at, &effect, &predicted),
+                        _ => {}
+                    }
+                }
+                let Some((_, k, effect, predicted, new_error)) = chosen else { break };
+                (moves[k], now, error) = (Some(effect), predicted, new_error);
+                raised[k] |= direction > 0;
+            }
+            if error > limit {
+                return None;
+            }
+        }
+        let mut settings = at.settings.clone();
+        for (axis, moved) in axes.iter().zip(&moves) {
+            if let Some(moved) = moved {
+                settings.insert(axis.key.clone(), moved.value.clone());
+            }
+        }
+        (settings != at.settings).then_some((settings, now))
+    }
+
+    /// Whether the terms beyond a setting's value carry too little to matter for the error; says so.
+    fn carries_nothing(&mut self, at: &Candidate, key: &str) -> bool {
+        let Some((terms, share)) = beyond(at, key).filter(|(_, share)| *share < NEGLIGIBLE * at.error) else {
+            return false;
+        };
+        let step = format!("{} {key} {}", at.row, at.settings[key]);
+        if !self.spared.iter().any(|s| s.starts_with(&step)) {
+            let share = words::percent(share);
+            self.spared
+                .push(format!("{step}: all {terms} beyond it carry {share} of the light: higher values not tried"));
+        }
+        true
+    }
+
+    /// Says what a step would do that is not tried.
+    fn spare(&mut self, at: &Candidate, effect: &Effect, predicted: &Prediction) {
+        let step = format!("{} {} {} -> {}", at.row, effect.key, at.settings[&effect.key], effect.value);
+        if self.spared.iter().any(|s| s.starts_with(&step)) {
+            return;
+        }
+        let errors = [at.error, self.evidence.error_of(&predicted.means)];
+        let costs = [self.goal.cost(at), predicted.cost(&self.goal)];
+        self.spared.push(words::spared(&step, &effect.learnt_at, errors, costs, self.goal.error));
+    }
+
+    /// The same settings at the method's smallest size, where that is much faster: where effects are learnt.
+    fn cheap_base(&mut self, row: &'static MethodRow, at: &Candidate) -> Option<Candidate> {
+        let size = axes(row, &at.settings).into_iter().next()?;
+        let smallest = row.with(row.ladder.first()?.1.iter().copied()).ok()?;
+        let value = smallest.get(&size.key)?;
+        if same(value, at.settings.get(&size.key)?) {
+            return None;
+        }
+        let settings = changed(&at.settings, &size.key, value);
+        let too_slow = |c: &Candidate| c.wall_s * CHEAP > at.wall_s;
+        // The smallest rung is a lower bound of what it takes.
+        if self.tried.iter().any(|c| c.row == row.name && c.settings == smallest && too_slow(c)) {
+            return None;
+        }
+        self.run(row, &settings).filter(|c| !too_slow(c))
+    }
+
+    /// What another value of a setting does, from trials that differ in it alone, or asked for at the smallest size.
+    fn effect(&mut self, row: &'static MethodRow, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
+        if let Some(known) = self.known_effect(row, at, key, value) {
+            return Some(known);
+        }
+        let base = self.cheap_base(row, at)?;
+        let other = self.run(row, &changed(&base.settings, key, value))?;
+        Some(Effect::between(&base, &other, key, &at.settings))
+    }
+
+    fn known_effect(&self, row: &MethodRow, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
+        let own = || self.tried.iter().filter(|c| c.row == row.name);
+        let after = own().filter(|c| c.settings.get(key).is_some_and(|v| same(v, value)));
+        let pairs = after.filter_map(|after| {
+            let before = changed(&after.settings, key, &at.settings[key]);
+            let distance = after.settings.iter().filter(|(k, v)| at.settings.get(*k) != Some(*v)).count();
+            Some((distance, own().find(|c| c.settings == before)?, after))
+        });
+        let (distance, before, after) = pairs.min_by_key(|p| p.0)?;
+        (distance <= FAR).then(|| Effect::between(before, after, key, &at.settings))
+    }
+
+    /// What all but keeps the limit and costs less than `bar` (ms) may need dearer parameters only, which is cheaper than the
+    /// whole next rung: the cheapest that is found.
+    fn between_rungs(&mut self, row: &'static MethodRow, bar: f64, limit: f64) -> Result<Option<Candidate>, Error> {
+        let missed = self.tried.iter().filter(|c| c.row == row.name && !self.goal.accepts(c) && self.goal.affords(c));
+        // Something far off, or hardly cheaper, is not a step away.
+        let near = missed.filter(|c| c.error <= FAR_OFF * limit && self.goal.cost(c) <= 0.8 * bar);
+        let mut near: Vec<Candidate> = near.cloned().collect();
+        near.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let mut best: Option<Candidate> = None;
+        for below in near.into_iter().take(NEAR_MISSES) {
+            let mut proposals: Vec<Settings> = Vec::new();
+            let all = axes(row, &below.settings);
+            proposals.extend(all.first().and_then(|size| step(&below.settings, size, 1)));
+            match self.cheap_base(row, &below) {
+                Some(_) => {
+                    let proposed = [1.0, 0.9].map(|slack| self.propose(row, &below, slack * limit, bar));
+                    proposals.extend(proposed.into_iter().flatten().map(|p| p.0));
+                }
+                None => {
+                    let useful = all.iter().skip(1).filter(|axis| !self.carries_nothing(&below, &axis.key));
+                    proposals.extend(useful.filter_map(|axis| step(&below.settings, axis, 1)));
+                }
+            }
+            for settings in proposals {
+                let Some(next) = self.run(row, &settings) else { continue };
+                if self.goal.cost(&next) >= best.as_ref().map_or(bar, |b| self.goal.cost(b)) {
+                    continue;
+                }
+                best = self.run_clear(row, &settings)?.filter(|c| self.fits(c)).or(best);
+            }
+        }
+        Ok(best)
+    }
+
+    /// More accurate settings within the limits of time and memory: every axis up while the error falls.
+    fn raise(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<(), Error> {
+        for axis in axes(row, &best.settings) {
+            while let Some(settings) = step(&best.settings, &axis, 1) {
+                if self.carries_nothing(&best, &axis.key) {
+                    break;
+                }
+                let size = axes(row, &best.settings).first().is_some_and(|a| a.key == axis.key);
+                if let Some(effect) =
+                    (!size).then(|| self.effect(row, &best, &axis.key, &settings[&axis.key])).flatten()
+                {
+                    let predicted = Prediction::measured(&best).with(&effect);
+                    if self.evidence.error_of(&predicted.means) > best.error {
+                        self.spare(&best, &effect, &predicted);
+                        break;
+                    }
+                }
+                let Some(next) = self.run(row, &settings) else { break };
+                if !(self.goal.affords(&next) && next.error < 0.99 * best.error) {
+                    break;
+                }
+                best = next;
+            }
+        }
+        Ok(())
+    }
+
+    /// The best of all tried that fits, the finalists being run for the whole picture and timed again.
+    fn confirmed(&mut self) -> Result<Option<Candidate>, Error> {
+        loop {
+            let Some(best) = self.best() else { return Ok(None) };
+            let close = |c: &&Candidate| match self.goal.error {
+                Some(_) => self.goal.cost(c) <= FINALISTS.0 * self.goal.cost(&best),
+                None => c.settings == best.settings && c.row == best.row,
+            };
+            let mut finalists: Vec<Candidate> =
+                self.tried.iter().filter(|c| self.fits(c)).filter(close).cloned().collect();
+            finalists.sort_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b)));
+            finalists.truncate(FINALISTS.1);
+            let unsure: Vec<Candidate> = finalists.into_iter().filter(|c| c.effort == Effort::Glance).collect();
+            if unsure.is_empty() {
+                return Ok(Some(best));
+            }
+            for glance in unsure {
+                let Some(row) = self.row(glance.row) else { continue };
+                let mut whole = self.evidence.try_settings(row, &glance.settings, Effort::Whole)?;
+                if let Some(limit) = self.goal.error {
+                    self.evidence.settle(row, &mut whole, limit, CONFIRMED_BLOCKS)?;
+                }
+                self.remember(&whole);
+            }
+        }
+    }
+
+    /// The neighbours of every parameter's chosen value: run, or estimated where that is much faster.
+    pub(super) fn why(&mut self, chosen: &Candidate) -> Vec<Reason> {
+        let Some(row) = self.row(chosen.row) else { return Vec::new() };
+        let mut reasons = Vec::new();
+        for (k, axis) in axes(row, &chosen.settings).into_iter().enumerate() {
+            let below = self.neighbour(row, chosen, &axis, -1, k == 0);
+            let above = self.neighbour(row, chosen, &axis, 1, k == 0);
+            let value = chosen.settings[&axis.key].clone();
+            let words =
+                words::explain(&axis.key, &value, chosen, (&below, &above), beyond(chosen, &axis.key), &self.goal);
+            reasons.push(Reason { key: axis.key, value, below, above, words });
+        }
+        reasons
+    }
+
+    fn neighbour(
+        &mut self,
+        row: &'static MethodRow,
+        chosen: &Candidate,
+        axis: &Axis,
+        direction: isize,
+        is_size: bool,
+    ) -> Option<Neighbour> {
+        let settings = step(&chosen.settings, axis, direction)?;
+        let value = settings[&axis.key].clone();
+        let known = self.tried.iter().any(|c| c.row == row.name && c.settings == settings);
+        if let (false, false, Some(effect)) = (known, is_size, self.effect(row, chosen, &axis.key, &value)) {
+            let predicted = Prediction::measured(chosen).with(&effect);
+            let (error, ms) = (self.evidence.error_of(&predicted.means), predicted.cost(&self.goal));
+            // What an estimate would rather have chosen is no reason: it is run.
+            let doubtful = self.goal.error.is_some_and(|limit| error <= limit) && ms <= SAVES * self.goal.cost(chosen);
+            if !doubtful {
+                let (error, ms) = (Some(finite(error)), Some(ms));
+                return Some(Neighbour { value, error, ms, estimated_at: Some(effect.learnt_at) });
+            }
+        }
+        let ran = self.run(row, &settings);
+        let (error, ms) = (ran.as_ref().map(|c| finite(c.error)), ran.as_ref().map(|c| self.goal.cost(c)));
+        Some(Neighbour { value, error, ms, estimated_at: None })
+    }
+
+    /// Why the other methods were not chosen.
+    pub(super) fn rejections(&self, chosen: Option<&Candidate>) -> Vec<Rejected> {
+        let others = self.methods.iter().filter(|m| chosen.is_none_or(|c| c.row != m.name));
+        others.map(|row| Rejected { method: row.name.into(), reason: self.rejection(row) }).collect()
+    }
+
+    fn rejection(&self, row: &MethodRow) -> String {
+        let own = || self.tried.iter().filter(|c| c.row == row.name);
+        let best = own().min_by(|a, b| a.error.total_cmp(&b.error));
+        let refused = self.rejected.iter().rev().find(|r| r.method == row.name);
+        let fits = own().filter(|c| self.fits(c)).min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b)));
+        match (fits, best, refused) {
+            (Some(c), _, _) => {
+                format!("error {:.3} in {:.1} ms fits, but costs more than the choice", c.error, self.goal.cost(c))
+            }
+            (None, _, Some(r)) => r.reason.clone(),
+            (None, Some(c), _) => format!(
+                "its best so far has an error of {:.3} in {:.1} ms, and better rungs would cost more than the choice or the \
+                 limit",
+                c.error,
+                self.goal.cost(c)
+            ),
+            (None, None, None) => "even its cheapest rung costs more".into(),
+        }
+    }
+}
+
+/// What a setting cuts off, and the part of the light that it carries, where the method knows.
+fn beyond(at: &Candidate, key: &str) -> Option<(&'static str, f64)> {
+    let terms = at.terms.iter().find(|t| t.key == key)?;
+    Some((terms.name, terms.left_out(at.settings.get(key)?)?))
+}
+
+/// Settings with one value changed.
+fn changed(settings: &Settings, key: &str, value: &str) -> Settings {
+    let mut changed = settings.clone();
+    changed.insert(key.into(), value.into());
+    changed
+}

@@ -1,0 +1,75 @@
+//! Reasons, in words.
+
+use super::{Candidate, Goal, Neighbour};
+
+/// `resolution 64: at 48 the error is 0.231, over the limit; 96 would change it by 4.0 %: not needed`.
+pub(super) fn explain(
+    key: &str,
+    value: &str,
+    chosen: &Candidate,
+    (below, above): (&Option<Neighbour>, &Option<Neighbour>),
+    beyond: Option<(&str, f64)>,
+    goal: &Goal,
+) -> String {
+    let mut parts = Vec::new();
+    if let Some(n) = below {
+        let source = source(n);
+        parts.push(match (n.error, n.ms) {
+            (Some(e), _) if goal.error.is_some_and(|limit| e > limit) => {
+                format!("at {} the error is {e:.3}{source}, over the limit", n.value)
+            }
+            (Some(e), Some(ms)) if ms >= 0.97 * goal.cost(chosen) => {
+                format!("at {} the error is {e:.3} and the time {ms:.1} ms{source}: nothing saved", n.value)
+            }
+            (Some(e), Some(ms)) => format!("at {} the error is {e:.3} in {ms:.1} ms{source}", n.value),
+            _ => format!("{} is refused", n.value),
+        });
+    } else {
+        parts.push("there is no cheaper value".into());
+    }
+    if let Some(n) = above {
+        parts.push(match (n.error, n.ms) {
+            (Some(e), Some(ms)) => {
+                let change = 100.0 * (e / chosen.error - 1.0);
+                let verdict = match goal.error {
+                    Some(_) => "not needed",
+                    None if goal.ms.is_some_and(|limit| ms > limit) => "too slow",
+                    None if e < chosen.error => "better, but not by enough",
+                    None => "no better",
+                };
+                let (value, source) = (&n.value, source(n));
+                format!("{value} changes the error by {change:+.1} % in {ms:.1} ms{source}: {verdict}")
+            }
+            _ => format!("{} is refused", n.value),
+        });
+    }
+    if let Some((terms, share)) = beyond {
+        parts.push(format!("all {terms} beyond it carry {} of the light", percent(share)));
+    }
+    format!("{key} {value}: {}", parts.join("; "))
+}
+
+/// `12 %`, `0.2 %`.
+pub(super) fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent >= 10.0 { format!("{percent:.0} %") } else { format!("{percent:.2} %") }
+}
+
+/// Where an estimate comes from.
+fn source(n: &Neighbour) -> String {
+    n.estimated_at.as_ref().map_or_else(String::new, |at| format!(" (estimated with {at})"))
+}
+
+/// Why a step was not tried.
+pub(super) fn spared(step: &str, at: &str, errors: [f64; 2], costs: [f64; 2], limit: Option<f64>) -> String {
+    let [error, predicted] = errors;
+    let change = 100.0 * (predicted / error - 1.0);
+    let saved = 100.0 * (1.0 - costs[1] / costs[0]);
+    let verdict = match limit {
+        Some(limit) if predicted > limit => "over the limit",
+        Some(_) => "no time saved",
+        None => "not needed",
+    };
+    let at = if at.is_empty() { String::new() } else { format!(" (estimated with {at})") };
+    format!("{step} changes the error by {change:+.1} % and saves {saved:.0} % of the time{at}: {verdict}, not tried")
+}
