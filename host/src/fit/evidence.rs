@@ -14,6 +14,7 @@ use crate::scene::Scene;
 use crate::scene::device::SceneBuffers;
 use glam::{DVec3, Vec3, Vec4};
 use interreflect_shared::scene::Surfel;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -24,9 +25,13 @@ const SAMPLE_BLOCKS: usize = 128;
 /// Samples per pixel of the truth. Over a block's 64 pixels its noise is an eighth of a pixel's, and what is left is known
 /// and subtracted.
 const TRUTH_SPP: u32 = 128;
-/// Standard errors between an estimate and its bound: one side of 19 in 20, because the cheapest of many that seem to keep
-/// a limit is among those that only seem to.
-const CONFIDENCE: f64 = 1.645;
+/// Standard errors between an estimate and its bound for blocks that were not looked at: few settings are to be turned down,
+/// or taken, for the blocks that the sample happened to hold.
+const SAMPLING_CONFIDENCE: f64 = 2.0;
+/// The same for the truth's noise: one side of nine in ten.
+const NOISE_CONFIDENCE: f64 = 1.28;
+/// Times as many samples as [`TRUTH_SPP`], where every block is known and its noise alone leaves the answer open.
+const MORE_SAMPLES: u32 = 4;
 /// Runs of each phase of a whole picture, and milliseconds after which a phase is not repeated.
 const REPEATS: Repeats = Repeats { count: 3, budget_ms: 150.0 };
 /// The same of a glance: what is quick is run again, because the first run is slower and short times are noisy.
@@ -94,6 +99,8 @@ pub struct Evidence {
     /// Surface points of the first [`SAMPLE_BLOCKS`] blocks' pixels, one block after the other, and their number.
     sample: (BufferId, usize),
     truth: Vec<BlockTruth>,
+    /// Whether the truth has all the samples that it will have.
+    refined: bool,
     /// Seconds that truths took.
     pub truth_s: f64,
     /// Seconds that methods took.
@@ -149,6 +156,7 @@ impl Evidence {
             blocks,
             sample,
             truth: Vec::new(),
+            refined: false,
             truth_s: 0.0,
             trials_s: 0.0,
             trials: 0,
@@ -301,6 +309,25 @@ impl Evidence {
             }
             self.judge(candidate);
         }
+        let open = candidate.bounds[0] <= limit && limit < candidate.bounds[1];
+        if open && candidate.blocks == self.blocks.len() && !self.refined {
+            self.refine_truth()?;
+            self.judge(candidate);
+        }
+        Ok(())
+    }
+
+    /// Traces more samples of every block, all of which are known.
+    fn refine_truth(&mut self) -> Result<(), Error> {
+        self.refined = true;
+        let old = std::mem::take(&mut self.truth);
+        let more = MORE_SAMPLES - 1;
+        self.truth = self.traced(0..self.blocks.len(), more * TRUTH_SPP, 0xF17E)?;
+        let share = f64::from(more) / f64::from(MORE_SAMPLES);
+        for (new, old) in self.truth.iter_mut().zip(old) {
+            new.mean = old.mean.lerp(new.mean, share);
+            new.variance = new.variance * share * share + old.variance * (1.0 - share) * (1.0 - share);
+        }
         Ok(())
     }
 
@@ -319,14 +346,21 @@ impl Evidence {
         if self.truth.len() >= count {
             return Ok(());
         }
-        let start = Instant::now();
-        let new = &self.blocks[self.truth.len()..count];
-        let receivers: Vec<Receiver> = new.iter().flatten().map(|&k| Receiver::from(&self.view.surfels[k])).collect();
         // Its own seed: a method that samples by the same numbers must not look better than it is.
-        let settings =
-            ReferenceSettings { spp: Some(TRUTH_SPP), seed: self.seed ^ 0x0F17, ..ReferenceSettings::default() };
+        let new = self.traced(self.truth.len()..count, TRUTH_SPP, 0x0F17)?;
+        self.truth.extend(new);
+        Ok(())
+    }
+
+    /// The truth of some blocks.
+    fn traced(&mut self, blocks: Range<usize>, spp: u32, seed: u32) -> Result<Vec<BlockTruth>, Error> {
+        let start = Instant::now();
+        let new = &self.blocks[blocks];
+        let receivers: Vec<Receiver> = new.iter().flatten().map(|&k| Receiver::from(&self.view.surfels[k])).collect();
+        let settings = ReferenceSettings { spp: Some(spp), seed: self.seed ^ seed, ..ReferenceSettings::default() };
         let truth = reference::cached_irradiance(&self.cache, &self.scene, &receivers, &settings, &mut |_| {})?.truth;
         let mut values = truth.values.iter();
+        let mut found = Vec::with_capacity(new.len());
         for block in new {
             let n = block.len() as f64;
             let (mut mean, mut variance) = (DVec3::ZERO, DVec3::ZERO);
@@ -334,10 +368,10 @@ impl Evidence {
                 mean += value.indirect.as_dvec3() / n;
                 variance += value.variance.as_dvec3() / (n * n);
             }
-            self.truth.push(BlockTruth { mean, variance, count: n });
+            found.push(BlockTruth { mean, variance, count: n });
         }
         self.truth_s += start.elapsed().as_secs_f64();
-        Ok(())
+        Ok(found)
     }
 
     /// Mean of the truth over pixels and channels.
@@ -373,8 +407,9 @@ impl Evidence {
         let spread = squares.iter().map(|(s, w)| ((s - mean) * w).powi(2)).sum::<f64>();
         // The known blocks are a sample of all without replacement: all of them leave no doubt but the truth's noise.
         let unknown = (1.0 - squares.len() as f64 / self.blocks.len() as f64).max(0.0);
-        let doubt = (spread * unknown + noise * (1.0 - unknown)).sqrt() / weight;
-        (mean, CONFIDENCE * doubt, squares.len())
+        let (sampling, noise) = (spread * unknown, noise * (1.0 - unknown));
+        let doubt = (SAMPLING_CONFIDENCE.powi(2) * sampling + NOISE_CONFIDENCE.powi(2) * noise).sqrt() / weight;
+        (mean, doubt, squares.len())
     }
 
     /// Root of a mean square over the truth's mean.

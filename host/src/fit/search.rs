@@ -85,14 +85,22 @@ impl<'a> Search<'a> {
 
     /// The best settings that keep the limits; `None` where none were found.
     pub(super) fn find(&mut self) -> Result<Option<Candidate>, Error> {
-        self.climb()?;
-        if self.best().is_none() {
-            self.rescue()?;
+        let start = |row: &&'static MethodRow| Ladder { row, next: 0, cost: 0.0, errors: Vec::new() };
+        let mut open: Vec<Ladder> = self.methods.iter().map(start).collect();
+        loop {
+            self.climb(&mut open)?;
+            if self.best().is_none() {
+                self.rescue()?;
+            }
+            if let Some(best) = self.best() {
+                self.refine(best)?;
+            }
+            let found = self.confirmed()?;
+            // Where a closer look turned everything down there may be rungs left that were too dear before.
+            if found.is_some() || open.is_empty() {
+                return Ok(found);
+            }
         }
-        if let Some(best) = self.best() {
-            self.refine(best)?;
-        }
-        self.confirmed()
     }
 
     fn row(&self, name: &str) -> Option<&'static MethodRow> {
@@ -155,24 +163,20 @@ impl<'a> Search<'a> {
     }
 
     /// All methods' ladders, cheapest first, as far as a rung can still win.
-    fn climb(&mut self) -> Result<(), Error> {
-        let start = |row: &&'static MethodRow| Ladder { row, next: 0, cost: 0.0, errors: Vec::new() };
-        let mut open: Vec<Ladder> = self.methods.iter().map(start).collect();
-        let mut best_cost = f64::INFINITY;
+    fn climb(&mut self, open: &mut Vec<Ladder>) -> Result<(), Error> {
+        let limit = self.goal.error.unwrap_or(0.0);
+        let hopeless = |l: &Ladder| limit > 0.0 && l.expected().is_some_and(|e| e > limit);
         loop {
-            open.retain(|l| {
-                l.next < l.row.ladder.len() && l.cost < best_cost && self.goal.ms.is_none_or(|ms| l.cost <= ms)
-            });
-            let limit = self.goal.error.unwrap_or(0.0);
-            let hopeless = |l: &Ladder| limit > 0.0 && l.expected().is_some_and(|e| e > limit);
-            let order = |a: &&usize, b: &&usize| {
-                let (a, b) = (&open[**a], &open[**b]);
+            open.retain(|l| l.next < l.row.ladder.len() && self.goal.ms.is_none_or(|ms| l.cost <= ms));
+            // A ladder whose last rung costs more than what fits cannot win.
+            let best = self.best().filter(|_| limit > 0.0).map_or(f64::INFINITY, |b| self.goal.cost(&b));
+            let order = |a: &usize, b: &usize| {
+                let (a, b) = (&open[*a], &open[*b]);
                 hopeless(a).cmp(&hopeless(b)).then(a.cost.total_cmp(&b.cost))
             };
-            let all: Vec<usize> = (0..open.len()).collect();
-            let Some(&at) = all.iter().min_by(order) else { return Ok(()) };
-            if hopeless(&open[at]) && best_cost.is_finite() {
-                open.iter().for_each(|l| self.spare_ladder(l));
+            let Some(at) = (0..open.len()).filter(|k| open[*k].cost < best).min_by(order) else { return Ok(()) };
+            if hopeless(&open[at]) && best.is_finite() {
+                open.iter().filter(|l| l.cost < best && hopeless(l)).for_each(|l| self.spare_ladder(l));
                 return Ok(());
             }
             let ladder = &mut open[at];
@@ -184,10 +188,6 @@ impl<'a> Search<'a> {
             ladder.errors.push(candidate.error);
             if self.goal.precompute_ms.is_some_and(|ms| candidate.precompute_ms > ms) {
                 // Its further rungs take longer to prepare.
-                open.remove(at);
-            } else if self.fits(&candidate) && self.goal.error.is_some() {
-                best_cost = best_cost.min(self.goal.cost(&candidate));
-                // Its further rungs cost more.
                 open.remove(at);
             }
         }
