@@ -291,8 +291,8 @@ mod tests {
         let index: Vec<u32> = words.iter().map(|w| w % 50).collect();
         let [low, high] = R::load_f16x2(words, i);
         let [x, y, z] = R::gather3(plane, &index, i);
-        let x = first % 7 + lane;
-        let halves = [R::load_halved(plane, 20, x), R::load_beside(plane, 20, x), R::parity(x)];
+        let at = first % 7 + lane;
+        let halves = [R::load_halved(plane, 20, at), R::load_beside(plane, 20, at), R::parity(at)];
         let [one, two, three] = [1, 2, 3].map(|stride| R::load_strided(plane, first + stride * lane, stride));
         [R::load_u32(words, i), low, high, x, y, z, R::ramp(i as f32, 1.0), one, two, three]
             .into_iter()
