@@ -1,10 +1,10 @@
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_13 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_18 {
@@ -60,9 +60,9 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> params: type_36;
 @group(0) @binding(1) 
-var<storage> cells: type_11;
+var<storage> cells: type_9;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_11;
+var<storage> facet_bits: type_9;
 @group(0) @binding(3) 
 var<storage> facets: type_20;
 @group(0) @binding(4) 
@@ -75,181 +75,129 @@ var<storage> even: type_30;
 var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_190_: vec3<f32>;
-    var phi_197_: vec3<f32>;
-    var phi_300_: f32;
-    var phi_2236_: bool;
-    var phi_305_: type_8;
-    var phi_308_: vec3<f32>;
-    var phi_306_: type_8;
-    var phi_331_: type_8;
-    var phi_469_: f32;
-    var phi_477_: f32;
-    var phi_490_: f32;
-    var phi_491_: vec3<f32>;
-    var phi_538_: bool;
-    var phi_547_: u32;
-    var phi_579_: i32;
-    var phi_593_: bool;
-    var phi_610_: f32;
-    var phi_611_: f32;
-    var phi_612_: bool;
-    var phi_649_: i32;
-    var phi_663_: bool;
-    var phi_680_: f32;
-    var phi_681_: f32;
-    var phi_682_: bool;
-    var phi_719_: i32;
-    var phi_733_: bool;
-    var phi_750_: f32;
+    var phi_191_: vec3<f32>;
+    var phi_198_: vec3<f32>;
+    var phi_301_: f32;
+    var phi_306_: type_13;
+    var phi_309_: vec3<f32>;
+    var phi_307_: type_13;
+    var phi_332_: type_13;
+    var phi_470_: f32;
+    var phi_478_: f32;
+    var phi_491_: f32;
+    var phi_492_: vec3<f32>;
+    var phi_539_: bool;
+    var phi_548_: u32;
+    var phi_564_: i32;
+    var phi_593_: f32;
+    var phi_610_: i32;
+    var phi_639_: f32;
+    var phi_656_: i32;
+    var phi_685_: f32;
+    var phi_688_: vec3<f32>;
+    var phi_691_: type_38;
+    var phi_693_: type_38;
+    var phi_695_: type_38;
+    var phi_697_: u32;
+    var phi_699_: f32;
+    var phi_701_: f32;
+    var phi_727_: u32;
+    var phi_749_: i32;
+    var phi_750_: u32;
     var phi_751_: f32;
-    var phi_752_: bool;
-    var phi_760_: type_8;
-    var phi_763_: vec3<f32>;
-    var phi_765_: type_38;
-    var phi_767_: type_38;
-    var phi_769_: type_38;
-    var phi_771_: f32;
-    var phi_773_: f32;
-    var phi_761_: type_8;
-    var phi_796_: type_8;
-    var phi_816_: bool;
-    var phi_827_: u32;
-    var phi_848_: f32;
-    var phi_849_: i32;
-    var phi_850_: u32;
-    var phi_851_: f32;
-    var phi_852_: f32;
-    var phi_853_: i32;
-    var phi_854_: u32;
-    var phi_855_: f32;
-    var phi_911_: u32;
-    var phi_928_: f32;
-    var phi_949_: bool;
-    var phi_961_: u32;
-    var phi_972_: u32;
-    var phi_980_: f32;
-    var phi_1019_: f32;
-    var phi_1030_: f32;
-    var phi_1052_: bool;
-    var phi_1064_: u32;
-    var phi_1075_: u32;
-    var phi_1083_: f32;
+    var phi_752_: f32;
+    var phi_753_: i32;
+    var phi_754_: u32;
+    var phi_755_: f32;
+    var phi_804_: u32;
+    var phi_819_: f32;
+    var phi_901_: f32;
+    var phi_912_: f32;
+    var phi_995_: f32;
+    var phi_1006_: f32;
+    var phi_1089_: f32;
+    var phi_1116_: f32;
+    var phi_1117_: f32;
+    var phi_1118_: u32;
+    var phi_1119_: u32;
+    var phi_1120_: u32;
+    var phi_1121_: u32;
     var phi_1122_: f32;
-    var phi_1133_: f32;
-    var phi_1155_: bool;
-    var phi_1167_: u32;
-    var phi_1178_: u32;
-    var phi_1186_: f32;
-    var phi_1225_: f32;
-    var phi_1252_: f32;
-    var phi_1253_: f32;
-    var phi_1254_: u32;
-    var phi_1255_: u32;
-    var phi_1256_: u32;
-    var phi_1257_: u32;
-    var phi_1258_: f32;
-    var phi_1259_: f32;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1262_: u32;
-    var phi_1263_: u32;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1268_: type_8;
-    var phi_1271_: vec4<f32>;
-    var phi_1269_: type_8;
-    var phi_1294_: type_8;
-    var phi_1729_: u32;
-    var phi_1741_: vec4<f32>;
-    var phi_1574_: type_8;
-    var phi_1577_: vec4<f32>;
-    var phi_1579_: vec4<f32>;
-    var phi_1575_: type_8;
-    var phi_1602_: type_8;
-    var phi_1671_: vec4<f32>;
-    var phi_1672_: vec4<f32>;
-    var phi_1578_: vec4<f32>;
-    var phi_1580_: vec4<f32>;
+    var phi_1123_: f32;
+    var phi_1124_: u32;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_1127_: u32;
+    var phi_1128_: u32;
+    var phi_1129_: u32;
+    var phi_1131_: vec4<f32>;
+    var phi_1134_: u32;
+    var phi_1521_: u32;
+    var phi_1533_: vec4<f32>;
+    var phi_1387_: vec4<f32>;
+    var phi_1390_: vec4<f32>;
+    var phi_1392_: u32;
+    var phi_1462_: vec4<f32>;
+    var phi_1463_: vec4<f32>;
+    var phi_1388_: vec4<f32>;
+    var phi_1391_: vec4<f32>;
+    var phi_1393_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1694_: vec4<f32>;
-    var phi_1452_: type_8;
-    var phi_1455_: vec4<f32>;
-    var phi_1453_: type_8;
-    var phi_1478_: type_8;
-    var phi_1456_: vec4<f32>;
-    var phi_1695_: vec4<f32>;
-    var phi_1709_: vec4<f32>;
-    var phi_1742_: vec4<f32>;
-    var phi_1763_: vec4<f32>;
-    var phi_1764_: vec4<f32>;
-    var phi_1272_: vec4<f32>;
-    var phi_1765_: vec4<f32>;
-    var phi_1766_: vec4<f32>;
-    var phi_1767_: bool;
-    var phi_1811_: vec3<f32>;
-    var phi_1812_: f32;
-    var phi_1813_: f32;
-    var phi_2018_: i32;
-    var phi_2033_: type_38;
-    var phi_2034_: type_38;
-    var phi_2053_: bool;
-    var phi_2075_: f32;
-    var phi_2076_: f32;
-    var phi_2077_: bool;
-    var phi_1939_: i32;
-    var phi_1954_: type_38;
-    var phi_1955_: type_38;
-    var phi_1974_: bool;
-    var phi_1996_: f32;
-    var phi_1997_: f32;
-    var phi_1998_: bool;
-    var phi_2083_: type_38;
-    var phi_2084_: type_38;
-    var phi_1856_: i32;
-    var phi_1871_: type_38;
-    var phi_1872_: type_38;
-    var phi_1891_: bool;
-    var phi_1913_: f32;
-    var phi_1914_: f32;
-    var phi_1915_: bool;
-    var phi_2085_: type_38;
-    var phi_2086_: type_38;
-    var phi_2087_: type_38;
-    var phi_2088_: vec3<f32>;
-    var phi_2089_: type_38;
-    var phi_2090_: type_38;
-    var phi_2091_: type_38;
-    var phi_2092_: f32;
-    var phi_2093_: f32;
-    var phi_2095_: vec3<f32>;
-    var phi_2096_: type_38;
-    var phi_2097_: type_38;
-    var phi_2098_: type_38;
-    var phi_2099_: f32;
-    var phi_2100_: f32;
-    var phi_2101_: bool;
-    var phi_764_: vec3<f32>;
-    var phi_766_: type_38;
-    var phi_768_: type_38;
-    var phi_770_: type_38;
-    var phi_772_: f32;
-    var phi_774_: f32;
-    var phi_2103_: bool;
-    var phi_2209_: bool;
+    var phi_1486_: vec4<f32>;
+    var phi_1288_: vec4<f32>;
+    var phi_1291_: u32;
+    var phi_1289_: vec4<f32>;
+    var phi_1292_: u32;
+    var phi_1487_: vec4<f32>;
+    var phi_1501_: vec4<f32>;
+    var phi_1534_: vec4<f32>;
+    var phi_1555_: vec4<f32>;
+    var phi_1132_: vec4<f32>;
+    var phi_1135_: u32;
+    var phi_1557_: vec4<f32>;
+    var phi_1597_: vec3<f32>;
+    var phi_1598_: f32;
+    var phi_1599_: f32;
+    var phi_1784_: i32;
+    var phi_1797_: type_38;
+    var phi_1837_: f32;
+    var phi_1715_: i32;
+    var phi_1728_: type_38;
+    var phi_1768_: f32;
+    var phi_1839_: type_38;
+    var phi_1840_: type_38;
+    var phi_1642_: i32;
+    var phi_1655_: type_38;
+    var phi_1695_: f32;
+    var phi_1841_: type_38;
+    var phi_1842_: type_38;
+    var phi_1843_: type_38;
+    var phi_1844_: vec3<f32>;
+    var phi_1845_: type_38;
+    var phi_1846_: type_38;
+    var phi_1847_: type_38;
+    var phi_1848_: f32;
+    var phi_1849_: f32;
+    var phi_689_: vec3<f32>;
+    var phi_692_: type_38;
+    var phi_694_: type_38;
+    var phi_696_: type_38;
+    var phi_698_: u32;
+    var phi_700_: f32;
+    var phi_702_: f32;
+    var phi_1851_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: vec3<f32>;
-    var phi_2354_: bool;
-    var phi_309_: vec3<f32>;
-    var phi_2353_: bool;
+    var phi_310_: vec3<f32>;
+    var phi_1947_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
@@ -259,1049 +207,779 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e78 = gid_1;
-            let _e91 = params.member.member_9;
-            let _e95 = (_e78.x + (_e78.y * 2097152u));
-            if (_e95 < _e91) {
-                let _e97 = (_e95 / 2u);
-                if (_e97 < arrayLength((&facets.member))) {
+            let _e77 = gid_1;
+            let _e90 = params.member.member_9;
+            let _e94 = (_e77.x + (_e77.y * 2097152u));
+            if (_e94 < _e90) {
+                let _e96 = (_e94 / 2u);
+                if (_e96 < arrayLength((&facets.member))) {
                 } else {
                     break;
                 }
-                let _e101 = facets.member[_e97];
-                let _e111 = sqrt((((_e101.member_2[0] * _e101.member_2[0]) + (_e101.member_2[1] * _e101.member_2[1])) + (_e101.member_2[2] * _e101.member_2[2])));
-                if (_e111 > 0.000000000001f) {
-                    phi_190_ = vec3<f32>((_e101.member_2[0] / _e111), (_e101.member_2[1] / _e111), (_e101.member_2[2] / _e111));
+                let _e100 = facets.member[_e96];
+                let _e110 = sqrt((((_e100.member_2[0] * _e100.member_2[0]) + (_e100.member_2[1] * _e100.member_2[1])) + (_e100.member_2[2] * _e100.member_2[2])));
+                if (_e110 > 0.000000000001f) {
+                    phi_191_ = vec3<f32>((_e100.member_2[0] / _e110), (_e100.member_2[1] / _e110), (_e100.member_2[2] / _e110));
                 } else {
-                    phi_190_ = vec3<f32>(0f, 1f, 0f);
+                    phi_191_ = vec3<f32>(0f, 1f, 0f);
                 }
-                let _e118 = phi_190_;
-                if ((_e95 & 1u) == 0u) {
-                    phi_197_ = _e118;
+                let _e117 = phi_191_;
+                if ((_e94 & 1u) == 0u) {
+                    phi_198_ = _e117;
                 } else {
-                    phi_197_ = -(_e118);
+                    phi_198_ = -(_e117);
                 }
-                let _e123 = phi_197_;
-                let _e130 = params.member.member;
-                let _e143 = params.member.member_12;
-                let _e150 = (((_e101.member[0] - _e130.x) / _e130.w) + (_e123.x * _e143));
-                let _e151 = (((_e101.member[1] - _e130.y) / _e130.w) + (_e123.y * _e143));
-                let _e152 = (((_e101.member[2] - _e130.z) / _e130.w) + (_e123.z * _e143));
-                let _e156 = bitcast<f32>((1065353216u | (bitcast<u32>(_e123.z) & 2147483648u)));
-                let _e158 = (-1f / (_e156 + _e123.z));
-                let _e160 = ((_e123.x * _e123.y) * _e158);
-                let _e174 = params.member.member_10;
-                let _e175 = (_e174 == 0u);
-                if _e175 {
-                    phi_300_ = 0f;
+                let _e122 = phi_198_;
+                let _e129 = params.member.member;
+                let _e142 = params.member.member_12;
+                let _e149 = (((_e100.member[0] - _e129.x) / _e129.w) + (_e122.x * _e142));
+                let _e150 = (((_e100.member[1] - _e129.y) / _e129.w) + (_e122.y * _e142));
+                let _e151 = (((_e100.member[2] - _e129.z) / _e129.w) + (_e122.z * _e142));
+                let _e155 = bitcast<f32>((1065353216u | (bitcast<u32>(_e122.z) & 2147483648u)));
+                let _e157 = (-1f / (_e155 + _e122.z));
+                let _e159 = ((_e122.x * _e122.y) * _e157);
+                let _e173 = params.member.member_10;
+                let _e174 = (_e173 == 0u);
+                if _e174 {
+                    phi_301_ = 0f;
                 } else {
-                    let _e179 = ((_e95 * 1664525u) + 1013904223u);
-                    let _e181 = (((_e174 * 1664525u) + 1013904223u) + (_e179 * 1013904223u));
-                    let _e183 = (_e179 + (1013904223u * _e181));
-                    let _e187 = (1013904223u + (_e183 * (1013904223u + (_e181 * _e183))));
-                    phi_300_ = (f32((((_e181 ^ (_e181 >> bitcast<u32>(16i))) + ((_e183 ^ (_e183 >> bitcast<u32>(16i))) * (_e187 ^ (_e187 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                    let _e178 = ((_e94 * 1664525u) + 1013904223u);
+                    let _e180 = (((_e173 * 1664525u) + 1013904223u) + (_e178 * 1013904223u));
+                    let _e182 = (_e178 + (1013904223u * _e180));
+                    let _e186 = (1013904223u + (_e182 * (1013904223u + (_e180 * _e182))));
+                    phi_301_ = (f32((((_e180 ^ (_e180 >> bitcast<u32>(16i))) + ((_e182 ^ (_e182 >> bitcast<u32>(16i))) * (_e186 ^ (_e186 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                 }
-                let _e204 = phi_300_;
-                let _e207 = params.member.member_7;
-                phi_2236_ = false;
-                phi_305_ = type_8(0u, _e207);
-                phi_308_ = vec3<f32>(0f, 0f, 0f);
+                let _e203 = phi_301_;
+                let _e206 = params.member.member_7;
+                phi_306_ = type_13(0u, _e206);
+                phi_309_ = vec3<f32>(0f, 0f, 0f);
                 loop {
-                    let _e210 = phi_2236_;
-                    let _e212 = phi_305_;
-                    let _e214 = phi_308_;
-                    local_11 = _e214;
-                    local_12 = _e214;
-                    local_13 = _e214;
-                    if (_e212.member < _e212.member_1) {
-                        phi_306_ = type_8((_e212.member + 1u), _e212.member_1);
-                        phi_331_ = type_8(1u, _e212.member);
+                    let _e209 = phi_306_;
+                    let _e211 = phi_309_;
+                    local_11 = _e211;
+                    local_12 = _e211;
+                    local_13 = _e211;
+                    if (_e209.member < _e209.member_1) {
+                        phi_307_ = type_13((_e209.member + 1u), _e209.member_1);
+                        phi_332_ = type_13(1u, _e209.member);
                     } else {
-                        phi_306_ = _e212;
-                        phi_331_ = type_8(0u, type_8().member_1);
+                        phi_307_ = _e209;
+                        phi_332_ = type_13(0u, type_13().member_1);
                     }
-                    let _e227 = phi_306_;
-                    let _e229 = phi_331_;
-                    let _e233 = (bitcast<i32>(_e229.member) != 0i);
-                    if _e233 {
-                        let _e234 = (_e229.member_1 < 16u);
-                        if _e234 {
+                    let _e224 = phi_307_;
+                    let _e226 = phi_332_;
+                    let _e230 = (bitcast<i32>(_e226.member) != 0i);
+                    if _e230 {
+                        let _e231 = (_e226.member_1 < 16u);
+                        if _e231 {
                         } else {
-                            phi_2353_ = true;
+                            phi_1947_ = true;
                             break;
                         }
-                        let _e238 = params.member.member_3[_e229.member_1];
-                        if _e175 {
-                            phi_490_ = 1.4142135f;
-                            phi_491_ = vec3<f32>(_e238.x, _e238.y, _e238.z);
+                        let _e235 = params.member.member_3[_e226.member_1];
+                        if _e174 {
+                            phi_491_ = 1.4142135f;
+                            phi_492_ = vec3<f32>(_e235.x, _e235.y, _e235.z);
                         } else {
-                            let _e243 = ((_e95 * 1664525u) + 1013904223u);
-                            let _e245 = (((1u + _e229.member_1) * 1664525u) + 1013904223u);
-                            let _e247 = (((_e174 * 1664525u) + 1013904223u) + (_e243 * 1013904223u));
-                            let _e249 = (_e243 + (_e245 * _e247));
-                            let _e251 = (_e245 + (_e247 * _e249));
-                            let _e253 = (1013904223u + (_e249 * _e251));
-                            let _e259 = (_e249 ^ (_e249 >> bitcast<u32>(16i)));
-                            let _e262 = (_e251 ^ (_e251 >> bitcast<u32>(16i)));
-                            let _e267 = ((_e247 ^ (_e247 >> bitcast<u32>(16i))) + (_e259 * (_e253 ^ (_e253 >> bitcast<u32>(16i)))));
-                            let _e269 = (_e259 + (_e262 * _e267));
-                            if _e234 {
+                            let _e240 = ((_e94 * 1664525u) + 1013904223u);
+                            let _e242 = (((1u + _e226.member_1) * 1664525u) + 1013904223u);
+                            let _e244 = (((_e173 * 1664525u) + 1013904223u) + (_e240 * 1013904223u));
+                            let _e246 = (_e240 + (_e242 * _e244));
+                            let _e248 = (_e242 + (_e244 * _e246));
+                            let _e250 = (1013904223u + (_e246 * _e248));
+                            let _e256 = (_e246 ^ (_e246 >> bitcast<u32>(16i)));
+                            let _e259 = (_e248 ^ (_e248 >> bitcast<u32>(16i)));
+                            let _e264 = ((_e244 ^ (_e244 >> bitcast<u32>(16i))) + (_e256 * (_e250 ^ (_e250 >> bitcast<u32>(16i)))));
+                            let _e266 = (_e256 + (_e259 * _e264));
+                            if _e231 {
                             } else {
-                                phi_2353_ = true;
+                                phi_1947_ = true;
                                 break;
                             }
-                            let _e287 = params.member.member_4[_e229.member_1];
-                            let _e292 = (_e287.y + ((_e287.x - _e287.y) * (f32((_e267 >> bitcast<u32>(8i))) * 0.000000059604645f)));
-                            let _e297 = ((_e287.z + (_e287.w * (f32((_e269 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e204);
-                            let _e301 = floor(((_e297 * 4f) + 0.5f));
-                            let _e307 = ((((6.2831855f * _e297) - (_e301 * 1.5703125f)) - (_e301 * 0.0004837513f)) - (_e301 * 0.0000000754979f));
-                            let _e308 = (_e307 * _e307);
-                            let _e315 = (_e307 + ((_e307 * _e308) * (-0.16666655f + (_e308 * (0.008332161f + (_e308 * -0.00019515296f))))));
-                            let _e324 = ((1f - (0.5f * _e308)) + ((_e308 * _e308) * (0.041666646f + (_e308 * (-0.0013887316f + (_e308 * 0.000024433157f))))));
-                            let _e331 = select(0i, select(select(i32(_e301), i32(-2147483648), (_e301 < -2147483600f)), 2147483647i, (_e301 > 2147483500f)), (_e301 == _e301));
-                            let _e333 = ((_e331 & 1i) == 0i);
-                            let _e334 = select(_e324, _e315, _e333);
-                            let _e335 = select(_e315, _e324, _e333);
-                            if ((_e331 & 2i) == 0i) {
-                                phi_469_ = _e334;
+                            let _e284 = params.member.member_4[_e226.member_1];
+                            let _e289 = (_e284.y + ((_e284.x - _e284.y) * (f32((_e264 >> bitcast<u32>(8i))) * 0.000000059604645f)));
+                            let _e294 = ((_e284.z + (_e284.w * (f32((_e266 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e203);
+                            let _e298 = floor(((_e294 * 4f) + 0.5f));
+                            let _e304 = ((((6.2831855f * _e294) - (_e298 * 1.5703125f)) - (_e298 * 0.0004837513f)) - (_e298 * 0.0000000754979f));
+                            let _e305 = (_e304 * _e304);
+                            let _e312 = (_e304 + ((_e304 * _e305) * (-0.16666655f + (_e305 * (0.008332161f + (_e305 * -0.00019515296f))))));
+                            let _e321 = ((1f - (0.5f * _e305)) + ((_e305 * _e305) * (0.041666646f + (_e305 * (-0.0013887316f + (_e305 * 0.000024433157f))))));
+                            let _e328 = select(0i, select(select(i32(_e298), i32(-2147483648), (_e298 < -2147483600f)), 2147483647i, (_e298 > 2147483500f)), (_e298 == _e298));
+                            let _e330 = ((_e328 & 1i) == 0i);
+                            let _e331 = select(_e321, _e312, _e330);
+                            let _e332 = select(_e312, _e321, _e330);
+                            if ((_e328 & 2i) == 0i) {
+                                phi_470_ = _e331;
                             } else {
-                                phi_469_ = -(_e334);
+                                phi_470_ = -(_e331);
                             }
-                            let _e340 = phi_469_;
-                            if (((_e331 + 1i) & 2i) == 0i) {
-                                phi_477_ = _e335;
+                            let _e337 = phi_470_;
+                            if (((_e328 + 1i) & 2i) == 0i) {
+                                phi_478_ = _e332;
                             } else {
-                                phi_477_ = -(_e335);
+                                phi_478_ = -(_e332);
                             }
-                            let _e346 = phi_477_;
-                            let _e347 = (1f - _e292);
-                            let _e350 = sqrt(select(0f, _e347, (_e347 > 0f)));
-                            phi_490_ = (1f + (f32(((_e262 + (_e267 * _e269)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                            phi_491_ = vec3<f32>((_e350 * _e346), (_e350 * _e340), sqrt(_e292));
+                            let _e343 = phi_478_;
+                            let _e344 = (1f - _e289);
+                            let _e347 = sqrt(select(0f, _e344, (_e344 > 0f)));
+                            phi_491_ = (1f + (f32(((_e259 + (_e264 * _e266)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                            phi_492_ = vec3<f32>((_e347 * _e343), (_e347 * _e337), sqrt(_e289));
                         }
-                        let _e361 = phi_490_;
-                        let _e363 = phi_491_;
-                        let _e366 = params.member.member_11;
-                        let _e369 = params.member.member_13;
-                        let _e387 = ((((1f + (((_e156 * _e123.x) * _e123.x) * _e158)) * _e363.x) + (_e160 * _e363.y)) + (_e123.x * _e363.z));
-                        let _e388 = ((((_e156 * _e160) * _e363.x) + ((_e156 + ((_e123.y * _e123.y) * _e158)) * _e363.y)) + (_e123.y * _e363.z));
-                        let _e389 = ((((-(_e156) * _e123.x) * _e363.x) + (-(_e123.y) * _e363.y)) + (_e123.z * _e363.z));
-                        let _e392 = params.member.member_1;
-                        let _e393 = abs(_e387);
-                        let _e394 = abs(_e388);
-                        let _e395 = abs(_e389);
-                        if (_e393 >= _e394) {
-                            phi_538_ = select(true, false, (_e393 >= _e395));
+                        let _e358 = phi_491_;
+                        let _e360 = phi_492_;
+                        let _e363 = params.member.member_11;
+                        let _e366 = params.member.member_13;
+                        let _e384 = ((((1f + (((_e155 * _e122.x) * _e122.x) * _e157)) * _e360.x) + (_e159 * _e360.y)) + (_e122.x * _e360.z));
+                        let _e385 = ((((_e155 * _e159) * _e360.x) + ((_e155 + ((_e122.y * _e122.y) * _e157)) * _e360.y)) + (_e122.y * _e360.z));
+                        let _e386 = ((((-(_e155) * _e122.x) * _e360.x) + (-(_e122.y) * _e360.y)) + (_e122.z * _e360.z));
+                        let _e389 = params.member.member_1;
+                        let _e390 = abs(_e384);
+                        let _e391 = abs(_e385);
+                        let _e392 = abs(_e386);
+                        if (_e390 >= _e391) {
+                            phi_539_ = select(true, false, (_e390 >= _e392));
                         } else {
-                            phi_538_ = true;
+                            phi_539_ = true;
                         }
-                        let _e400 = phi_538_;
-                        if _e400 {
-                            phi_547_ = select(2u, 1u, (_e394 >= _e395));
+                        let _e397 = phi_539_;
+                        if _e397 {
+                            phi_548_ = select(2u, 1u, (_e391 >= _e392));
                         } else {
-                            phi_547_ = 0u;
+                            phi_548_ = 0u;
                         }
-                        let _e404 = phi_547_;
-                        let _e407 = floor((_e150 - 0.5f));
-                        let _e417 = -(floor((0.5f - _e150)));
-                        let _e425 = (_e387 < 0f);
-                        if _e425 {
-                            phi_579_ = (select(0i, select(select(i32(_e417), i32(-2147483648), (_e417 < -2147483600f)), 2147483647i, (_e417 > 2147483500f)), (_e417 == _e417)) - 1i);
+                        let _e401 = phi_548_;
+                        let _e410 = (_e384 < 0f);
+                        if _e410 {
+                            phi_564_ = (i32(-(floor((0.5f - _e149)))) - 1i);
                         } else {
-                            phi_579_ = (select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < -2147483600f)), 2147483647i, (_e407 > 2147483500f)), (_e407 == _e407)) + 1i);
+                            phi_564_ = (i32(floor((_e149 - 0.5f))) + 1i);
                         }
-                        let _e429 = phi_579_;
-                        if _e425 {
-                            phi_593_ = (_e429 < 0i);
+                        let _e414 = phi_564_;
+                        if (((_e410 && (_e414 < 0i)) || ((_e384 >= 0f) && (_e414 >= bitcast<i32>(_e389.x)))) || (_e390 < 0.000001f)) {
+                            phi_593_ = 340282350000000000000000000000000000000f;
                         } else {
-                            phi_593_ = (_e429 >= bitcast<i32>(_e392.x));
+                            phi_593_ = (((f32(_e414) + 0.5f) - _e149) / _e384);
                         }
-                        let _e434 = phi_593_;
-                        if _e434 {
-                            phi_611_ = f32();
-                            phi_612_ = true;
+                        let _e429 = phi_593_;
+                        let _e439 = (_e385 < 0f);
+                        if _e439 {
+                            phi_610_ = (i32(-(floor((0.5f - _e150)))) - 1i);
                         } else {
-                            let _e437 = (_e393 < 0.000001f);
-                            if _e437 {
-                                phi_610_ = f32();
-                            } else {
-                                phi_610_ = (((f32(_e429) + 0.5f) - _e150) / _e387);
-                            }
-                            let _e441 = phi_610_;
-                            phi_611_ = _e441;
-                            phi_612_ = _e437;
+                            phi_610_ = (i32(floor((_e150 - 0.5f))) + 1i);
                         }
-                        let _e443 = phi_611_;
-                        let _e445 = phi_612_;
-                        let _e450 = floor((_e151 - 0.5f));
-                        let _e460 = -(floor((0.5f - _e151)));
-                        let _e468 = (_e388 < 0f);
+                        let _e443 = phi_610_;
+                        if (((_e439 && (_e443 < 0i)) || ((_e385 >= 0f) && (_e443 >= bitcast<i32>(_e389.y)))) || (_e391 < 0.000001f)) {
+                            phi_639_ = 340282350000000000000000000000000000000f;
+                        } else {
+                            phi_639_ = (((f32(_e443) + 0.5f) - _e150) / _e385);
+                        }
+                        let _e458 = phi_639_;
+                        let _e468 = (_e386 < 0f);
                         if _e468 {
-                            phi_649_ = (select(0i, select(select(i32(_e460), i32(-2147483648), (_e460 < -2147483600f)), 2147483647i, (_e460 > 2147483500f)), (_e460 == _e460)) - 1i);
+                            phi_656_ = (i32(-(floor((0.5f - _e151)))) - 1i);
                         } else {
-                            phi_649_ = (select(0i, select(select(i32(_e450), i32(-2147483648), (_e450 < -2147483600f)), 2147483647i, (_e450 > 2147483500f)), (_e450 == _e450)) + 1i);
+                            phi_656_ = (i32(floor((_e151 - 0.5f))) + 1i);
                         }
-                        let _e472 = phi_649_;
-                        if _e468 {
-                            phi_663_ = (_e472 < 0i);
+                        let _e472 = phi_656_;
+                        if (((_e468 && (_e472 < 0i)) || ((_e386 >= 0f) && (_e472 >= bitcast<i32>(_e389.z)))) || (_e392 < 0.000001f)) {
+                            phi_685_ = 340282350000000000000000000000000000000f;
                         } else {
-                            phi_663_ = (_e472 >= bitcast<i32>(_e392.y));
+                            phi_685_ = (((f32(_e472) + 0.5f) - _e151) / _e386);
                         }
-                        let _e477 = phi_663_;
-                        if _e477 {
-                            phi_681_ = f32();
-                            phi_682_ = true;
-                        } else {
-                            let _e480 = (_e394 < 0.000001f);
-                            if _e480 {
-                                phi_680_ = f32();
-                            } else {
-                                phi_680_ = (((f32(_e472) + 0.5f) - _e151) / _e388);
-                            }
-                            let _e484 = phi_680_;
-                            phi_681_ = _e484;
-                            phi_682_ = _e480;
-                        }
-                        let _e486 = phi_681_;
-                        let _e488 = phi_682_;
-                        let _e493 = floor((_e152 - 0.5f));
-                        let _e503 = -(floor((0.5f - _e152)));
-                        let _e511 = (_e389 < 0f);
-                        if _e511 {
-                            phi_719_ = (select(0i, select(select(i32(_e503), i32(-2147483648), (_e503 < -2147483600f)), 2147483647i, (_e503 > 2147483500f)), (_e503 == _e503)) - 1i);
-                        } else {
-                            phi_719_ = (select(0i, select(select(i32(_e493), i32(-2147483648), (_e493 < -2147483600f)), 2147483647i, (_e493 > 2147483500f)), (_e493 == _e493)) + 1i);
-                        }
-                        let _e515 = phi_719_;
-                        if _e511 {
-                            phi_733_ = (_e515 < 0i);
-                        } else {
-                            phi_733_ = (_e515 >= bitcast<i32>(_e392.z));
-                        }
-                        let _e520 = phi_733_;
-                        if _e520 {
-                            phi_751_ = f32();
-                            phi_752_ = true;
-                        } else {
-                            let _e523 = (_e395 < 0.000001f);
-                            if _e523 {
-                                phi_750_ = f32();
-                            } else {
-                                phi_750_ = (((f32(_e515) + 0.5f) - _e152) / _e389);
-                            }
-                            let _e527 = phi_750_;
-                            phi_751_ = _e527;
-                            phi_752_ = _e523;
-                        }
-                        let _e529 = phi_751_;
-                        let _e531 = phi_752_;
-                        phi_760_ = type_8(0u, 2048u);
-                        phi_763_ = vec3<f32>(0f, 0f, 0f);
-                        phi_765_ = type_38(_e152, _e389, 0u, _e515, select(_e529, 340282350000000000000000000000000000000f, _e531));
-                        phi_767_ = type_38(_e151, _e388, 0u, _e472, select(_e486, 340282350000000000000000000000000000000f, _e488));
-                        phi_769_ = type_38(_e150, _e387, 0u, _e429, select(_e443, 340282350000000000000000000000000000000f, _e445));
-                        phi_771_ = 0f;
-                        phi_773_ = 1f;
+                        let _e487 = phi_685_;
+                        phi_688_ = vec3<f32>(0f, 0f, 0f);
+                        phi_691_ = type_38(_e151, _e386, 0u, _e472, _e487);
+                        phi_693_ = type_38(_e150, _e385, 0u, _e443, _e458);
+                        phi_695_ = type_38(_e149, _e384, 0u, _e414, _e429);
+                        phi_697_ = 0u;
+                        phi_699_ = 0f;
+                        phi_701_ = 1f;
                         loop {
-                            let _e535 = phi_760_;
-                            let _e537 = phi_763_;
-                            let _e539 = phi_765_;
-                            let _e541 = phi_767_;
-                            let _e543 = phi_769_;
-                            let _e545 = phi_771_;
-                            let _e547 = phi_773_;
-                            local_6 = _e545;
-                            local_7 = _e547;
-                            local_8 = _e537;
-                            local_9 = _e537;
-                            local_10 = _e537;
-                            if (_e535.member < _e535.member_1) {
-                                phi_761_ = type_8((_e535.member + 1u), _e535.member_1);
-                                phi_796_ = type_8(1u, _e535.member);
-                            } else {
-                                phi_761_ = _e535;
-                                phi_796_ = type_8(0u, type_8().member_1);
-                            }
-                            let _e560 = phi_761_;
-                            let _e562 = phi_796_;
-                            if (bitcast<i32>(_e562.member) != 0i) {
-                                if (_e543.member_4 <= _e541.member_4) {
-                                    phi_816_ = select(true, false, (_e543.member_4 <= _e539.member_4));
+                            let _e490 = phi_688_;
+                            let _e492 = phi_691_;
+                            let _e494 = phi_693_;
+                            let _e496 = phi_695_;
+                            let _e498 = phi_697_;
+                            let _e500 = phi_699_;
+                            let _e502 = phi_701_;
+                            local_6 = _e500;
+                            local_7 = _e502;
+                            local_8 = _e490;
+                            local_9 = _e490;
+                            local_10 = _e490;
+                            if (_e498 < 2048u) {
+                                if ((_e496.member_4 <= _e494.member_4) && (_e496.member_4 <= _e492.member_4)) {
+                                    phi_727_ = 0u;
                                 } else {
-                                    phi_816_ = true;
+                                    phi_727_ = select(2u, 1u, (_e494.member_4 <= _e492.member_4));
                                 }
-                                let _e573 = phi_816_;
-                                if _e573 {
-                                    phi_827_ = select(2u, 1u, (_e541.member_4 <= _e539.member_4));
+                                let _e514 = phi_727_;
+                                let _e515 = (_e514 == 0u);
+                                if _e515 {
+                                    phi_752_ = _e496.member_4;
+                                    phi_753_ = _e496.member_3;
+                                    phi_754_ = _e496.member_2;
+                                    phi_755_ = _e496.member_1;
                                 } else {
-                                    phi_827_ = 0u;
-                                }
-                                let _e578 = phi_827_;
-                                let _e579 = (_e578 == 0u);
-                                if _e579 {
-                                    phi_852_ = _e543.member_4;
-                                    phi_853_ = _e543.member_3;
-                                    phi_854_ = _e543.member_2;
-                                    phi_855_ = _e543.member_1;
-                                } else {
-                                    if (_e578 == 1u) {
-                                        phi_848_ = _e541.member_4;
-                                        phi_849_ = _e541.member_3;
-                                        phi_850_ = _e541.member_2;
-                                        phi_851_ = _e541.member_1;
+                                    let _e516 = (_e514 == 1u);
+                                    if _e516 {
+                                        phi_749_ = _e494.member_3;
+                                        phi_750_ = _e494.member_2;
+                                        phi_751_ = _e494.member_1;
                                     } else {
-                                        phi_848_ = _e539.member_4;
-                                        phi_849_ = _e539.member_3;
-                                        phi_850_ = _e539.member_2;
-                                        phi_851_ = _e539.member_1;
+                                        phi_749_ = _e492.member_3;
+                                        phi_750_ = _e492.member_2;
+                                        phi_751_ = _e492.member_1;
                                     }
-                                    let _e589 = phi_848_;
-                                    let _e591 = phi_849_;
-                                    let _e593 = phi_850_;
-                                    let _e595 = phi_851_;
-                                    phi_852_ = _e589;
-                                    phi_853_ = _e591;
-                                    phi_854_ = _e593;
-                                    phi_855_ = _e595;
+                                    let _e524 = phi_749_;
+                                    let _e526 = phi_750_;
+                                    let _e528 = phi_751_;
+                                    phi_752_ = select(_e492.member_4, _e494.member_4, _e516);
+                                    phi_753_ = _e524;
+                                    phi_754_ = _e526;
+                                    phi_755_ = _e528;
                                 }
-                                let _e600 = phi_852_;
-                                let _e602 = phi_853_;
-                                let _e604 = phi_854_;
-                                let _e606 = phi_855_;
-                                if (_e600 >= 340282350000000000000000000000000000000f) {
-                                    phi_2095_ = vec3<f32>();
-                                    phi_2096_ = type_38();
-                                    phi_2097_ = type_38();
-                                    phi_2098_ = type_38();
-                                    phi_2099_ = f32();
-                                    phi_2100_ = f32();
-                                    phi_2101_ = false;
+                                let _e534 = phi_752_;
+                                let _e536 = phi_753_;
+                                let _e538 = phi_754_;
+                                let _e540 = phi_755_;
+                                let _e542 = (1f - _e500);
+                                let _e543 = (_e502 * _e542);
+                                let _e545 = ((_e534 >= 340282350000000000000000000000000000000f) || (_e543 < 0.001f));
+                                if _e545 {
+                                    phi_1844_ = vec3<f32>();
+                                    phi_1845_ = type_38();
+                                    phi_1846_ = type_38();
+                                    phi_1847_ = type_38();
+                                    phi_1848_ = f32();
+                                    phi_1849_ = f32();
                                 } else {
-                                    let _e608 = (1f - _e545);
-                                    let _e609 = (_e547 * _e608);
-                                    let _e610 = (_e609 < 0.001f);
-                                    if _e610 {
-                                        phi_2088_ = vec3<f32>();
-                                        phi_2089_ = type_38();
-                                        phi_2090_ = type_38();
-                                        phi_2091_ = type_38();
-                                        phi_2092_ = f32();
-                                        phi_2093_ = f32();
+                                    let _e552 = (_e540 < 0f);
+                                    let _e556 = params.member.member_2[_e538];
+                                    let _e557 = (_e538 & 31u);
+                                    let _e559 = (1u << bitcast<u32>(_e557));
+                                    let _e560 = (_e559 - 1u);
+                                    let _e563 = ((_e389.x + _e560) >> bitcast<u32>(_e557));
+                                    let _e566 = ((_e389.y + _e560) >> bitcast<u32>(_e557));
+                                    let _e569 = ((_e389.z + _e560) >> bitcast<u32>(_e557));
+                                    let _e571 = (1f / f32(_e559));
+                                    if _e515 {
+                                        phi_804_ = _e563;
                                     } else {
-                                        let _e617 = (_e606 < 0f);
-                                        if (_e604 < 10u) {
+                                        phi_804_ = select(_e569, _e566, (_e514 == 1u));
+                                    }
+                                    let _e575 = phi_804_;
+                                    if ((_e536 < 0i) || (_e536 >= bitcast<i32>(_e575))) {
+                                        phi_1557_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                    } else {
+                                        let _e580 = f32(_e536);
+                                        if _e515 {
+                                            phi_819_ = _e580;
                                         } else {
-                                            phi_2209_ = true;
-                                            break;
+                                            phi_819_ = (((_e149 + (_e384 * _e534)) * _e571) - 0.5f);
                                         }
-                                        let _e622 = params.member.member_2[_e604];
-                                        let _e623 = (_e604 & 31u);
-                                        let _e625 = (1u << bitcast<u32>(_e623));
-                                        let _e626 = (_e625 - 1u);
-                                        let _e629 = ((_e392.x + _e626) >> bitcast<u32>(_e623));
-                                        let _e632 = ((_e392.y + _e626) >> bitcast<u32>(_e623));
-                                        let _e635 = ((_e392.z + _e626) >> bitcast<u32>(_e623));
-                                        let _e637 = (1f / f32(_e625));
-                                        if _e579 {
-                                            phi_911_ = _e629;
+                                        let _e584 = phi_819_;
+                                        let _e585 = floor(_e584);
+                                        let _e587 = i32(_e585);
+                                        let _e589 = (bitcast<i32>(_e563) - 1i);
+                                        let _e594 = ((_e584 >= -0.5f) && (_e584 <= (f32(_e589) + 0.5f)));
+                                        let _e596 = select(0i, _e587, (0i < _e587));
+                                        let _e599 = bitcast<u32>(select(_e596, _e589, (_e589 < _e596)));
+                                        let _e600 = (_e587 + 1i);
+                                        let _e602 = select(0i, _e600, (0i < _e600));
+                                        let _e605 = bitcast<u32>(select(_e602, _e589, (_e589 < _e602)));
+                                        let _e609 = select(select(0f, (_e584 - _e585), (_e587 < _e589)), 1f, (_e587 < 0i));
+                                        let _e611 = (_e599 >> bitcast<u32>(2u));
+                                        let _e613 = (_e605 >> bitcast<u32>(2u));
+                                        let _e620 = ((_e599 & 1u) | (((_e599 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                        let _e627 = ((_e605 & 1u) | (((_e605 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                        if _e594 {
+                                            phi_901_ = (1f - _e609);
                                         } else {
-                                            phi_911_ = select(_e635, _e632, (_e578 == 1u));
+                                            phi_901_ = 0f;
                                         }
-                                        let _e641 = phi_911_;
-                                        if (_e602 < 0i) {
-                                            phi_1766_ = vec4<f32>();
-                                            phi_1767_ = true;
+                                        let _e630 = phi_901_;
+                                        let _e631 = select(0f, _e609, _e594);
+                                        let _e632 = (_e514 == 1u);
+                                        if _e632 {
+                                            phi_912_ = _e580;
                                         } else {
-                                            let _e644 = (_e602 >= bitcast<i32>(_e641));
-                                            if _e644 {
-                                                phi_1765_ = vec4<f32>();
-                                            } else {
-                                                let _e645 = f32(_e602);
-                                                if _e579 {
-                                                    phi_928_ = _e645;
-                                                } else {
-                                                    phi_928_ = (((_e150 + (_e387 * _e600)) * _e637) - 0.5f);
-                                                }
-                                                let _e649 = phi_928_;
-                                                let _e650 = floor(_e649);
-                                                let _e658 = select(0i, select(select(i32(_e650), i32(-2147483648), (_e650 < -2147483600f)), 2147483647i, (_e650 > 2147483500f)), (_e650 == _e650));
-                                                let _e660 = (bitcast<i32>(_e629) - 1i);
-                                                if (_e649 >= -0.5f) {
-                                                    phi_949_ = (_e649 <= (f32(_e660) + 0.5f));
-                                                } else {
-                                                    phi_949_ = false;
-                                                }
-                                                let _e666 = phi_949_;
-                                                let _e667 = (_e658 >= 0i);
-                                                let _e668 = (_e658 < _e660);
-                                                if _e667 {
-                                                    phi_961_ = bitcast<u32>(select(_e658, _e660, (_e660 < _e658)));
-                                                } else {
-                                                    phi_961_ = 0u;
-                                                }
-                                                let _e673 = phi_961_;
-                                                if _e668 {
-                                                    let _e674 = (_e658 + 1i);
-                                                    phi_972_ = bitcast<u32>(select(0i, _e674, (0i < _e674)));
-                                                } else {
-                                                    phi_972_ = 0u;
-                                                }
-                                                let _e679 = phi_972_;
-                                                if _e667 {
-                                                    phi_980_ = select(0f, (_e649 - _e650), _e668);
-                                                } else {
-                                                    phi_980_ = 1f;
-                                                }
-                                                let _e682 = phi_980_;
-                                                let _e684 = (_e673 >> bitcast<u32>(2u));
-                                                let _e686 = (_e679 >> bitcast<u32>(2u));
-                                                let _e693 = ((_e673 & 1u) | (((_e673 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                let _e700 = ((_e679 & 1u) | (((_e679 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                if _e666 {
-                                                    phi_1019_ = (1f - _e682);
-                                                } else {
-                                                    phi_1019_ = 0f;
-                                                }
-                                                let _e703 = phi_1019_;
-                                                let _e704 = select(0f, _e682, _e666);
-                                                let _e705 = (_e578 == 1u);
-                                                if _e705 {
-                                                    phi_1030_ = _e645;
-                                                } else {
-                                                    phi_1030_ = (((_e151 + (_e388 * _e600)) * _e637) - 0.5f);
-                                                }
-                                                let _e709 = phi_1030_;
-                                                let _e711 = floor(_e709);
-                                                let _e719 = select(0i, select(select(i32(_e711), i32(-2147483648), (_e711 < -2147483600f)), 2147483647i, (_e711 > 2147483500f)), (_e711 == _e711));
-                                                let _e721 = (bitcast<i32>(_e632) - 1i);
-                                                if (_e709 >= -0.5f) {
-                                                    phi_1052_ = (_e709 <= (f32(_e721) + 0.5f));
-                                                } else {
-                                                    phi_1052_ = false;
-                                                }
-                                                let _e727 = phi_1052_;
-                                                let _e728 = (_e719 >= 0i);
-                                                let _e729 = (_e719 < _e721);
-                                                if _e728 {
-                                                    phi_1064_ = bitcast<u32>(select(_e719, _e721, (_e721 < _e719)));
-                                                } else {
-                                                    phi_1064_ = 0u;
-                                                }
-                                                let _e734 = phi_1064_;
-                                                if _e729 {
-                                                    let _e735 = (_e719 + 1i);
-                                                    phi_1075_ = bitcast<u32>(select(0i, _e735, (0i < _e735)));
-                                                } else {
-                                                    phi_1075_ = 0u;
-                                                }
-                                                let _e740 = phi_1075_;
-                                                if _e728 {
-                                                    phi_1083_ = select(0f, (_e709 - _e711), _e729);
-                                                } else {
-                                                    phi_1083_ = 1f;
-                                                }
-                                                let _e743 = phi_1083_;
-                                                let _e746 = ((_e734 >> bitcast<u32>(2u)) * _e622.x);
-                                                let _e749 = ((_e740 >> bitcast<u32>(2u)) * _e622.x);
-                                                let _e758 = (((_e734 & 1u) << bitcast<u32>(1u)) | (((_e734 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                let _e767 = (((_e740 & 1u) << bitcast<u32>(1u)) | (((_e740 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                if _e727 {
-                                                    phi_1122_ = (1f - _e743);
-                                                } else {
-                                                    phi_1122_ = 0f;
-                                                }
-                                                let _e770 = phi_1122_;
-                                                let _e771 = select(0f, _e743, _e727);
-                                                let _e772 = (_e578 == 2u);
-                                                if _e772 {
-                                                    phi_1133_ = _e645;
-                                                } else {
-                                                    phi_1133_ = (((_e152 + (_e389 * _e600)) * _e637) - 0.5f);
-                                                }
-                                                let _e776 = phi_1133_;
-                                                let _e778 = floor(_e776);
-                                                let _e786 = select(0i, select(select(i32(_e778), i32(-2147483648), (_e778 < -2147483600f)), 2147483647i, (_e778 > 2147483500f)), (_e778 == _e778));
-                                                let _e788 = (bitcast<i32>(_e635) - 1i);
-                                                if (_e776 >= -0.5f) {
-                                                    phi_1155_ = (_e776 <= (f32(_e788) + 0.5f));
-                                                } else {
-                                                    phi_1155_ = false;
-                                                }
-                                                let _e794 = phi_1155_;
-                                                let _e795 = (_e786 >= 0i);
-                                                let _e796 = (_e786 < _e788);
-                                                if _e795 {
-                                                    phi_1167_ = bitcast<u32>(select(_e786, _e788, (_e788 < _e786)));
-                                                } else {
-                                                    phi_1167_ = 0u;
-                                                }
-                                                let _e801 = phi_1167_;
-                                                if _e796 {
-                                                    let _e802 = (_e786 + 1i);
-                                                    phi_1178_ = bitcast<u32>(select(0i, _e802, (0i < _e802)));
-                                                } else {
-                                                    phi_1178_ = 0u;
-                                                }
-                                                let _e807 = phi_1178_;
-                                                if _e795 {
-                                                    phi_1186_ = select(0f, (_e776 - _e778), _e796);
-                                                } else {
-                                                    phi_1186_ = 1f;
-                                                }
-                                                let _e810 = phi_1186_;
-                                                let _e813 = ((_e801 >> bitcast<u32>(1u)) * _e622.y);
-                                                let _e816 = ((_e807 >> bitcast<u32>(1u)) * _e622.y);
-                                                let _e819 = ((_e801 & 1u) << bitcast<u32>(2u));
-                                                let _e822 = ((_e807 & 1u) << bitcast<u32>(2u));
-                                                if _e794 {
-                                                    phi_1225_ = (1f - _e810);
-                                                } else {
-                                                    phi_1225_ = 0f;
-                                                }
-                                                let _e825 = phi_1225_;
-                                                let _e826 = select(0f, _e810, _e794);
-                                                if _e579 {
-                                                    phi_1252_ = _e826;
-                                                    phi_1253_ = _e825;
-                                                    phi_1254_ = _e822;
-                                                    phi_1255_ = _e819;
-                                                    phi_1256_ = _e816;
-                                                    phi_1257_ = _e813;
-                                                    phi_1258_ = _e771;
-                                                    phi_1259_ = _e770;
-                                                    phi_1260_ = _e767;
-                                                    phi_1261_ = _e758;
-                                                    phi_1262_ = _e749;
-                                                    phi_1263_ = _e746;
-                                                    phi_1264_ = _e693;
-                                                    phi_1265_ = _e684;
-                                                } else {
-                                                    phi_1252_ = select(_e771, _e704, _e705);
-                                                    phi_1253_ = select(_e770, _e703, _e705);
-                                                    phi_1254_ = select(_e767, _e700, _e705);
-                                                    phi_1255_ = select(_e758, _e693, _e705);
-                                                    phi_1256_ = select(_e749, _e686, _e705);
-                                                    phi_1257_ = select(_e746, _e684, _e705);
-                                                    phi_1258_ = select(_e704, _e826, _e705);
-                                                    phi_1259_ = select(_e703, _e825, _e705);
-                                                    phi_1260_ = select(_e700, _e822, _e705);
-                                                    phi_1261_ = select(_e693, _e819, _e705);
-                                                    phi_1262_ = select(_e686, _e816, _e705);
-                                                    phi_1263_ = select(_e684, _e813, _e705);
-                                                    phi_1264_ = select(_e819, _e758, _e705);
-                                                    phi_1265_ = select(_e813, _e746, _e705);
-                                                }
-                                                let _e842 = phi_1252_;
-                                                let _e844 = phi_1253_;
-                                                let _e846 = phi_1254_;
-                                                let _e848 = phi_1255_;
-                                                let _e850 = phi_1256_;
-                                                let _e852 = phi_1257_;
-                                                let _e854 = phi_1258_;
-                                                let _e856 = phi_1259_;
-                                                let _e858 = phi_1260_;
-                                                let _e860 = phi_1261_;
-                                                let _e862 = phi_1262_;
-                                                let _e864 = phi_1263_;
-                                                let _e866 = phi_1264_;
-                                                let _e868 = phi_1265_;
-                                                phi_1268_ = type_8(0u, 4u);
-                                                phi_1271_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                loop {
-                                                    let _e870 = phi_1268_;
-                                                    let _e872 = phi_1271_;
-                                                    local_16 = _e872;
-                                                    if (_e870.member < _e870.member_1) {
-                                                        phi_1269_ = type_8((_e870.member + 1u), _e870.member_1);
-                                                        phi_1294_ = type_8(1u, _e870.member);
-                                                    } else {
-                                                        phi_1269_ = _e870;
-                                                        phi_1294_ = type_8(0u, type_8().member_1);
-                                                    }
-                                                    let _e885 = phi_1269_;
-                                                    let _e887 = phi_1294_;
-                                                    let _e891 = (bitcast<i32>(_e887.member) != 0i);
-                                                    if _e891 {
-                                                        let _e893 = ((_e887.member_1 & 1u) == 1u);
-                                                        let _e895 = ((_e887.member_1 & 2u) == 2u);
-                                                        let _e898 = (select(_e856, _e854, _e893) * select(_e844, _e842, _e895));
-                                                        let _e904 = (((_e622.z + _e868) + select(_e864, _e862, _e893)) + select(_e852, _e850, _e895));
-                                                        let _e909 = (2u * _e904);
-                                                        let _e911 = cells.member[_e909];
-                                                        if (_e898 > 0f) {
-                                                            let _e913 = (((_e866 | select(_e860, _e858, _e893)) | select(_e848, _e846, _e895)) & 31u);
-                                                            if (((_e911 >> bitcast<u32>(_e913)) & 1u) == 1u) {
-                                                                let _e920 = params.member.member_8;
-                                                                let _e921 = (_e920 == 1u);
-                                                                if (_e604 == 0u) {
-                                                                    let _e947 = (_e904 * 6u);
-                                                                    let _e950 = cells.member[(_e909 + 1u)];
-                                                                    let _e952 = facet_bits.member[_e947];
-                                                                    let _e955 = ((1u << bitcast<u32>(_e913)) - 1u);
-                                                                    let _e964 = facet_bits.member[(_e947 + 1u)];
-                                                                    let _e974 = facet_bits.member[(_e947 + 2u)];
-                                                                    let _e984 = facet_bits.member[(_e947 + 3u)];
-                                                                    let _e994 = facet_bits.member[(_e947 + 4u)];
-                                                                    let _e1004 = facet_bits.member[(_e947 + 5u)];
-                                                                    let _e1007 = ((((((_e950 + countOneBits((_e952 & _e955))) + countOneBits((_e964 & _e955))) + countOneBits((_e974 & _e955))) + countOneBits((_e984 & _e955))) + countOneBits((_e994 & _e955))) + countOneBits((_e1004 & _e955)));
-                                                                    let _e1011 = (((((((_e952 >> bitcast<u32>(_e913)) & 1u) + ((_e964 >> bitcast<u32>(_e913)) & 1u)) + ((_e974 >> bitcast<u32>(_e913)) & 1u)) + ((_e984 >> bitcast<u32>(_e913)) & 1u)) + ((_e994 >> bitcast<u32>(_e913)) & 1u)) + ((_e1004 >> bitcast<u32>(_e913)) & 1u));
-                                                                    if _e921 {
-                                                                        phi_1452_ = type_8(_e1007, (_e1007 + _e1011));
-                                                                        phi_1455_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                        loop {
-                                                                            let _e1132 = phi_1452_;
-                                                                            let _e1134 = phi_1455_;
-                                                                            local_15 = _e1134;
-                                                                            if (_e1132.member < _e1132.member_1) {
-                                                                                phi_1453_ = type_8((_e1132.member + 1u), _e1132.member_1);
-                                                                                phi_1478_ = type_8(1u, _e1132.member);
-                                                                            } else {
-                                                                                phi_1453_ = _e1132;
-                                                                                phi_1478_ = type_8(0u, type_8().member_1);
-                                                                            }
-                                                                            let _e1147 = phi_1453_;
-                                                                            let _e1149 = phi_1478_;
-                                                                            let _e1153 = (bitcast<i32>(_e1149.member) != 0i);
-                                                                            if _e1153 {
-                                                                                let _e1154 = (2u * _e1149.member_1);
-                                                                                let _e1157 = radiance.member[_e1154][0u];
-                                                                                let _e1160 = radiance.member[_e1154][1u];
-                                                                                let _e1163 = radiance.member[_e1154][2u];
-                                                                                let _e1164 = (_e1154 + 1u);
-                                                                                let _e1167 = radiance.member[_e1164][0u];
-                                                                                let _e1170 = radiance.member[_e1164][1u];
-                                                                                let _e1173 = radiance.member[_e1164][2u];
-                                                                                let _e1182 = facets.member[_e1149.member_1].member_2;
-                                                                                let _e1191 = sqrt((((_e1182[0] * _e1182[0]) + (_e1182[1] * _e1182[1])) + (_e1182[2] * _e1182[2])));
-                                                                                phi_1456_ = vec4<f32>((_e1134.x + (select(_e1167, _e1157, (_e1157 > _e1167)) * _e1191)), (_e1134.y + (select(_e1170, _e1160, (_e1160 > _e1170)) * _e1191)), (_e1134.z + (select(_e1173, _e1163, (_e1163 > _e1173)) * _e1191)), (_e1134.w + _e1191));
-                                                                            } else {
-                                                                                phi_1456_ = vec4<f32>();
-                                                                            }
-                                                                            let _e1205 = phi_1456_;
-                                                                            continue;
-                                                                            continuing {
-                                                                                phi_1452_ = _e1147;
-                                                                                phi_1455_ = _e1205;
-                                                                                break if !(_e1153);
-                                                                            }
-                                                                        }
-                                                                        let _e1758 = local_15;
-                                                                        phi_1695_ = _e1758;
-                                                                    } else {
-                                                                        let _e1012 = select(1f, -1f, _e617);
-                                                                        phi_1574_ = type_8(_e1007, (_e1007 + _e1011));
-                                                                        phi_1577_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                        phi_1579_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                        loop {
-                                                                            let _e1019 = phi_1574_;
-                                                                            let _e1021 = phi_1577_;
-                                                                            let _e1023 = phi_1579_;
-                                                                            local = _e1021;
-                                                                            local_1 = _e1023;
-                                                                            local_2 = _e1021;
-                                                                            local_3 = _e1021;
-                                                                            local_4 = _e1021;
-                                                                            local_5 = _e1023;
-                                                                            local_14 = _e1023;
-                                                                            if (_e1019.member < _e1019.member_1) {
-                                                                                phi_1575_ = type_8((_e1019.member + 1u), _e1019.member_1);
-                                                                                phi_1602_ = type_8(1u, _e1019.member);
-                                                                            } else {
-                                                                                phi_1575_ = _e1019;
-                                                                                phi_1602_ = type_8(0u, type_8().member_1);
-                                                                            }
-                                                                            let _e1036 = phi_1575_;
-                                                                            let _e1038 = phi_1602_;
-                                                                            let _e1042 = (bitcast<i32>(_e1038.member) != 0i);
-                                                                            if _e1042 {
-                                                                                let _e1045 = facets.member[_e1038.member_1].member_2;
-                                                                                let _e1054 = -((((select(0f, _e1012, _e579) * _e1045[0]) + (select(0f, _e1012, _e705) * _e1045[1])) + (select(0f, _e1012, _e772) * _e1045[2])));
-                                                                                if (_e1054 > 0f) {
-                                                                                    let _e1077 = radiance.member[(2u * _e1038.member_1)];
-                                                                                    phi_1671_ = _e1021;
-                                                                                    phi_1672_ = vec4<f32>((_e1023.x + (_e1077.x * _e1054)), (_e1023.y + (_e1077.y * _e1054)), (_e1023.z + (_e1077.z * _e1054)), (_e1023.w + _e1054));
-                                                                                } else {
-                                                                                    let _e1059 = radiance.member[((2u * _e1038.member_1) + 1u)];
-                                                                                    phi_1671_ = vec4<f32>((_e1021.x - (_e1059.x * _e1054)), (_e1021.y - (_e1059.y * _e1054)), (_e1021.z - (_e1059.z * _e1054)), (_e1021.w - _e1054));
-                                                                                    phi_1672_ = _e1023;
-                                                                                }
-                                                                                let _e1094 = phi_1671_;
-                                                                                let _e1096 = phi_1672_;
-                                                                                phi_1578_ = _e1094;
-                                                                                phi_1580_ = _e1096;
-                                                                            } else {
-                                                                                phi_1578_ = vec4<f32>();
-                                                                                phi_1580_ = vec4<f32>();
-                                                                            }
-                                                                            let _e1098 = phi_1578_;
-                                                                            let _e1100 = phi_1580_;
-                                                                            continue;
-                                                                            continuing {
-                                                                                phi_1574_ = _e1036;
-                                                                                phi_1577_ = _e1098;
-                                                                                phi_1579_ = _e1100;
-                                                                                break if !(_e1042);
-                                                                            }
-                                                                        }
-                                                                        let _e1103 = local;
-                                                                        let _e1106 = local_1;
-                                                                        if (_e1103.w > _e1106.w) {
-                                                                            let _e1109 = (_e1103.w - _e1106.w);
-                                                                            let _e1110 = (_e1109 / _e1103.w);
-                                                                            let _e1112 = local_2;
-                                                                            let _e1116 = local_3;
-                                                                            let _e1120 = local_4;
-                                                                            let _e1125 = local_5;
-                                                                            phi_1694_ = (_e1125 + vec4<f32>((_e1112.x * _e1110), (_e1116.y * _e1110), (_e1120.z * _e1110), _e1109));
-                                                                        } else {
-                                                                            let _e1750 = local_14;
-                                                                            phi_1694_ = _e1750;
-                                                                        }
-                                                                        let _e1128 = phi_1694_;
-                                                                        phi_1695_ = _e1128;
-                                                                    }
-                                                                    let _e1208 = phi_1695_;
-                                                                    if (_e1208.w > 1f) {
-                                                                        phi_1709_ = vec4<f32>((_e1208.x / _e1208.w), (_e1208.y / _e1208.w), (_e1208.z / _e1208.w), 1f);
-                                                                    } else {
-                                                                        phi_1709_ = _e1208;
-                                                                    }
-                                                                    let _e1219 = phi_1709_;
-                                                                    phi_1742_ = _e1219;
+                                            phi_912_ = (((_e150 + (_e385 * _e534)) * _e571) - 0.5f);
+                                        }
+                                        let _e636 = phi_912_;
+                                        let _e638 = floor(_e636);
+                                        let _e640 = i32(_e638);
+                                        let _e642 = (bitcast<i32>(_e566) - 1i);
+                                        let _e647 = ((_e636 >= -0.5f) && (_e636 <= (f32(_e642) + 0.5f)));
+                                        let _e649 = select(0i, _e640, (0i < _e640));
+                                        let _e652 = bitcast<u32>(select(_e649, _e642, (_e642 < _e649)));
+                                        let _e653 = (_e640 + 1i);
+                                        let _e655 = select(0i, _e653, (0i < _e653));
+                                        let _e658 = bitcast<u32>(select(_e655, _e642, (_e642 < _e655)));
+                                        let _e662 = select(select(0f, (_e636 - _e638), (_e640 < _e642)), 1f, (_e640 < 0i));
+                                        let _e665 = ((_e652 >> bitcast<u32>(2u)) * _e556.x);
+                                        let _e668 = ((_e658 >> bitcast<u32>(2u)) * _e556.x);
+                                        let _e677 = (((_e652 & 1u) << bitcast<u32>(1u)) | (((_e652 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                        let _e686 = (((_e658 & 1u) << bitcast<u32>(1u)) | (((_e658 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                        if _e647 {
+                                            phi_995_ = (1f - _e662);
+                                        } else {
+                                            phi_995_ = 0f;
+                                        }
+                                        let _e689 = phi_995_;
+                                        let _e690 = select(0f, _e662, _e647);
+                                        let _e691 = (_e514 == 2u);
+                                        if _e691 {
+                                            phi_1006_ = _e580;
+                                        } else {
+                                            phi_1006_ = (((_e151 + (_e386 * _e534)) * _e571) - 0.5f);
+                                        }
+                                        let _e695 = phi_1006_;
+                                        let _e697 = floor(_e695);
+                                        let _e699 = i32(_e697);
+                                        let _e701 = (bitcast<i32>(_e569) - 1i);
+                                        let _e706 = ((_e695 >= -0.5f) && (_e695 <= (f32(_e701) + 0.5f)));
+                                        let _e708 = select(0i, _e699, (0i < _e699));
+                                        let _e711 = bitcast<u32>(select(_e708, _e701, (_e701 < _e708)));
+                                        let _e712 = (_e699 + 1i);
+                                        let _e714 = select(0i, _e712, (0i < _e712));
+                                        let _e717 = bitcast<u32>(select(_e714, _e701, (_e701 < _e714)));
+                                        let _e721 = select(select(0f, (_e695 - _e697), (_e699 < _e701)), 1f, (_e699 < 0i));
+                                        let _e724 = ((_e711 >> bitcast<u32>(1u)) * _e556.y);
+                                        let _e727 = ((_e717 >> bitcast<u32>(1u)) * _e556.y);
+                                        let _e730 = ((_e711 & 1u) << bitcast<u32>(2u));
+                                        let _e733 = ((_e717 & 1u) << bitcast<u32>(2u));
+                                        if _e706 {
+                                            phi_1089_ = (1f - _e721);
+                                        } else {
+                                            phi_1089_ = 0f;
+                                        }
+                                        let _e736 = phi_1089_;
+                                        let _e737 = select(0f, _e721, _e706);
+                                        if _e515 {
+                                            phi_1116_ = _e737;
+                                            phi_1117_ = _e736;
+                                            phi_1118_ = _e733;
+                                            phi_1119_ = _e730;
+                                            phi_1120_ = _e727;
+                                            phi_1121_ = _e724;
+                                            phi_1122_ = _e690;
+                                            phi_1123_ = _e689;
+                                            phi_1124_ = _e686;
+                                            phi_1125_ = _e677;
+                                            phi_1126_ = _e668;
+                                            phi_1127_ = _e665;
+                                            phi_1128_ = _e620;
+                                            phi_1129_ = _e611;
+                                        } else {
+                                            phi_1116_ = select(_e690, _e631, _e632);
+                                            phi_1117_ = select(_e689, _e630, _e632);
+                                            phi_1118_ = select(_e686, _e627, _e632);
+                                            phi_1119_ = select(_e677, _e620, _e632);
+                                            phi_1120_ = select(_e668, _e613, _e632);
+                                            phi_1121_ = select(_e665, _e611, _e632);
+                                            phi_1122_ = select(_e631, _e737, _e632);
+                                            phi_1123_ = select(_e630, _e736, _e632);
+                                            phi_1124_ = select(_e627, _e733, _e632);
+                                            phi_1125_ = select(_e620, _e730, _e632);
+                                            phi_1126_ = select(_e613, _e727, _e632);
+                                            phi_1127_ = select(_e611, _e724, _e632);
+                                            phi_1128_ = select(_e730, _e677, _e632);
+                                            phi_1129_ = select(_e724, _e665, _e632);
+                                        }
+                                        let _e753 = phi_1116_;
+                                        let _e755 = phi_1117_;
+                                        let _e757 = phi_1118_;
+                                        let _e759 = phi_1119_;
+                                        let _e761 = phi_1120_;
+                                        let _e763 = phi_1121_;
+                                        let _e765 = phi_1122_;
+                                        let _e767 = phi_1123_;
+                                        let _e769 = phi_1124_;
+                                        let _e771 = phi_1125_;
+                                        let _e773 = phi_1126_;
+                                        let _e775 = phi_1127_;
+                                        let _e777 = phi_1128_;
+                                        let _e779 = phi_1129_;
+                                        phi_1131_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1134_ = 0u;
+                                        loop {
+                                            let _e781 = phi_1131_;
+                                            let _e783 = phi_1134_;
+                                            local_16 = _e781;
+                                            let _e784 = (_e783 < 4u);
+                                            if _e784 {
+                                                let _e786 = ((_e783 & 1u) == 1u);
+                                                let _e788 = ((_e783 & 2u) == 2u);
+                                                let _e791 = (select(_e767, _e765, _e786) * select(_e755, _e753, _e788));
+                                                let _e797 = (((_e556.z + _e779) + select(_e775, _e773, _e786)) + select(_e763, _e761, _e788));
+                                                let _e802 = (2u * _e797);
+                                                let _e804 = cells.member[_e802];
+                                                let _e806 = (((_e777 | select(_e771, _e769, _e786)) | select(_e759, _e757, _e788)) & 31u);
+                                                if ((_e791 > 0f) && (((_e804 >> bitcast<u32>(_e806)) & 1u) == 1u)) {
+                                                    let _e814 = params.member.member_8;
+                                                    let _e815 = (_e814 == 1u);
+                                                    if (_e538 == 0u) {
+                                                        let _e841 = (_e797 * 6u);
+                                                        let _e844 = cells.member[(_e802 + 1u)];
+                                                        let _e846 = facet_bits.member[_e841];
+                                                        let _e849 = ((1u << bitcast<u32>(_e806)) - 1u);
+                                                        let _e858 = facet_bits.member[(_e841 + 1u)];
+                                                        let _e868 = facet_bits.member[(_e841 + 2u)];
+                                                        let _e878 = facet_bits.member[(_e841 + 3u)];
+                                                        let _e888 = facet_bits.member[(_e841 + 4u)];
+                                                        let _e898 = facet_bits.member[(_e841 + 5u)];
+                                                        let _e901 = ((((((_e844 + countOneBits((_e846 & _e849))) + countOneBits((_e858 & _e849))) + countOneBits((_e868 & _e849))) + countOneBits((_e878 & _e849))) + countOneBits((_e888 & _e849))) + countOneBits((_e898 & _e849)));
+                                                        let _e905 = (((((((_e846 >> bitcast<u32>(_e806)) & 1u) + ((_e858 >> bitcast<u32>(_e806)) & 1u)) + ((_e868 >> bitcast<u32>(_e806)) & 1u)) + ((_e878 >> bitcast<u32>(_e806)) & 1u)) + ((_e888 >> bitcast<u32>(_e806)) & 1u)) + ((_e898 >> bitcast<u32>(_e806)) & 1u));
+                                                        if _e815 {
+                                                            phi_1288_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                            phi_1291_ = _e901;
+                                                            loop {
+                                                                let _e1008 = phi_1288_;
+                                                                let _e1010 = phi_1291_;
+                                                                local_15 = _e1008;
+                                                                let _e1012 = (_e1010 < (_e901 + _e905));
+                                                                if _e1012 {
+                                                                    let _e1013 = (2u * _e1010);
+                                                                    let _e1016 = radiance.member[_e1013][0u];
+                                                                    let _e1019 = radiance.member[_e1013][1u];
+                                                                    let _e1022 = radiance.member[_e1013][2u];
+                                                                    let _e1023 = (_e1013 + 1u);
+                                                                    let _e1026 = radiance.member[_e1023][0u];
+                                                                    let _e1029 = radiance.member[_e1023][1u];
+                                                                    let _e1032 = radiance.member[_e1023][2u];
+                                                                    let _e1041 = facets.member[_e1010].member_2;
+                                                                    let _e1050 = sqrt((((_e1041[0] * _e1041[0]) + (_e1041[1] * _e1041[1])) + (_e1041[2] * _e1041[2])));
+                                                                    phi_1289_ = vec4<f32>((_e1008.x + (select(_e1026, _e1016, (_e1016 > _e1026)) * _e1050)), (_e1008.y + (select(_e1029, _e1019, (_e1019 > _e1029)) * _e1050)), (_e1008.z + (select(_e1032, _e1022, (_e1022 > _e1032)) * _e1050)), (_e1008.w + _e1050));
+                                                                    phi_1292_ = (_e1010 + 1u);
                                                                 } else {
-                                                                    let _e925 = cells.member[(_e909 + 1u)];
-                                                                    let _e931 = (_e925 + countOneBits((_e911 & ((1u << bitcast<u32>(_e913)) - 1u))));
-                                                                    if _e921 {
-                                                                        phi_1729_ = _e931;
-                                                                    } else {
-                                                                        phi_1729_ = (((6u * _e931) + (2u * _e578)) + select(0u, 1u, _e617));
-                                                                    }
-                                                                    let _e938 = phi_1729_;
-                                                                    if ((_e604 & 1u) == 1u) {
-                                                                        let _e944 = odd.member[_e938];
-                                                                        phi_1741_ = _e944;
-                                                                    } else {
-                                                                        let _e942 = even.member[_e938];
-                                                                        phi_1741_ = _e942;
-                                                                    }
-                                                                    let _e946 = phi_1741_;
-                                                                    phi_1742_ = _e946;
+                                                                    phi_1289_ = vec4<f32>();
+                                                                    phi_1292_ = u32();
                                                                 }
-                                                                let _e1221 = phi_1742_;
-                                                                phi_1763_ = vec4<f32>((_e872.x + (_e1221.x * _e898)), (_e872.y + (_e1221.y * _e898)), (_e872.z + (_e1221.z * _e898)), (_e872.w + (_e1221.w * _e898)));
-                                                            } else {
-                                                                phi_1763_ = _e872;
+                                                                let _e1065 = phi_1289_;
+                                                                let _e1067 = phi_1292_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_1288_ = _e1065;
+                                                                    phi_1291_ = _e1067;
+                                                                    break if !(_e1012);
+                                                                }
                                                             }
-                                                            let _e1240 = phi_1763_;
-                                                            phi_1764_ = _e1240;
+                                                            let _e1554 = local_15;
+                                                            phi_1487_ = _e1554;
                                                         } else {
-                                                            phi_1764_ = _e872;
+                                                            let _e906 = select(1f, -1f, _e552);
+                                                            phi_1387_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                            phi_1390_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                            phi_1392_ = _e901;
+                                                            loop {
+                                                                let _e911 = phi_1387_;
+                                                                let _e913 = phi_1390_;
+                                                                let _e915 = phi_1392_;
+                                                                local = _e911;
+                                                                local_1 = _e913;
+                                                                local_2 = _e911;
+                                                                local_3 = _e911;
+                                                                local_4 = _e911;
+                                                                local_5 = _e913;
+                                                                local_14 = _e913;
+                                                                let _e917 = (_e915 < (_e901 + _e905));
+                                                                if _e917 {
+                                                                    let _e920 = facets.member[_e915].member_2;
+                                                                    let _e929 = -((((select(0f, _e906, _e515) * _e920[0]) + (select(0f, _e906, _e632) * _e920[1])) + (select(0f, _e906, _e691) * _e920[2])));
+                                                                    if (_e929 > 0f) {
+                                                                        let _e952 = radiance.member[(2u * _e915)];
+                                                                        phi_1462_ = _e911;
+                                                                        phi_1463_ = vec4<f32>((_e913.x + (_e952.x * _e929)), (_e913.y + (_e952.y * _e929)), (_e913.z + (_e952.z * _e929)), (_e913.w + _e929));
+                                                                    } else {
+                                                                        let _e934 = radiance.member[((2u * _e915) + 1u)];
+                                                                        phi_1462_ = vec4<f32>((_e911.x - (_e934.x * _e929)), (_e911.y - (_e934.y * _e929)), (_e911.z - (_e934.z * _e929)), (_e911.w - _e929));
+                                                                        phi_1463_ = _e913;
+                                                                    }
+                                                                    let _e969 = phi_1462_;
+                                                                    let _e971 = phi_1463_;
+                                                                    phi_1388_ = _e969;
+                                                                    phi_1391_ = _e971;
+                                                                    phi_1393_ = (_e915 + 1u);
+                                                                } else {
+                                                                    phi_1388_ = vec4<f32>();
+                                                                    phi_1391_ = vec4<f32>();
+                                                                    phi_1393_ = u32();
+                                                                }
+                                                                let _e974 = phi_1388_;
+                                                                let _e976 = phi_1391_;
+                                                                let _e978 = phi_1393_;
+                                                                continue;
+                                                                continuing {
+                                                                    phi_1387_ = _e974;
+                                                                    phi_1390_ = _e976;
+                                                                    phi_1392_ = _e978;
+                                                                    break if !(_e917);
+                                                                }
+                                                            }
+                                                            let _e981 = local;
+                                                            let _e984 = local_1;
+                                                            if (_e981.w > _e984.w) {
+                                                                let _e987 = (_e981.w - _e984.w);
+                                                                let _e988 = (_e987 / _e981.w);
+                                                                let _e990 = local_2;
+                                                                let _e994 = local_3;
+                                                                let _e998 = local_4;
+                                                                let _e1003 = local_5;
+                                                                phi_1486_ = (_e1003 + vec4<f32>((_e990.x * _e988), (_e994.y * _e988), (_e998.z * _e988), _e987));
+                                                            } else {
+                                                                let _e1547 = local_14;
+                                                                phi_1486_ = _e1547;
+                                                            }
+                                                            let _e1006 = phi_1486_;
+                                                            phi_1487_ = _e1006;
                                                         }
-                                                        let _e1242 = phi_1764_;
-                                                        phi_1272_ = _e1242;
+                                                        let _e1070 = phi_1487_;
+                                                        if (_e1070.w > 1f) {
+                                                            phi_1501_ = vec4<f32>((_e1070.x / _e1070.w), (_e1070.y / _e1070.w), (_e1070.z / _e1070.w), 1f);
+                                                        } else {
+                                                            phi_1501_ = _e1070;
+                                                        }
+                                                        let _e1081 = phi_1501_;
+                                                        phi_1534_ = _e1081;
                                                     } else {
-                                                        phi_1272_ = vec4<f32>();
+                                                        let _e819 = cells.member[(_e802 + 1u)];
+                                                        let _e825 = (_e819 + countOneBits((_e804 & ((1u << bitcast<u32>(_e806)) - 1u))));
+                                                        if _e815 {
+                                                            phi_1521_ = _e825;
+                                                        } else {
+                                                            phi_1521_ = (((6u * _e825) + (2u * _e514)) + select(0u, 1u, _e552));
+                                                        }
+                                                        let _e832 = phi_1521_;
+                                                        if ((_e538 & 1u) == 1u) {
+                                                            let _e838 = odd.member[_e832];
+                                                            phi_1533_ = _e838;
+                                                        } else {
+                                                            let _e836 = even.member[_e832];
+                                                            phi_1533_ = _e836;
+                                                        }
+                                                        let _e840 = phi_1533_;
+                                                        phi_1534_ = _e840;
                                                     }
-                                                    let _e1244 = phi_1272_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_1268_ = _e885;
-                                                        phi_1271_ = _e1244;
-                                                        break if !(_e891);
-                                                    }
+                                                    let _e1083 = phi_1534_;
+                                                    phi_1555_ = vec4<f32>((_e781.x + (_e1083.x * _e791)), (_e781.y + (_e1083.y * _e791)), (_e781.z + (_e1083.z * _e791)), (_e781.w + (_e1083.w * _e791)));
+                                                } else {
+                                                    phi_1555_ = _e781;
                                                 }
-                                                let _e1766 = local_16;
-                                                phi_1765_ = _e1766;
+                                                let _e1102 = phi_1555_;
+                                                phi_1132_ = _e1102;
+                                                phi_1135_ = (_e783 + 1u);
+                                            } else {
+                                                phi_1132_ = vec4<f32>();
+                                                phi_1135_ = u32();
                                             }
-                                            let _e1247 = phi_1765_;
-                                            phi_1766_ = _e1247;
-                                            phi_1767_ = _e644;
+                                            let _e1105 = phi_1132_;
+                                            let _e1107 = phi_1135_;
+                                            continue;
+                                            continuing {
+                                                phi_1131_ = _e1105;
+                                                phi_1134_ = _e1107;
+                                                break if !(_e784);
+                                            }
                                         }
-                                        let _e1249 = phi_1766_;
-                                        let _e1251 = phi_1767_;
-                                        let _e1253 = select(_e1249, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1251));
-                                        if (_e1253.w > 0f) {
-                                            let _e1260 = select(_e608, _e1253.w, (_e1253.w < _e608));
-                                            let _e1265 = ((_e547 * _e1260) / _e1253.w);
-                                            phi_1811_ = vec3<f32>((_e537.x + (_e1253.x * _e1265)), (_e537.y + (_e1253.y * _e1265)), (_e537.z + (_e1253.z * _e1265)));
-                                            phi_1812_ = (_e545 + _e1260);
-                                            phi_1813_ = _e547;
-                                        } else {
-                                            let _e1256 = (_e578 == _e404);
-                                            phi_1811_ = _e537;
-                                            phi_1812_ = select(_e545, 0f, _e1256);
-                                            phi_1813_ = select(_e547, _e609, _e1256);
-                                        }
-                                        let _e1278 = phi_1811_;
-                                        let _e1280 = phi_1812_;
-                                        let _e1282 = phi_1813_;
-                                        let _e1283 = (_e366 * _e600);
-                                        let _e1285 = ((_e369 * _e143) + ((_e369 * _e363.z) * _e600));
-                                        let _e1287 = select(_e1285, _e1283, (_e1283 < _e1285));
-                                        let _e1294 = ((bitcast<u32>((select(1f, _e1287, (_e1287 > 1f)) * _e361)) >> bitcast<u32>(23i)) - 127u);
-                                        let _e1296 = (_e392.w - 1u);
-                                        let _e1298 = select(_e1294, _e1296, (_e1296 < _e1294));
-                                        if _e579 {
-                                            let _e1459 = (_e543.member_1 < 0f);
-                                            if _e1459 {
-                                                phi_1856_ = (_e543.member_3 - 1i);
-                                            } else {
-                                                phi_1856_ = (_e543.member_3 + 1i);
-                                            }
-                                            let _e1467 = phi_1856_;
-                                            let _e1473 = type_38(_e543.member, _e543.member_1, _e543.member_2, _e1467, _e543.member_4);
-                                            if (((_e543.member_3 & 1i) == 0i) == _e1459) {
-                                                if (_e1298 > _e543.member_2) {
-                                                    let _e1482 = type_38(_e1473.member, _e1473.member_1, (_e543.member_2 + 1u), _e1473.member_3, _e1473.member_4);
-                                                    phi_1871_ = type_38(_e1482.member, _e1482.member_1, _e1482.member_2, (_e1467 >> bitcast<u32>(1i)), _e1482.member_4);
-                                                } else {
-                                                    phi_1871_ = _e1473;
-                                                }
-                                                let _e1492 = phi_1871_;
-                                                phi_1872_ = _e1492;
-                                            } else {
-                                                phi_1872_ = _e1473;
-                                            }
-                                            let _e1494 = phi_1872_;
-                                            let _e1496 = (_e1494.member_2 & 31u);
-                                            let _e1498 = (1u << bitcast<u32>(_e1496));
-                                            if (_e1494.member_1 < 0f) {
-                                                phi_1891_ = (_e1494.member_3 < 0i);
-                                            } else {
-                                                phi_1891_ = (_e1494.member_3 >= bitcast<i32>((((_e392.x + _e1498) - 1u) >> bitcast<u32>(_e1496))));
-                                            }
-                                            let _e1511 = phi_1891_;
-                                            if _e1511 {
-                                                phi_1914_ = f32();
-                                                phi_1915_ = true;
-                                            } else {
-                                                let _e1518 = (abs(_e1494.member_1) < 0.000001f);
-                                                if _e1518 {
-                                                    phi_1913_ = f32();
-                                                } else {
-                                                    phi_1913_ = ((((f32(_e1494.member_3) + 0.5f) * f32(_e1498)) - _e1494.member) / _e1494.member_1);
-                                                }
-                                                let _e1523 = phi_1913_;
-                                                phi_1914_ = _e1523;
-                                                phi_1915_ = _e1518;
-                                            }
-                                            let _e1525 = phi_1914_;
-                                            let _e1527 = phi_1915_;
-                                            phi_2085_ = _e539;
-                                            phi_2086_ = _e541;
-                                            phi_2087_ = type_38(_e1494.member, _e1494.member_1, _e1494.member_2, _e1494.member_3, select(_e1525, 340282350000000000000000000000000000000f, _e1527));
-                                        } else {
-                                            if (_e578 == 1u) {
-                                                let _e1378 = (_e541.member_1 < 0f);
-                                                if _e1378 {
-                                                    phi_1939_ = (_e541.member_3 - 1i);
-                                                } else {
-                                                    phi_1939_ = (_e541.member_3 + 1i);
-                                                }
-                                                let _e1386 = phi_1939_;
-                                                let _e1392 = type_38(_e541.member, _e541.member_1, _e541.member_2, _e1386, _e541.member_4);
-                                                if (((_e541.member_3 & 1i) == 0i) == _e1378) {
-                                                    if (_e1298 > _e541.member_2) {
-                                                        let _e1401 = type_38(_e1392.member, _e1392.member_1, (_e541.member_2 + 1u), _e1392.member_3, _e1392.member_4);
-                                                        phi_1954_ = type_38(_e1401.member, _e1401.member_1, _e1401.member_2, (_e1386 >> bitcast<u32>(1i)), _e1401.member_4);
-                                                    } else {
-                                                        phi_1954_ = _e1392;
-                                                    }
-                                                    let _e1411 = phi_1954_;
-                                                    phi_1955_ = _e1411;
-                                                } else {
-                                                    phi_1955_ = _e1392;
-                                                }
-                                                let _e1413 = phi_1955_;
-                                                let _e1415 = (_e1413.member_2 & 31u);
-                                                let _e1417 = (1u << bitcast<u32>(_e1415));
-                                                if (_e1413.member_1 < 0f) {
-                                                    phi_1974_ = (_e1413.member_3 < 0i);
-                                                } else {
-                                                    phi_1974_ = (_e1413.member_3 >= bitcast<i32>((((_e392.y + _e1417) - 1u) >> bitcast<u32>(_e1415))));
-                                                }
-                                                let _e1430 = phi_1974_;
-                                                if _e1430 {
-                                                    phi_1997_ = f32();
-                                                    phi_1998_ = true;
-                                                } else {
-                                                    let _e1437 = (abs(_e1413.member_1) < 0.000001f);
-                                                    if _e1437 {
-                                                        phi_1996_ = f32();
-                                                    } else {
-                                                        phi_1996_ = ((((f32(_e1413.member_3) + 0.5f) * f32(_e1417)) - _e1413.member) / _e1413.member_1);
-                                                    }
-                                                    let _e1442 = phi_1996_;
-                                                    phi_1997_ = _e1442;
-                                                    phi_1998_ = _e1437;
-                                                }
-                                                let _e1444 = phi_1997_;
-                                                let _e1446 = phi_1998_;
-                                                phi_2083_ = _e539;
-                                                phi_2084_ = type_38(_e1413.member, _e1413.member_1, _e1413.member_2, _e1413.member_3, select(_e1444, 340282350000000000000000000000000000000f, _e1446));
-                                            } else {
-                                                let _e1301 = (_e539.member_1 < 0f);
-                                                if _e1301 {
-                                                    phi_2018_ = (_e539.member_3 - 1i);
-                                                } else {
-                                                    phi_2018_ = (_e539.member_3 + 1i);
-                                                }
-                                                let _e1309 = phi_2018_;
-                                                let _e1315 = type_38(_e539.member, _e539.member_1, _e539.member_2, _e1309, _e539.member_4);
-                                                if (((_e539.member_3 & 1i) == 0i) == _e1301) {
-                                                    if (_e1298 > _e539.member_2) {
-                                                        let _e1324 = type_38(_e1315.member, _e1315.member_1, (_e539.member_2 + 1u), _e1315.member_3, _e1315.member_4);
-                                                        phi_2033_ = type_38(_e1324.member, _e1324.member_1, _e1324.member_2, (_e1309 >> bitcast<u32>(1i)), _e1324.member_4);
-                                                    } else {
-                                                        phi_2033_ = _e1315;
-                                                    }
-                                                    let _e1334 = phi_2033_;
-                                                    phi_2034_ = _e1334;
-                                                } else {
-                                                    phi_2034_ = _e1315;
-                                                }
-                                                let _e1336 = phi_2034_;
-                                                let _e1338 = (_e1336.member_2 & 31u);
-                                                let _e1340 = (1u << bitcast<u32>(_e1338));
-                                                if (_e1336.member_1 < 0f) {
-                                                    phi_2053_ = (_e1336.member_3 < 0i);
-                                                } else {
-                                                    phi_2053_ = (_e1336.member_3 >= bitcast<i32>((((_e392.z + _e1340) - 1u) >> bitcast<u32>(_e1338))));
-                                                }
-                                                let _e1353 = phi_2053_;
-                                                if _e1353 {
-                                                    phi_2076_ = f32();
-                                                    phi_2077_ = true;
-                                                } else {
-                                                    let _e1360 = (abs(_e1336.member_1) < 0.000001f);
-                                                    if _e1360 {
-                                                        phi_2075_ = f32();
-                                                    } else {
-                                                        phi_2075_ = ((((f32(_e1336.member_3) + 0.5f) * f32(_e1340)) - _e1336.member) / _e1336.member_1);
-                                                    }
-                                                    let _e1365 = phi_2075_;
-                                                    phi_2076_ = _e1365;
-                                                    phi_2077_ = _e1360;
-                                                }
-                                                let _e1367 = phi_2076_;
-                                                let _e1369 = phi_2077_;
-                                                phi_2083_ = type_38(_e1336.member, _e1336.member_1, _e1336.member_2, _e1336.member_3, select(_e1367, 340282350000000000000000000000000000000f, _e1369));
-                                                phi_2084_ = _e541;
-                                            }
-                                            let _e1455 = phi_2083_;
-                                            let _e1457 = phi_2084_;
-                                            phi_2085_ = _e1455;
-                                            phi_2086_ = _e1457;
-                                            phi_2087_ = _e543;
-                                        }
-                                        let _e1536 = phi_2085_;
-                                        let _e1538 = phi_2086_;
-                                        let _e1540 = phi_2087_;
-                                        phi_2088_ = _e1278;
-                                        phi_2089_ = _e1536;
-                                        phi_2090_ = _e1538;
-                                        phi_2091_ = _e1540;
-                                        phi_2092_ = _e1280;
-                                        phi_2093_ = _e1282;
+                                        let _e1562 = local_16;
+                                        phi_1557_ = _e1562;
                                     }
-                                    let _e1542 = phi_2088_;
-                                    let _e1544 = phi_2089_;
-                                    let _e1546 = phi_2090_;
-                                    let _e1548 = phi_2091_;
-                                    let _e1550 = phi_2092_;
-                                    let _e1552 = phi_2093_;
-                                    phi_2095_ = _e1542;
-                                    phi_2096_ = _e1544;
-                                    phi_2097_ = _e1546;
-                                    phi_2098_ = _e1548;
-                                    phi_2099_ = _e1550;
-                                    phi_2100_ = _e1552;
-                                    phi_2101_ = select(true, false, _e610);
+                                    let _e1110 = phi_1557_;
+                                    if (_e1110.w > 0f) {
+                                        let _e1117 = select(_e542, _e1110.w, (_e1110.w < _e542));
+                                        let _e1122 = ((_e502 * _e1117) / _e1110.w);
+                                        phi_1597_ = vec3<f32>((_e490.x + (_e1110.x * _e1122)), (_e490.y + (_e1110.y * _e1122)), (_e490.z + (_e1110.z * _e1122)));
+                                        phi_1598_ = (_e500 + _e1117);
+                                        phi_1599_ = _e502;
+                                    } else {
+                                        let _e1113 = (_e514 == _e401);
+                                        phi_1597_ = _e490;
+                                        phi_1598_ = select(_e500, 0f, _e1113);
+                                        phi_1599_ = select(_e502, _e543, _e1113);
+                                    }
+                                    let _e1135 = phi_1597_;
+                                    let _e1137 = phi_1598_;
+                                    let _e1139 = phi_1599_;
+                                    let _e1140 = (_e363 * _e534);
+                                    let _e1142 = ((_e366 * _e142) + ((_e366 * _e360.z) * _e534));
+                                    let _e1144 = select(_e1142, _e1140, (_e1140 < _e1142));
+                                    let _e1151 = ((bitcast<u32>((select(1f, _e1144, (_e1144 > 1f)) * _e358)) >> bitcast<u32>(23i)) - 127u);
+                                    let _e1153 = (_e389.w - 1u);
+                                    let _e1155 = select(_e1151, _e1153, (_e1153 < _e1151));
+                                    if _e515 {
+                                        let _e1306 = (_e496.member_1 < 0f);
+                                        if _e1306 {
+                                            phi_1642_ = (_e496.member_3 - 1i);
+                                        } else {
+                                            phi_1642_ = (_e496.member_3 + 1i);
+                                        }
+                                        let _e1314 = phi_1642_;
+                                        let _e1320 = type_38(_e496.member, _e496.member_1, _e496.member_2, _e1314, _e496.member_4);
+                                        if ((((_e496.member_3 & 1i) == 0i) == _e1306) && (_e1155 > _e496.member_2)) {
+                                            let _e1330 = type_38(_e1320.member, _e1320.member_1, (_e496.member_2 + 1u), _e1320.member_3, _e1320.member_4);
+                                            phi_1655_ = type_38(_e1330.member, _e1330.member_1, _e1330.member_2, (_e1314 >> bitcast<u32>(1i)), _e1330.member_4);
+                                        } else {
+                                            phi_1655_ = _e1320;
+                                        }
+                                        let _e1340 = phi_1655_;
+                                        let _e1342 = (_e1340.member_2 & 31u);
+                                        let _e1344 = (1u << bitcast<u32>(_e1342));
+                                        if ((((_e1340.member_1 < 0f) && (_e1340.member_3 < 0i)) || ((_e1340.member_1 >= 0f) && (_e1340.member_3 >= bitcast<i32>((((_e389.x + _e1344) - 1u) >> bitcast<u32>(_e1342)))))) || (abs(_e1340.member_1) < 0.000001f)) {
+                                            phi_1695_ = 340282350000000000000000000000000000000f;
+                                        } else {
+                                            phi_1695_ = ((((f32(_e1340.member_3) + 0.5f) * f32(_e1344)) - _e1340.member) / _e1340.member_1);
+                                        }
+                                        let _e1370 = phi_1695_;
+                                        phi_1841_ = _e492;
+                                        phi_1842_ = _e494;
+                                        phi_1843_ = type_38(_e1340.member, _e1340.member_1, _e1340.member_2, _e1340.member_3, _e1370);
+                                    } else {
+                                        if (_e514 == 1u) {
+                                            let _e1230 = (_e494.member_1 < 0f);
+                                            if _e1230 {
+                                                phi_1715_ = (_e494.member_3 - 1i);
+                                            } else {
+                                                phi_1715_ = (_e494.member_3 + 1i);
+                                            }
+                                            let _e1238 = phi_1715_;
+                                            let _e1244 = type_38(_e494.member, _e494.member_1, _e494.member_2, _e1238, _e494.member_4);
+                                            if ((((_e494.member_3 & 1i) == 0i) == _e1230) && (_e1155 > _e494.member_2)) {
+                                                let _e1254 = type_38(_e1244.member, _e1244.member_1, (_e494.member_2 + 1u), _e1244.member_3, _e1244.member_4);
+                                                phi_1728_ = type_38(_e1254.member, _e1254.member_1, _e1254.member_2, (_e1238 >> bitcast<u32>(1i)), _e1254.member_4);
+                                            } else {
+                                                phi_1728_ = _e1244;
+                                            }
+                                            let _e1264 = phi_1728_;
+                                            let _e1266 = (_e1264.member_2 & 31u);
+                                            let _e1268 = (1u << bitcast<u32>(_e1266));
+                                            if ((((_e1264.member_1 < 0f) && (_e1264.member_3 < 0i)) || ((_e1264.member_1 >= 0f) && (_e1264.member_3 >= bitcast<i32>((((_e389.y + _e1268) - 1u) >> bitcast<u32>(_e1266)))))) || (abs(_e1264.member_1) < 0.000001f)) {
+                                                phi_1768_ = 340282350000000000000000000000000000000f;
+                                            } else {
+                                                phi_1768_ = ((((f32(_e1264.member_3) + 0.5f) * f32(_e1268)) - _e1264.member) / _e1264.member_1);
+                                            }
+                                            let _e1294 = phi_1768_;
+                                            phi_1839_ = _e492;
+                                            phi_1840_ = type_38(_e1264.member, _e1264.member_1, _e1264.member_2, _e1264.member_3, _e1294);
+                                        } else {
+                                            let _e1158 = (_e492.member_1 < 0f);
+                                            if _e1158 {
+                                                phi_1784_ = (_e492.member_3 - 1i);
+                                            } else {
+                                                phi_1784_ = (_e492.member_3 + 1i);
+                                            }
+                                            let _e1166 = phi_1784_;
+                                            let _e1172 = type_38(_e492.member, _e492.member_1, _e492.member_2, _e1166, _e492.member_4);
+                                            if ((((_e492.member_3 & 1i) == 0i) == _e1158) && (_e1155 > _e492.member_2)) {
+                                                let _e1182 = type_38(_e1172.member, _e1172.member_1, (_e492.member_2 + 1u), _e1172.member_3, _e1172.member_4);
+                                                phi_1797_ = type_38(_e1182.member, _e1182.member_1, _e1182.member_2, (_e1166 >> bitcast<u32>(1i)), _e1182.member_4);
+                                            } else {
+                                                phi_1797_ = _e1172;
+                                            }
+                                            let _e1192 = phi_1797_;
+                                            let _e1194 = (_e1192.member_2 & 31u);
+                                            let _e1196 = (1u << bitcast<u32>(_e1194));
+                                            if ((((_e1192.member_1 < 0f) && (_e1192.member_3 < 0i)) || ((_e1192.member_1 >= 0f) && (_e1192.member_3 >= bitcast<i32>((((_e389.z + _e1196) - 1u) >> bitcast<u32>(_e1194)))))) || (abs(_e1192.member_1) < 0.000001f)) {
+                                                phi_1837_ = 340282350000000000000000000000000000000f;
+                                            } else {
+                                                phi_1837_ = ((((f32(_e1192.member_3) + 0.5f) * f32(_e1196)) - _e1192.member) / _e1192.member_1);
+                                            }
+                                            let _e1222 = phi_1837_;
+                                            phi_1839_ = type_38(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3, _e1222);
+                                            phi_1840_ = _e494;
+                                        }
+                                        let _e1302 = phi_1839_;
+                                        let _e1304 = phi_1840_;
+                                        phi_1841_ = _e1302;
+                                        phi_1842_ = _e1304;
+                                        phi_1843_ = _e496;
+                                    }
+                                    let _e1378 = phi_1841_;
+                                    let _e1380 = phi_1842_;
+                                    let _e1382 = phi_1843_;
+                                    phi_1844_ = _e1135;
+                                    phi_1845_ = _e1378;
+                                    phi_1846_ = _e1380;
+                                    phi_1847_ = _e1382;
+                                    phi_1848_ = _e1137;
+                                    phi_1849_ = _e1139;
                                 }
-                                let _e1555 = phi_2095_;
-                                let _e1557 = phi_2096_;
-                                let _e1559 = phi_2097_;
-                                let _e1561 = phi_2098_;
-                                let _e1563 = phi_2099_;
-                                let _e1565 = phi_2100_;
-                                let _e1567 = phi_2101_;
-                                phi_764_ = _e1555;
-                                phi_766_ = _e1557;
-                                phi_768_ = _e1559;
-                                phi_770_ = _e1561;
-                                phi_772_ = _e1563;
-                                phi_774_ = _e1565;
-                                phi_2103_ = _e1567;
+                                let _e1384 = phi_1844_;
+                                let _e1386 = phi_1845_;
+                                let _e1388 = phi_1846_;
+                                let _e1390 = phi_1847_;
+                                let _e1392 = phi_1848_;
+                                let _e1394 = phi_1849_;
+                                phi_689_ = _e1384;
+                                phi_692_ = _e1386;
+                                phi_694_ = _e1388;
+                                phi_696_ = _e1390;
+                                phi_698_ = (_e498 + 1u);
+                                phi_700_ = _e1392;
+                                phi_702_ = _e1394;
+                                phi_1851_ = select(true, false, _e545);
                             } else {
-                                phi_764_ = vec3<f32>();
-                                phi_766_ = type_38();
-                                phi_768_ = type_38();
-                                phi_770_ = type_38();
-                                phi_772_ = f32();
-                                phi_774_ = f32();
-                                phi_2103_ = false;
+                                phi_689_ = vec3<f32>();
+                                phi_692_ = type_38();
+                                phi_694_ = type_38();
+                                phi_696_ = type_38();
+                                phi_698_ = u32();
+                                phi_700_ = f32();
+                                phi_702_ = f32();
+                                phi_1851_ = false;
                             }
-                            let _e1569 = phi_764_;
-                            let _e1571 = phi_766_;
-                            let _e1573 = phi_768_;
-                            let _e1575 = phi_770_;
-                            let _e1577 = phi_772_;
-                            let _e1579 = phi_774_;
-                            let _e1581 = phi_2103_;
+                            let _e1397 = phi_689_;
+                            let _e1399 = phi_692_;
+                            let _e1401 = phi_694_;
+                            let _e1403 = phi_696_;
+                            let _e1405 = phi_698_;
+                            let _e1407 = phi_700_;
+                            let _e1409 = phi_702_;
+                            let _e1411 = phi_1851_;
                             continue;
                             continuing {
-                                phi_760_ = _e560;
-                                phi_763_ = _e1569;
-                                phi_765_ = _e1571;
-                                phi_767_ = _e1573;
-                                phi_769_ = _e1575;
-                                phi_771_ = _e1577;
-                                phi_773_ = _e1579;
-                                phi_2209_ = _e210;
-                                break if !(_e1581);
+                                phi_688_ = _e1397;
+                                phi_691_ = _e1399;
+                                phi_693_ = _e1401;
+                                phi_695_ = _e1403;
+                                phi_697_ = _e1405;
+                                phi_699_ = _e1407;
+                                phi_701_ = _e1409;
+                                break if !(_e1411);
                             }
                         }
-                        let _e1584 = phi_2209_;
-                        phi_2353_ = _e1584;
-                        if _e1584 {
-                            break;
-                        }
-                        let _e1586 = local_6;
-                        let _e1589 = local_7;
-                        let _e1590 = (_e1589 * (1f - _e1586));
-                        let _e1592 = local_8;
-                        let _e1595 = local_9;
-                        let _e1598 = local_10;
-                        let _e1602 = params.member.member_5;
-                        phi_2354_ = _e1584;
-                        phi_309_ = vec3<f32>((_e214.x + ((_e1592.x + (_e1602.x * _e1590)) * _e238.w)), (_e214.y + ((_e1595.y + (_e1602.y * _e1590)) * _e238.w)), (_e214.z + ((_e1598.z + (_e1602.z * _e1590)) * _e238.w)));
+                        let _e1414 = local_6;
+                        let _e1417 = local_7;
+                        let _e1418 = (_e1417 * (1f - _e1414));
+                        let _e1420 = local_8;
+                        let _e1423 = local_9;
+                        let _e1426 = local_10;
+                        let _e1430 = params.member.member_5;
+                        phi_310_ = vec3<f32>((_e211.x + ((_e1420.x + (_e1430.x * _e1418)) * _e235.w)), (_e211.y + ((_e1423.y + (_e1430.y * _e1418)) * _e235.w)), (_e211.z + ((_e1426.z + (_e1430.z * _e1418)) * _e235.w)));
                     } else {
-                        phi_2354_ = _e210;
-                        phi_309_ = vec3<f32>();
+                        phi_310_ = vec3<f32>();
                     }
-                    let _e1624 = phi_2354_;
-                    let _e1626 = phi_309_;
+                    let _e1452 = phi_310_;
                     continue;
                     continuing {
-                        phi_2236_ = _e1624;
-                        phi_305_ = _e227;
-                        phi_308_ = _e1626;
-                        phi_2353_ = _e1624;
-                        break if !(_e233);
+                        phi_306_ = _e224;
+                        phi_309_ = _e1452;
+                        phi_1947_ = false;
+                        break if !(_e230);
                     }
                 }
-                let _e1629 = phi_2353_;
-                if _e1629 {
+                let _e1455 = phi_1947_;
+                if _e1455 {
                     break;
                 }
-                let _e1631 = local_11;
-                let _e1635 = local_12;
-                let _e1639 = local_13;
-                if (_e95 < arrayLength((&out.member))) {
+                let _e1457 = local_11;
+                let _e1461 = local_12;
+                let _e1465 = local_13;
+                if (_e94 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e95] = vec4<f32>((_e1631.x * 3.1415927f), (_e1635.y * 3.1415927f), (_e1639.z * 3.1415927f), 0f);
+                out.member[_e94] = vec4<f32>((_e1457.x * 3.1415927f), (_e1461.y * 3.1415927f), (_e1465.z * 3.1415927f), 0f);
             }
             break;
         }

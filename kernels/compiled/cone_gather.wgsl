@@ -1,10 +1,10 @@
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_13 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_18 {
@@ -77,9 +77,9 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> params: type_39;
 @group(0) @binding(1) 
-var<storage> cells: type_11;
+var<storage> cells: type_9;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_11;
+var<storage> facet_bits: type_9;
 @group(0) @binding(3) 
 var<storage> facets: type_20;
 @group(0) @binding(4) 
@@ -94,1227 +94,905 @@ var<storage> surfels: type_34;
 var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_314_: f32;
-    var phi_2248_: bool;
-    var phi_319_: type_8;
-    var phi_322_: vec3<f32>;
-    var phi_320_: type_8;
-    var phi_345_: type_8;
-    var phi_483_: f32;
-    var phi_491_: f32;
-    var phi_504_: f32;
-    var phi_505_: vec3<f32>;
-    var phi_549_: bool;
-    var phi_558_: u32;
-    var phi_590_: i32;
-    var phi_604_: bool;
-    var phi_621_: f32;
-    var phi_622_: f32;
-    var phi_623_: bool;
-    var phi_660_: i32;
-    var phi_674_: bool;
-    var phi_691_: f32;
-    var phi_692_: f32;
-    var phi_693_: bool;
-    var phi_730_: i32;
-    var phi_744_: bool;
-    var phi_761_: f32;
+    var phi_315_: f32;
+    var phi_320_: type_13;
+    var phi_323_: vec3<f32>;
+    var phi_321_: type_13;
+    var phi_346_: type_13;
+    var phi_484_: f32;
+    var phi_492_: f32;
+    var phi_505_: f32;
+    var phi_506_: vec3<f32>;
+    var phi_550_: bool;
+    var phi_559_: u32;
+    var phi_575_: i32;
+    var phi_604_: f32;
+    var phi_621_: i32;
+    var phi_650_: f32;
+    var phi_667_: i32;
+    var phi_696_: f32;
+    var phi_699_: vec3<f32>;
+    var phi_702_: type_41;
+    var phi_704_: type_41;
+    var phi_706_: type_41;
+    var phi_708_: u32;
+    var phi_710_: f32;
+    var phi_712_: f32;
+    var phi_738_: u32;
+    var phi_760_: i32;
+    var phi_761_: u32;
     var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_771_: type_8;
-    var phi_774_: vec3<f32>;
-    var phi_776_: type_41;
-    var phi_778_: type_41;
-    var phi_780_: type_41;
-    var phi_782_: f32;
-    var phi_784_: f32;
-    var phi_772_: type_8;
-    var phi_807_: type_8;
-    var phi_827_: bool;
-    var phi_838_: u32;
-    var phi_859_: f32;
-    var phi_860_: i32;
-    var phi_861_: u32;
-    var phi_862_: f32;
-    var phi_863_: f32;
-    var phi_864_: i32;
-    var phi_865_: u32;
-    var phi_866_: f32;
-    var phi_922_: u32;
-    var phi_939_: f32;
-    var phi_960_: bool;
-    var phi_972_: u32;
-    var phi_983_: u32;
-    var phi_991_: f32;
-    var phi_1030_: f32;
-    var phi_1041_: f32;
-    var phi_1063_: bool;
-    var phi_1075_: u32;
-    var phi_1086_: u32;
-    var phi_1094_: f32;
+    var phi_763_: f32;
+    var phi_764_: i32;
+    var phi_765_: u32;
+    var phi_766_: f32;
+    var phi_815_: u32;
+    var phi_830_: f32;
+    var phi_912_: f32;
+    var phi_923_: f32;
+    var phi_1006_: f32;
+    var phi_1017_: f32;
+    var phi_1100_: f32;
+    var phi_1127_: f32;
+    var phi_1128_: f32;
+    var phi_1129_: u32;
+    var phi_1130_: u32;
+    var phi_1131_: u32;
+    var phi_1132_: u32;
     var phi_1133_: f32;
-    var phi_1144_: f32;
-    var phi_1166_: bool;
-    var phi_1178_: u32;
-    var phi_1189_: u32;
-    var phi_1197_: f32;
-    var phi_1236_: f32;
-    var phi_1263_: f32;
-    var phi_1264_: f32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_1271_: u32;
-    var phi_1272_: u32;
-    var phi_1273_: u32;
-    var phi_1274_: u32;
-    var phi_1275_: u32;
-    var phi_1276_: u32;
-    var phi_1279_: type_8;
-    var phi_1282_: vec4<f32>;
-    var phi_1280_: type_8;
-    var phi_1305_: type_8;
-    var phi_1740_: u32;
-    var phi_1752_: vec4<f32>;
-    var phi_1585_: type_8;
-    var phi_1588_: vec4<f32>;
-    var phi_1590_: vec4<f32>;
-    var phi_1586_: type_8;
-    var phi_1613_: type_8;
-    var phi_1682_: vec4<f32>;
-    var phi_1683_: vec4<f32>;
-    var phi_1589_: vec4<f32>;
-    var phi_1591_: vec4<f32>;
+    var phi_1134_: f32;
+    var phi_1135_: u32;
+    var phi_1136_: u32;
+    var phi_1137_: u32;
+    var phi_1138_: u32;
+    var phi_1139_: u32;
+    var phi_1140_: u32;
+    var phi_1142_: vec4<f32>;
+    var phi_1145_: u32;
+    var phi_1532_: u32;
+    var phi_1544_: vec4<f32>;
+    var phi_1398_: vec4<f32>;
+    var phi_1401_: vec4<f32>;
+    var phi_1403_: u32;
+    var phi_1473_: vec4<f32>;
+    var phi_1474_: vec4<f32>;
+    var phi_1399_: vec4<f32>;
+    var phi_1402_: vec4<f32>;
+    var phi_1404_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1705_: vec4<f32>;
-    var phi_1463_: type_8;
-    var phi_1466_: vec4<f32>;
-    var phi_1464_: type_8;
-    var phi_1489_: type_8;
-    var phi_1467_: vec4<f32>;
-    var phi_1706_: vec4<f32>;
-    var phi_1720_: vec4<f32>;
-    var phi_1753_: vec4<f32>;
-    var phi_1774_: vec4<f32>;
-    var phi_1775_: vec4<f32>;
-    var phi_1283_: vec4<f32>;
-    var phi_1776_: vec4<f32>;
-    var phi_1777_: vec4<f32>;
-    var phi_1778_: bool;
-    var phi_1822_: vec3<f32>;
-    var phi_1823_: f32;
-    var phi_1824_: f32;
-    var phi_2029_: i32;
-    var phi_2044_: type_41;
-    var phi_2045_: type_41;
-    var phi_2064_: bool;
-    var phi_2086_: f32;
-    var phi_2087_: f32;
-    var phi_2088_: bool;
-    var phi_1950_: i32;
-    var phi_1965_: type_41;
-    var phi_1966_: type_41;
-    var phi_1985_: bool;
-    var phi_2007_: f32;
-    var phi_2008_: f32;
-    var phi_2009_: bool;
-    var phi_2094_: type_41;
-    var phi_2095_: type_41;
-    var phi_1867_: i32;
-    var phi_1882_: type_41;
-    var phi_1883_: type_41;
-    var phi_1902_: bool;
-    var phi_1924_: f32;
-    var phi_1925_: f32;
-    var phi_1926_: bool;
-    var phi_2096_: type_41;
-    var phi_2097_: type_41;
-    var phi_2098_: type_41;
-    var phi_2099_: vec3<f32>;
-    var phi_2100_: type_41;
-    var phi_2101_: type_41;
-    var phi_2102_: type_41;
-    var phi_2103_: f32;
-    var phi_2104_: f32;
-    var phi_2106_: vec3<f32>;
-    var phi_2107_: type_41;
-    var phi_2108_: type_41;
-    var phi_2109_: type_41;
-    var phi_2110_: f32;
-    var phi_2111_: f32;
-    var phi_2112_: bool;
-    var phi_775_: vec3<f32>;
-    var phi_777_: type_41;
-    var phi_779_: type_41;
-    var phi_781_: type_41;
-    var phi_783_: f32;
-    var phi_785_: f32;
-    var phi_2114_: bool;
-    var phi_2221_: bool;
+    var phi_1497_: vec4<f32>;
+    var phi_1299_: vec4<f32>;
+    var phi_1302_: u32;
+    var phi_1300_: vec4<f32>;
+    var phi_1303_: u32;
+    var phi_1498_: vec4<f32>;
+    var phi_1512_: vec4<f32>;
+    var phi_1545_: vec4<f32>;
+    var phi_1566_: vec4<f32>;
+    var phi_1143_: vec4<f32>;
+    var phi_1146_: u32;
+    var phi_1568_: vec4<f32>;
+    var phi_1608_: vec3<f32>;
+    var phi_1609_: f32;
+    var phi_1610_: f32;
+    var phi_1795_: i32;
+    var phi_1808_: type_41;
+    var phi_1848_: f32;
+    var phi_1726_: i32;
+    var phi_1739_: type_41;
+    var phi_1779_: f32;
+    var phi_1850_: type_41;
+    var phi_1851_: type_41;
+    var phi_1653_: i32;
+    var phi_1666_: type_41;
+    var phi_1706_: f32;
+    var phi_1852_: type_41;
+    var phi_1853_: type_41;
+    var phi_1854_: type_41;
+    var phi_1855_: vec3<f32>;
+    var phi_1856_: type_41;
+    var phi_1857_: type_41;
+    var phi_1858_: type_41;
+    var phi_1859_: f32;
+    var phi_1860_: f32;
+    var phi_700_: vec3<f32>;
+    var phi_703_: type_41;
+    var phi_705_: type_41;
+    var phi_707_: type_41;
+    var phi_709_: u32;
+    var phi_711_: f32;
+    var phi_713_: f32;
+    var phi_1862_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: vec3<f32>;
-    var phi_2364_: bool;
-    var phi_323_: vec3<f32>;
-    var phi_2363_: bool;
+    var phi_324_: vec3<f32>;
+    var phi_1959_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
-    var phi_2160_: vec4<f32>;
+    var phi_1903_: vec4<f32>;
     var local_14: vec4<f32>;
     var local_15: vec4<f32>;
     var local_16: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e78 = gid_1;
-            let _e91 = params.member.member_9;
-            let _e95 = (_e78.x + (_e78.y * 2097152u));
-            if (_e95 < _e91) {
-                if (_e95 < arrayLength((&surfels.member))) {
+            let _e77 = gid_1;
+            let _e90 = params.member.member_9;
+            let _e94 = (_e77.x + (_e77.y * 2097152u));
+            if (_e94 < _e90) {
+                if (_e94 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                let _e101 = surfels.member[_e95].member;
-                let _e105 = surfels.member[_e95].member_1;
-                let _e109 = surfels.member[_e95].member_2;
-                let _e113 = surfels.member[_e95].member_4;
-                if (_e105 == 4294967295u) {
-                    phi_2160_ = vec4<f32>(0f, 0f, 0f, 0f);
+                let _e100 = surfels.member[_e94].member;
+                let _e104 = surfels.member[_e94].member_1;
+                let _e108 = surfels.member[_e94].member_2;
+                let _e112 = surfels.member[_e94].member_4;
+                if (_e104 == 4294967295u) {
+                    phi_1903_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    let _e126 = params.member.member;
-                    let _e139 = params.member.member_12;
-                    let _e143 = (((_e101[0] - _e126.x) / _e126.w) + (_e113[0] * _e139));
-                    let _e144 = (((_e101[1] - _e126.y) / _e126.w) + (_e113[1] * _e139));
-                    let _e145 = (((_e101[2] - _e126.z) / _e126.w) + (_e113[2] * _e139));
-                    let _e149 = bitcast<f32>((1065353216u | (bitcast<u32>(_e109[2]) & 2147483648u)));
-                    let _e151 = (-1f / (_e149 + _e109[2]));
-                    let _e153 = ((_e109[0] * _e109[1]) * _e151);
-                    let _e167 = params.member.member_10;
-                    let _e168 = (_e167 == 0u);
-                    if _e168 {
-                        phi_314_ = 0f;
+                    let _e125 = params.member.member;
+                    let _e138 = params.member.member_12;
+                    let _e142 = (((_e100[0] - _e125.x) / _e125.w) + (_e112[0] * _e138));
+                    let _e143 = (((_e100[1] - _e125.y) / _e125.w) + (_e112[1] * _e138));
+                    let _e144 = (((_e100[2] - _e125.z) / _e125.w) + (_e112[2] * _e138));
+                    let _e148 = bitcast<f32>((1065353216u | (bitcast<u32>(_e108[2]) & 2147483648u)));
+                    let _e150 = (-1f / (_e148 + _e108[2]));
+                    let _e152 = ((_e108[0] * _e108[1]) * _e150);
+                    let _e166 = params.member.member_10;
+                    let _e167 = (_e166 == 0u);
+                    if _e167 {
+                        phi_315_ = 0f;
                     } else {
-                        let _e172 = ((_e95 * 1664525u) + 1013904223u);
-                        let _e174 = (((_e167 * 1664525u) + 1013904223u) + (_e172 * 1013904223u));
-                        let _e176 = (_e172 + (1013904223u * _e174));
-                        let _e180 = (1013904223u + (_e176 * (1013904223u + (_e174 * _e176))));
-                        phi_314_ = (f32((((_e174 ^ (_e174 >> bitcast<u32>(16i))) + ((_e176 ^ (_e176 >> bitcast<u32>(16i))) * (_e180 ^ (_e180 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                        let _e171 = ((_e94 * 1664525u) + 1013904223u);
+                        let _e173 = (((_e166 * 1664525u) + 1013904223u) + (_e171 * 1013904223u));
+                        let _e175 = (_e171 + (1013904223u * _e173));
+                        let _e179 = (1013904223u + (_e175 * (1013904223u + (_e173 * _e175))));
+                        phi_315_ = (f32((((_e173 ^ (_e173 >> bitcast<u32>(16i))) + ((_e175 ^ (_e175 >> bitcast<u32>(16i))) * (_e179 ^ (_e179 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                     }
-                    let _e197 = phi_314_;
-                    let _e200 = params.member.member_7;
-                    phi_2248_ = false;
-                    phi_319_ = type_8(0u, _e200);
-                    phi_322_ = vec3<f32>(0f, 0f, 0f);
+                    let _e196 = phi_315_;
+                    let _e199 = params.member.member_7;
+                    phi_320_ = type_13(0u, _e199);
+                    phi_323_ = vec3<f32>(0f, 0f, 0f);
                     loop {
-                        let _e203 = phi_2248_;
-                        let _e205 = phi_319_;
-                        let _e207 = phi_322_;
-                        local_11 = _e207;
-                        local_12 = _e207;
-                        local_13 = _e207;
-                        if (_e205.member < _e205.member_1) {
-                            phi_320_ = type_8((_e205.member + 1u), _e205.member_1);
-                            phi_345_ = type_8(1u, _e205.member);
+                        let _e202 = phi_320_;
+                        let _e204 = phi_323_;
+                        local_11 = _e204;
+                        local_12 = _e204;
+                        local_13 = _e204;
+                        if (_e202.member < _e202.member_1) {
+                            phi_321_ = type_13((_e202.member + 1u), _e202.member_1);
+                            phi_346_ = type_13(1u, _e202.member);
                         } else {
-                            phi_320_ = _e205;
-                            phi_345_ = type_8(0u, type_8().member_1);
+                            phi_321_ = _e202;
+                            phi_346_ = type_13(0u, type_13().member_1);
                         }
-                        let _e220 = phi_320_;
-                        let _e222 = phi_345_;
-                        let _e226 = (bitcast<i32>(_e222.member) != 0i);
-                        if _e226 {
-                            let _e227 = (_e222.member_1 < 16u);
-                            if _e227 {
+                        let _e217 = phi_321_;
+                        let _e219 = phi_346_;
+                        let _e223 = (bitcast<i32>(_e219.member) != 0i);
+                        if _e223 {
+                            let _e224 = (_e219.member_1 < 16u);
+                            if _e224 {
                             } else {
-                                phi_2363_ = true;
+                                phi_1959_ = true;
                                 break;
                             }
-                            let _e231 = params.member.member_3[_e222.member_1];
-                            if _e168 {
-                                phi_504_ = 1.4142135f;
-                                phi_505_ = vec3<f32>(_e231.x, _e231.y, _e231.z);
+                            let _e228 = params.member.member_3[_e219.member_1];
+                            if _e167 {
+                                phi_505_ = 1.4142135f;
+                                phi_506_ = vec3<f32>(_e228.x, _e228.y, _e228.z);
                             } else {
-                                let _e236 = ((_e95 * 1664525u) + 1013904223u);
-                                let _e238 = (((1u + _e222.member_1) * 1664525u) + 1013904223u);
-                                let _e240 = (((_e167 * 1664525u) + 1013904223u) + (_e236 * 1013904223u));
-                                let _e242 = (_e236 + (_e238 * _e240));
-                                let _e244 = (_e238 + (_e240 * _e242));
-                                let _e246 = (1013904223u + (_e242 * _e244));
-                                let _e252 = (_e242 ^ (_e242 >> bitcast<u32>(16i)));
-                                let _e255 = (_e244 ^ (_e244 >> bitcast<u32>(16i)));
-                                let _e260 = ((_e240 ^ (_e240 >> bitcast<u32>(16i))) + (_e252 * (_e246 ^ (_e246 >> bitcast<u32>(16i)))));
-                                let _e262 = (_e252 + (_e255 * _e260));
-                                if _e227 {
+                                let _e233 = ((_e94 * 1664525u) + 1013904223u);
+                                let _e235 = (((1u + _e219.member_1) * 1664525u) + 1013904223u);
+                                let _e237 = (((_e166 * 1664525u) + 1013904223u) + (_e233 * 1013904223u));
+                                let _e239 = (_e233 + (_e235 * _e237));
+                                let _e241 = (_e235 + (_e237 * _e239));
+                                let _e243 = (1013904223u + (_e239 * _e241));
+                                let _e249 = (_e239 ^ (_e239 >> bitcast<u32>(16i)));
+                                let _e252 = (_e241 ^ (_e241 >> bitcast<u32>(16i)));
+                                let _e257 = ((_e237 ^ (_e237 >> bitcast<u32>(16i))) + (_e249 * (_e243 ^ (_e243 >> bitcast<u32>(16i)))));
+                                let _e259 = (_e249 + (_e252 * _e257));
+                                if _e224 {
                                 } else {
-                                    phi_2363_ = true;
+                                    phi_1959_ = true;
                                     break;
                                 }
-                                let _e280 = params.member.member_4[_e222.member_1];
-                                let _e285 = (_e280.y + ((_e280.x - _e280.y) * (f32((_e260 >> bitcast<u32>(8i))) * 0.000000059604645f)));
-                                let _e290 = ((_e280.z + (_e280.w * (f32((_e262 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e197);
-                                let _e294 = floor(((_e290 * 4f) + 0.5f));
-                                let _e300 = ((((6.2831855f * _e290) - (_e294 * 1.5703125f)) - (_e294 * 0.0004837513f)) - (_e294 * 0.0000000754979f));
-                                let _e301 = (_e300 * _e300);
-                                let _e308 = (_e300 + ((_e300 * _e301) * (-0.16666655f + (_e301 * (0.008332161f + (_e301 * -0.00019515296f))))));
-                                let _e317 = ((1f - (0.5f * _e301)) + ((_e301 * _e301) * (0.041666646f + (_e301 * (-0.0013887316f + (_e301 * 0.000024433157f))))));
-                                let _e324 = select(0i, select(select(i32(_e294), i32(-2147483648), (_e294 < -2147483600f)), 2147483647i, (_e294 > 2147483500f)), (_e294 == _e294));
-                                let _e326 = ((_e324 & 1i) == 0i);
-                                let _e327 = select(_e317, _e308, _e326);
-                                let _e328 = select(_e308, _e317, _e326);
-                                if ((_e324 & 2i) == 0i) {
-                                    phi_483_ = _e327;
+                                let _e277 = params.member.member_4[_e219.member_1];
+                                let _e282 = (_e277.y + ((_e277.x - _e277.y) * (f32((_e257 >> bitcast<u32>(8i))) * 0.000000059604645f)));
+                                let _e287 = ((_e277.z + (_e277.w * (f32((_e259 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e196);
+                                let _e291 = floor(((_e287 * 4f) + 0.5f));
+                                let _e297 = ((((6.2831855f * _e287) - (_e291 * 1.5703125f)) - (_e291 * 0.0004837513f)) - (_e291 * 0.0000000754979f));
+                                let _e298 = (_e297 * _e297);
+                                let _e305 = (_e297 + ((_e297 * _e298) * (-0.16666655f + (_e298 * (0.008332161f + (_e298 * -0.00019515296f))))));
+                                let _e314 = ((1f - (0.5f * _e298)) + ((_e298 * _e298) * (0.041666646f + (_e298 * (-0.0013887316f + (_e298 * 0.000024433157f))))));
+                                let _e321 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < -2147483600f)), 2147483647i, (_e291 > 2147483500f)), (_e291 == _e291));
+                                let _e323 = ((_e321 & 1i) == 0i);
+                                let _e324 = select(_e314, _e305, _e323);
+                                let _e325 = select(_e305, _e314, _e323);
+                                if ((_e321 & 2i) == 0i) {
+                                    phi_484_ = _e324;
                                 } else {
-                                    phi_483_ = -(_e327);
+                                    phi_484_ = -(_e324);
                                 }
-                                let _e333 = phi_483_;
-                                if (((_e324 + 1i) & 2i) == 0i) {
-                                    phi_491_ = _e328;
+                                let _e330 = phi_484_;
+                                if (((_e321 + 1i) & 2i) == 0i) {
+                                    phi_492_ = _e325;
                                 } else {
-                                    phi_491_ = -(_e328);
+                                    phi_492_ = -(_e325);
                                 }
-                                let _e339 = phi_491_;
-                                let _e340 = (1f - _e285);
-                                let _e343 = sqrt(select(0f, _e340, (_e340 > 0f)));
-                                phi_504_ = (1f + (f32(((_e255 + (_e260 * _e262)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                                phi_505_ = vec3<f32>((_e343 * _e339), (_e343 * _e333), sqrt(_e285));
+                                let _e336 = phi_492_;
+                                let _e337 = (1f - _e282);
+                                let _e340 = sqrt(select(0f, _e337, (_e337 > 0f)));
+                                phi_505_ = (1f + (f32(((_e252 + (_e257 * _e259)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                                phi_506_ = vec3<f32>((_e340 * _e336), (_e340 * _e330), sqrt(_e282));
                             }
-                            let _e354 = phi_504_;
-                            let _e356 = phi_505_;
-                            let _e359 = params.member.member_11;
-                            let _e362 = params.member.member_13;
-                            let _e380 = ((((1f + (((_e149 * _e109[0]) * _e109[0]) * _e151)) * _e356.x) + (_e153 * _e356.y)) + (_e109[0] * _e356.z));
-                            let _e381 = ((((_e149 * _e153) * _e356.x) + ((_e149 + ((_e109[1] * _e109[1]) * _e151)) * _e356.y)) + (_e109[1] * _e356.z));
-                            let _e382 = ((((-(_e149) * _e109[0]) * _e356.x) + (-(_e109[1]) * _e356.y)) + (_e109[2] * _e356.z));
-                            let _e385 = params.member.member_1;
-                            let _e386 = abs(_e380);
-                            let _e387 = abs(_e381);
-                            let _e388 = abs(_e382);
-                            if (_e386 >= _e387) {
-                                phi_549_ = select(true, false, (_e386 >= _e388));
+                            let _e351 = phi_505_;
+                            let _e353 = phi_506_;
+                            let _e356 = params.member.member_11;
+                            let _e359 = params.member.member_13;
+                            let _e377 = ((((1f + (((_e148 * _e108[0]) * _e108[0]) * _e150)) * _e353.x) + (_e152 * _e353.y)) + (_e108[0] * _e353.z));
+                            let _e378 = ((((_e148 * _e152) * _e353.x) + ((_e148 + ((_e108[1] * _e108[1]) * _e150)) * _e353.y)) + (_e108[1] * _e353.z));
+                            let _e379 = ((((-(_e148) * _e108[0]) * _e353.x) + (-(_e108[1]) * _e353.y)) + (_e108[2] * _e353.z));
+                            let _e382 = params.member.member_1;
+                            let _e383 = abs(_e377);
+                            let _e384 = abs(_e378);
+                            let _e385 = abs(_e379);
+                            if (_e383 >= _e384) {
+                                phi_550_ = select(true, false, (_e383 >= _e385));
                             } else {
-                                phi_549_ = true;
+                                phi_550_ = true;
                             }
-                            let _e393 = phi_549_;
-                            if _e393 {
-                                phi_558_ = select(2u, 1u, (_e387 >= _e388));
+                            let _e390 = phi_550_;
+                            if _e390 {
+                                phi_559_ = select(2u, 1u, (_e384 >= _e385));
                             } else {
-                                phi_558_ = 0u;
+                                phi_559_ = 0u;
                             }
-                            let _e397 = phi_558_;
-                            let _e400 = floor((_e143 - 0.5f));
-                            let _e410 = -(floor((0.5f - _e143)));
-                            let _e418 = (_e380 < 0f);
-                            if _e418 {
-                                phi_590_ = (select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < -2147483600f)), 2147483647i, (_e410 > 2147483500f)), (_e410 == _e410)) - 1i);
+                            let _e394 = phi_559_;
+                            let _e403 = (_e377 < 0f);
+                            if _e403 {
+                                phi_575_ = (i32(-(floor((0.5f - _e142)))) - 1i);
                             } else {
-                                phi_590_ = (select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < -2147483600f)), 2147483647i, (_e400 > 2147483500f)), (_e400 == _e400)) + 1i);
+                                phi_575_ = (i32(floor((_e142 - 0.5f))) + 1i);
                             }
-                            let _e422 = phi_590_;
-                            if _e418 {
-                                phi_604_ = (_e422 < 0i);
+                            let _e407 = phi_575_;
+                            if (((_e403 && (_e407 < 0i)) || ((_e377 >= 0f) && (_e407 >= bitcast<i32>(_e382.x)))) || (_e383 < 0.000001f)) {
+                                phi_604_ = 340282350000000000000000000000000000000f;
                             } else {
-                                phi_604_ = (_e422 >= bitcast<i32>(_e385.x));
+                                phi_604_ = (((f32(_e407) + 0.5f) - _e142) / _e377);
                             }
-                            let _e427 = phi_604_;
-                            if _e427 {
-                                phi_622_ = f32();
-                                phi_623_ = true;
+                            let _e422 = phi_604_;
+                            let _e432 = (_e378 < 0f);
+                            if _e432 {
+                                phi_621_ = (i32(-(floor((0.5f - _e143)))) - 1i);
                             } else {
-                                let _e430 = (_e386 < 0.000001f);
-                                if _e430 {
-                                    phi_621_ = f32();
-                                } else {
-                                    phi_621_ = (((f32(_e422) + 0.5f) - _e143) / _e380);
-                                }
-                                let _e434 = phi_621_;
-                                phi_622_ = _e434;
-                                phi_623_ = _e430;
+                                phi_621_ = (i32(floor((_e143 - 0.5f))) + 1i);
                             }
-                            let _e436 = phi_622_;
-                            let _e438 = phi_623_;
-                            let _e443 = floor((_e144 - 0.5f));
-                            let _e453 = -(floor((0.5f - _e144)));
-                            let _e461 = (_e381 < 0f);
+                            let _e436 = phi_621_;
+                            if (((_e432 && (_e436 < 0i)) || ((_e378 >= 0f) && (_e436 >= bitcast<i32>(_e382.y)))) || (_e384 < 0.000001f)) {
+                                phi_650_ = 340282350000000000000000000000000000000f;
+                            } else {
+                                phi_650_ = (((f32(_e436) + 0.5f) - _e143) / _e378);
+                            }
+                            let _e451 = phi_650_;
+                            let _e461 = (_e379 < 0f);
                             if _e461 {
-                                phi_660_ = (select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < -2147483600f)), 2147483647i, (_e453 > 2147483500f)), (_e453 == _e453)) - 1i);
+                                phi_667_ = (i32(-(floor((0.5f - _e144)))) - 1i);
                             } else {
-                                phi_660_ = (select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < -2147483600f)), 2147483647i, (_e443 > 2147483500f)), (_e443 == _e443)) + 1i);
+                                phi_667_ = (i32(floor((_e144 - 0.5f))) + 1i);
                             }
-                            let _e465 = phi_660_;
-                            if _e461 {
-                                phi_674_ = (_e465 < 0i);
+                            let _e465 = phi_667_;
+                            if (((_e461 && (_e465 < 0i)) || ((_e379 >= 0f) && (_e465 >= bitcast<i32>(_e382.z)))) || (_e385 < 0.000001f)) {
+                                phi_696_ = 340282350000000000000000000000000000000f;
                             } else {
-                                phi_674_ = (_e465 >= bitcast<i32>(_e385.y));
+                                phi_696_ = (((f32(_e465) + 0.5f) - _e144) / _e379);
                             }
-                            let _e470 = phi_674_;
-                            if _e470 {
-                                phi_692_ = f32();
-                                phi_693_ = true;
-                            } else {
-                                let _e473 = (_e387 < 0.000001f);
-                                if _e473 {
-                                    phi_691_ = f32();
-                                } else {
-                                    phi_691_ = (((f32(_e465) + 0.5f) - _e144) / _e381);
-                                }
-                                let _e477 = phi_691_;
-                                phi_692_ = _e477;
-                                phi_693_ = _e473;
-                            }
-                            let _e479 = phi_692_;
-                            let _e481 = phi_693_;
-                            let _e486 = floor((_e145 - 0.5f));
-                            let _e496 = -(floor((0.5f - _e145)));
-                            let _e504 = (_e382 < 0f);
-                            if _e504 {
-                                phi_730_ = (select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < -2147483600f)), 2147483647i, (_e496 > 2147483500f)), (_e496 == _e496)) - 1i);
-                            } else {
-                                phi_730_ = (select(0i, select(select(i32(_e486), i32(-2147483648), (_e486 < -2147483600f)), 2147483647i, (_e486 > 2147483500f)), (_e486 == _e486)) + 1i);
-                            }
-                            let _e508 = phi_730_;
-                            if _e504 {
-                                phi_744_ = (_e508 < 0i);
-                            } else {
-                                phi_744_ = (_e508 >= bitcast<i32>(_e385.z));
-                            }
-                            let _e513 = phi_744_;
-                            if _e513 {
-                                phi_762_ = f32();
-                                phi_763_ = true;
-                            } else {
-                                let _e516 = (_e388 < 0.000001f);
-                                if _e516 {
-                                    phi_761_ = f32();
-                                } else {
-                                    phi_761_ = (((f32(_e508) + 0.5f) - _e145) / _e382);
-                                }
-                                let _e520 = phi_761_;
-                                phi_762_ = _e520;
-                                phi_763_ = _e516;
-                            }
-                            let _e522 = phi_762_;
-                            let _e524 = phi_763_;
-                            phi_771_ = type_8(0u, 2048u);
-                            phi_774_ = vec3<f32>(0f, 0f, 0f);
-                            phi_776_ = type_41(_e145, _e382, 0u, _e508, select(_e522, 340282350000000000000000000000000000000f, _e524));
-                            phi_778_ = type_41(_e144, _e381, 0u, _e465, select(_e479, 340282350000000000000000000000000000000f, _e481));
-                            phi_780_ = type_41(_e143, _e380, 0u, _e422, select(_e436, 340282350000000000000000000000000000000f, _e438));
-                            phi_782_ = 0f;
-                            phi_784_ = 1f;
+                            let _e480 = phi_696_;
+                            phi_699_ = vec3<f32>(0f, 0f, 0f);
+                            phi_702_ = type_41(_e144, _e379, 0u, _e465, _e480);
+                            phi_704_ = type_41(_e143, _e378, 0u, _e436, _e451);
+                            phi_706_ = type_41(_e142, _e377, 0u, _e407, _e422);
+                            phi_708_ = 0u;
+                            phi_710_ = 0f;
+                            phi_712_ = 1f;
                             loop {
-                                let _e528 = phi_771_;
-                                let _e530 = phi_774_;
-                                let _e532 = phi_776_;
-                                let _e534 = phi_778_;
-                                let _e536 = phi_780_;
-                                let _e538 = phi_782_;
-                                let _e540 = phi_784_;
-                                local_6 = _e538;
-                                local_7 = _e540;
-                                local_8 = _e530;
-                                local_9 = _e530;
-                                local_10 = _e530;
-                                if (_e528.member < _e528.member_1) {
-                                    phi_772_ = type_8((_e528.member + 1u), _e528.member_1);
-                                    phi_807_ = type_8(1u, _e528.member);
-                                } else {
-                                    phi_772_ = _e528;
-                                    phi_807_ = type_8(0u, type_8().member_1);
-                                }
-                                let _e553 = phi_772_;
-                                let _e555 = phi_807_;
-                                if (bitcast<i32>(_e555.member) != 0i) {
-                                    if (_e536.member_4 <= _e534.member_4) {
-                                        phi_827_ = select(true, false, (_e536.member_4 <= _e532.member_4));
+                                let _e483 = phi_699_;
+                                let _e485 = phi_702_;
+                                let _e487 = phi_704_;
+                                let _e489 = phi_706_;
+                                let _e491 = phi_708_;
+                                let _e493 = phi_710_;
+                                let _e495 = phi_712_;
+                                local_6 = _e493;
+                                local_7 = _e495;
+                                local_8 = _e483;
+                                local_9 = _e483;
+                                local_10 = _e483;
+                                if (_e491 < 2048u) {
+                                    if ((_e489.member_4 <= _e487.member_4) && (_e489.member_4 <= _e485.member_4)) {
+                                        phi_738_ = 0u;
                                     } else {
-                                        phi_827_ = true;
+                                        phi_738_ = select(2u, 1u, (_e487.member_4 <= _e485.member_4));
                                     }
-                                    let _e566 = phi_827_;
-                                    if _e566 {
-                                        phi_838_ = select(2u, 1u, (_e534.member_4 <= _e532.member_4));
+                                    let _e507 = phi_738_;
+                                    let _e508 = (_e507 == 0u);
+                                    if _e508 {
+                                        phi_763_ = _e489.member_4;
+                                        phi_764_ = _e489.member_3;
+                                        phi_765_ = _e489.member_2;
+                                        phi_766_ = _e489.member_1;
                                     } else {
-                                        phi_838_ = 0u;
-                                    }
-                                    let _e571 = phi_838_;
-                                    let _e572 = (_e571 == 0u);
-                                    if _e572 {
-                                        phi_863_ = _e536.member_4;
-                                        phi_864_ = _e536.member_3;
-                                        phi_865_ = _e536.member_2;
-                                        phi_866_ = _e536.member_1;
-                                    } else {
-                                        if (_e571 == 1u) {
-                                            phi_859_ = _e534.member_4;
-                                            phi_860_ = _e534.member_3;
-                                            phi_861_ = _e534.member_2;
-                                            phi_862_ = _e534.member_1;
+                                        let _e509 = (_e507 == 1u);
+                                        if _e509 {
+                                            phi_760_ = _e487.member_3;
+                                            phi_761_ = _e487.member_2;
+                                            phi_762_ = _e487.member_1;
                                         } else {
-                                            phi_859_ = _e532.member_4;
-                                            phi_860_ = _e532.member_3;
-                                            phi_861_ = _e532.member_2;
-                                            phi_862_ = _e532.member_1;
+                                            phi_760_ = _e485.member_3;
+                                            phi_761_ = _e485.member_2;
+                                            phi_762_ = _e485.member_1;
                                         }
-                                        let _e582 = phi_859_;
-                                        let _e584 = phi_860_;
-                                        let _e586 = phi_861_;
-                                        let _e588 = phi_862_;
-                                        phi_863_ = _e582;
-                                        phi_864_ = _e584;
-                                        phi_865_ = _e586;
-                                        phi_866_ = _e588;
+                                        let _e517 = phi_760_;
+                                        let _e519 = phi_761_;
+                                        let _e521 = phi_762_;
+                                        phi_763_ = select(_e485.member_4, _e487.member_4, _e509);
+                                        phi_764_ = _e517;
+                                        phi_765_ = _e519;
+                                        phi_766_ = _e521;
                                     }
-                                    let _e593 = phi_863_;
-                                    let _e595 = phi_864_;
-                                    let _e597 = phi_865_;
-                                    let _e599 = phi_866_;
-                                    if (_e593 >= 340282350000000000000000000000000000000f) {
-                                        phi_2106_ = vec3<f32>();
-                                        phi_2107_ = type_41();
-                                        phi_2108_ = type_41();
-                                        phi_2109_ = type_41();
-                                        phi_2110_ = f32();
-                                        phi_2111_ = f32();
-                                        phi_2112_ = false;
+                                    let _e527 = phi_763_;
+                                    let _e529 = phi_764_;
+                                    let _e531 = phi_765_;
+                                    let _e533 = phi_766_;
+                                    let _e535 = (1f - _e493);
+                                    let _e536 = (_e495 * _e535);
+                                    let _e538 = ((_e527 >= 340282350000000000000000000000000000000f) || (_e536 < 0.001f));
+                                    if _e538 {
+                                        phi_1855_ = vec3<f32>();
+                                        phi_1856_ = type_41();
+                                        phi_1857_ = type_41();
+                                        phi_1858_ = type_41();
+                                        phi_1859_ = f32();
+                                        phi_1860_ = f32();
                                     } else {
-                                        let _e601 = (1f - _e538);
-                                        let _e602 = (_e540 * _e601);
-                                        let _e603 = (_e602 < 0.001f);
-                                        if _e603 {
-                                            phi_2099_ = vec3<f32>();
-                                            phi_2100_ = type_41();
-                                            phi_2101_ = type_41();
-                                            phi_2102_ = type_41();
-                                            phi_2103_ = f32();
-                                            phi_2104_ = f32();
+                                        let _e545 = (_e533 < 0f);
+                                        let _e549 = params.member.member_2[_e531];
+                                        let _e550 = (_e531 & 31u);
+                                        let _e552 = (1u << bitcast<u32>(_e550));
+                                        let _e553 = (_e552 - 1u);
+                                        let _e556 = ((_e382.x + _e553) >> bitcast<u32>(_e550));
+                                        let _e559 = ((_e382.y + _e553) >> bitcast<u32>(_e550));
+                                        let _e562 = ((_e382.z + _e553) >> bitcast<u32>(_e550));
+                                        let _e564 = (1f / f32(_e552));
+                                        if _e508 {
+                                            phi_815_ = _e556;
                                         } else {
-                                            let _e610 = (_e599 < 0f);
-                                            if (_e597 < 10u) {
+                                            phi_815_ = select(_e562, _e559, (_e507 == 1u));
+                                        }
+                                        let _e568 = phi_815_;
+                                        if ((_e529 < 0i) || (_e529 >= bitcast<i32>(_e568))) {
+                                            phi_1568_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        } else {
+                                            let _e573 = f32(_e529);
+                                            if _e508 {
+                                                phi_830_ = _e573;
                                             } else {
-                                                phi_2221_ = true;
-                                                break;
+                                                phi_830_ = (((_e142 + (_e377 * _e527)) * _e564) - 0.5f);
                                             }
-                                            let _e615 = params.member.member_2[_e597];
-                                            let _e616 = (_e597 & 31u);
-                                            let _e618 = (1u << bitcast<u32>(_e616));
-                                            let _e619 = (_e618 - 1u);
-                                            let _e622 = ((_e385.x + _e619) >> bitcast<u32>(_e616));
-                                            let _e625 = ((_e385.y + _e619) >> bitcast<u32>(_e616));
-                                            let _e628 = ((_e385.z + _e619) >> bitcast<u32>(_e616));
-                                            let _e630 = (1f / f32(_e618));
-                                            if _e572 {
-                                                phi_922_ = _e622;
+                                            let _e577 = phi_830_;
+                                            let _e578 = floor(_e577);
+                                            let _e580 = i32(_e578);
+                                            let _e582 = (bitcast<i32>(_e556) - 1i);
+                                            let _e587 = ((_e577 >= -0.5f) && (_e577 <= (f32(_e582) + 0.5f)));
+                                            let _e589 = select(0i, _e580, (0i < _e580));
+                                            let _e592 = bitcast<u32>(select(_e589, _e582, (_e582 < _e589)));
+                                            let _e593 = (_e580 + 1i);
+                                            let _e595 = select(0i, _e593, (0i < _e593));
+                                            let _e598 = bitcast<u32>(select(_e595, _e582, (_e582 < _e595)));
+                                            let _e602 = select(select(0f, (_e577 - _e578), (_e580 < _e582)), 1f, (_e580 < 0i));
+                                            let _e604 = (_e592 >> bitcast<u32>(2u));
+                                            let _e606 = (_e598 >> bitcast<u32>(2u));
+                                            let _e613 = ((_e592 & 1u) | (((_e592 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                            let _e620 = ((_e598 & 1u) | (((_e598 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                            if _e587 {
+                                                phi_912_ = (1f - _e602);
                                             } else {
-                                                phi_922_ = select(_e628, _e625, (_e571 == 1u));
+                                                phi_912_ = 0f;
                                             }
-                                            let _e634 = phi_922_;
-                                            if (_e595 < 0i) {
-                                                phi_1777_ = vec4<f32>();
-                                                phi_1778_ = true;
+                                            let _e623 = phi_912_;
+                                            let _e624 = select(0f, _e602, _e587);
+                                            let _e625 = (_e507 == 1u);
+                                            if _e625 {
+                                                phi_923_ = _e573;
                                             } else {
-                                                let _e637 = (_e595 >= bitcast<i32>(_e634));
-                                                if _e637 {
-                                                    phi_1776_ = vec4<f32>();
-                                                } else {
-                                                    let _e638 = f32(_e595);
-                                                    if _e572 {
-                                                        phi_939_ = _e638;
-                                                    } else {
-                                                        phi_939_ = (((_e143 + (_e380 * _e593)) * _e630) - 0.5f);
-                                                    }
-                                                    let _e642 = phi_939_;
-                                                    let _e643 = floor(_e642);
-                                                    let _e651 = select(0i, select(select(i32(_e643), i32(-2147483648), (_e643 < -2147483600f)), 2147483647i, (_e643 > 2147483500f)), (_e643 == _e643));
-                                                    let _e653 = (bitcast<i32>(_e622) - 1i);
-                                                    if (_e642 >= -0.5f) {
-                                                        phi_960_ = (_e642 <= (f32(_e653) + 0.5f));
-                                                    } else {
-                                                        phi_960_ = false;
-                                                    }
-                                                    let _e659 = phi_960_;
-                                                    let _e660 = (_e651 >= 0i);
-                                                    let _e661 = (_e651 < _e653);
-                                                    if _e660 {
-                                                        phi_972_ = bitcast<u32>(select(_e651, _e653, (_e653 < _e651)));
-                                                    } else {
-                                                        phi_972_ = 0u;
-                                                    }
-                                                    let _e666 = phi_972_;
-                                                    if _e661 {
-                                                        let _e667 = (_e651 + 1i);
-                                                        phi_983_ = bitcast<u32>(select(0i, _e667, (0i < _e667)));
-                                                    } else {
-                                                        phi_983_ = 0u;
-                                                    }
-                                                    let _e672 = phi_983_;
-                                                    if _e660 {
-                                                        phi_991_ = select(0f, (_e642 - _e643), _e661);
-                                                    } else {
-                                                        phi_991_ = 1f;
-                                                    }
-                                                    let _e675 = phi_991_;
-                                                    let _e677 = (_e666 >> bitcast<u32>(2u));
-                                                    let _e679 = (_e672 >> bitcast<u32>(2u));
-                                                    let _e686 = ((_e666 & 1u) | (((_e666 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                    let _e693 = ((_e672 & 1u) | (((_e672 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                                    if _e659 {
-                                                        phi_1030_ = (1f - _e675);
-                                                    } else {
-                                                        phi_1030_ = 0f;
-                                                    }
-                                                    let _e696 = phi_1030_;
-                                                    let _e697 = select(0f, _e675, _e659);
-                                                    let _e698 = (_e571 == 1u);
-                                                    if _e698 {
-                                                        phi_1041_ = _e638;
-                                                    } else {
-                                                        phi_1041_ = (((_e144 + (_e381 * _e593)) * _e630) - 0.5f);
-                                                    }
-                                                    let _e702 = phi_1041_;
-                                                    let _e704 = floor(_e702);
-                                                    let _e712 = select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < -2147483600f)), 2147483647i, (_e704 > 2147483500f)), (_e704 == _e704));
-                                                    let _e714 = (bitcast<i32>(_e625) - 1i);
-                                                    if (_e702 >= -0.5f) {
-                                                        phi_1063_ = (_e702 <= (f32(_e714) + 0.5f));
-                                                    } else {
-                                                        phi_1063_ = false;
-                                                    }
-                                                    let _e720 = phi_1063_;
-                                                    let _e721 = (_e712 >= 0i);
-                                                    let _e722 = (_e712 < _e714);
-                                                    if _e721 {
-                                                        phi_1075_ = bitcast<u32>(select(_e712, _e714, (_e714 < _e712)));
-                                                    } else {
-                                                        phi_1075_ = 0u;
-                                                    }
-                                                    let _e727 = phi_1075_;
-                                                    if _e722 {
-                                                        let _e728 = (_e712 + 1i);
-                                                        phi_1086_ = bitcast<u32>(select(0i, _e728, (0i < _e728)));
-                                                    } else {
-                                                        phi_1086_ = 0u;
-                                                    }
-                                                    let _e733 = phi_1086_;
-                                                    if _e721 {
-                                                        phi_1094_ = select(0f, (_e702 - _e704), _e722);
-                                                    } else {
-                                                        phi_1094_ = 1f;
-                                                    }
-                                                    let _e736 = phi_1094_;
-                                                    let _e739 = ((_e727 >> bitcast<u32>(2u)) * _e615.x);
-                                                    let _e742 = ((_e733 >> bitcast<u32>(2u)) * _e615.x);
-                                                    let _e751 = (((_e727 & 1u) << bitcast<u32>(1u)) | (((_e727 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                    let _e760 = (((_e733 & 1u) << bitcast<u32>(1u)) | (((_e733 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                                    if _e720 {
-                                                        phi_1133_ = (1f - _e736);
-                                                    } else {
-                                                        phi_1133_ = 0f;
-                                                    }
-                                                    let _e763 = phi_1133_;
-                                                    let _e764 = select(0f, _e736, _e720);
-                                                    let _e765 = (_e571 == 2u);
-                                                    if _e765 {
-                                                        phi_1144_ = _e638;
-                                                    } else {
-                                                        phi_1144_ = (((_e145 + (_e382 * _e593)) * _e630) - 0.5f);
-                                                    }
-                                                    let _e769 = phi_1144_;
-                                                    let _e771 = floor(_e769);
-                                                    let _e779 = select(0i, select(select(i32(_e771), i32(-2147483648), (_e771 < -2147483600f)), 2147483647i, (_e771 > 2147483500f)), (_e771 == _e771));
-                                                    let _e781 = (bitcast<i32>(_e628) - 1i);
-                                                    if (_e769 >= -0.5f) {
-                                                        phi_1166_ = (_e769 <= (f32(_e781) + 0.5f));
-                                                    } else {
-                                                        phi_1166_ = false;
-                                                    }
-                                                    let _e787 = phi_1166_;
-                                                    let _e788 = (_e779 >= 0i);
-                                                    let _e789 = (_e779 < _e781);
-                                                    if _e788 {
-                                                        phi_1178_ = bitcast<u32>(select(_e779, _e781, (_e781 < _e779)));
-                                                    } else {
-                                                        phi_1178_ = 0u;
-                                                    }
-                                                    let _e794 = phi_1178_;
-                                                    if _e789 {
-                                                        let _e795 = (_e779 + 1i);
-                                                        phi_1189_ = bitcast<u32>(select(0i, _e795, (0i < _e795)));
-                                                    } else {
-                                                        phi_1189_ = 0u;
-                                                    }
-                                                    let _e800 = phi_1189_;
-                                                    if _e788 {
-                                                        phi_1197_ = select(0f, (_e769 - _e771), _e789);
-                                                    } else {
-                                                        phi_1197_ = 1f;
-                                                    }
-                                                    let _e803 = phi_1197_;
-                                                    let _e806 = ((_e794 >> bitcast<u32>(1u)) * _e615.y);
-                                                    let _e809 = ((_e800 >> bitcast<u32>(1u)) * _e615.y);
-                                                    let _e812 = ((_e794 & 1u) << bitcast<u32>(2u));
-                                                    let _e815 = ((_e800 & 1u) << bitcast<u32>(2u));
-                                                    if _e787 {
-                                                        phi_1236_ = (1f - _e803);
-                                                    } else {
-                                                        phi_1236_ = 0f;
-                                                    }
-                                                    let _e818 = phi_1236_;
-                                                    let _e819 = select(0f, _e803, _e787);
-                                                    if _e572 {
-                                                        phi_1263_ = _e819;
-                                                        phi_1264_ = _e818;
-                                                        phi_1265_ = _e815;
-                                                        phi_1266_ = _e812;
-                                                        phi_1267_ = _e809;
-                                                        phi_1268_ = _e806;
-                                                        phi_1269_ = _e764;
-                                                        phi_1270_ = _e763;
-                                                        phi_1271_ = _e760;
-                                                        phi_1272_ = _e751;
-                                                        phi_1273_ = _e742;
-                                                        phi_1274_ = _e739;
-                                                        phi_1275_ = _e686;
-                                                        phi_1276_ = _e677;
-                                                    } else {
-                                                        phi_1263_ = select(_e764, _e697, _e698);
-                                                        phi_1264_ = select(_e763, _e696, _e698);
-                                                        phi_1265_ = select(_e760, _e693, _e698);
-                                                        phi_1266_ = select(_e751, _e686, _e698);
-                                                        phi_1267_ = select(_e742, _e679, _e698);
-                                                        phi_1268_ = select(_e739, _e677, _e698);
-                                                        phi_1269_ = select(_e697, _e819, _e698);
-                                                        phi_1270_ = select(_e696, _e818, _e698);
-                                                        phi_1271_ = select(_e693, _e815, _e698);
-                                                        phi_1272_ = select(_e686, _e812, _e698);
-                                                        phi_1273_ = select(_e679, _e809, _e698);
-                                                        phi_1274_ = select(_e677, _e806, _e698);
-                                                        phi_1275_ = select(_e812, _e751, _e698);
-                                                        phi_1276_ = select(_e806, _e739, _e698);
-                                                    }
-                                                    let _e835 = phi_1263_;
-                                                    let _e837 = phi_1264_;
-                                                    let _e839 = phi_1265_;
-                                                    let _e841 = phi_1266_;
-                                                    let _e843 = phi_1267_;
-                                                    let _e845 = phi_1268_;
-                                                    let _e847 = phi_1269_;
-                                                    let _e849 = phi_1270_;
-                                                    let _e851 = phi_1271_;
-                                                    let _e853 = phi_1272_;
-                                                    let _e855 = phi_1273_;
-                                                    let _e857 = phi_1274_;
-                                                    let _e859 = phi_1275_;
-                                                    let _e861 = phi_1276_;
-                                                    phi_1279_ = type_8(0u, 4u);
-                                                    phi_1282_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                    loop {
-                                                        let _e863 = phi_1279_;
-                                                        let _e865 = phi_1282_;
-                                                        local_16 = _e865;
-                                                        if (_e863.member < _e863.member_1) {
-                                                            phi_1280_ = type_8((_e863.member + 1u), _e863.member_1);
-                                                            phi_1305_ = type_8(1u, _e863.member);
-                                                        } else {
-                                                            phi_1280_ = _e863;
-                                                            phi_1305_ = type_8(0u, type_8().member_1);
-                                                        }
-                                                        let _e878 = phi_1280_;
-                                                        let _e880 = phi_1305_;
-                                                        let _e884 = (bitcast<i32>(_e880.member) != 0i);
-                                                        if _e884 {
-                                                            let _e886 = ((_e880.member_1 & 1u) == 1u);
-                                                            let _e888 = ((_e880.member_1 & 2u) == 2u);
-                                                            let _e891 = (select(_e849, _e847, _e886) * select(_e837, _e835, _e888));
-                                                            let _e897 = (((_e615.z + _e861) + select(_e857, _e855, _e886)) + select(_e845, _e843, _e888));
-                                                            let _e902 = (2u * _e897);
-                                                            let _e904 = cells.member[_e902];
-                                                            if (_e891 > 0f) {
-                                                                let _e906 = (((_e859 | select(_e853, _e851, _e886)) | select(_e841, _e839, _e888)) & 31u);
-                                                                if (((_e904 >> bitcast<u32>(_e906)) & 1u) == 1u) {
-                                                                    let _e913 = params.member.member_8;
-                                                                    let _e914 = (_e913 == 1u);
-                                                                    if (_e597 == 0u) {
-                                                                        let _e940 = (_e897 * 6u);
-                                                                        let _e943 = cells.member[(_e902 + 1u)];
-                                                                        let _e945 = facet_bits.member[_e940];
-                                                                        let _e948 = ((1u << bitcast<u32>(_e906)) - 1u);
-                                                                        let _e957 = facet_bits.member[(_e940 + 1u)];
-                                                                        let _e967 = facet_bits.member[(_e940 + 2u)];
-                                                                        let _e977 = facet_bits.member[(_e940 + 3u)];
-                                                                        let _e987 = facet_bits.member[(_e940 + 4u)];
-                                                                        let _e997 = facet_bits.member[(_e940 + 5u)];
-                                                                        let _e1000 = ((((((_e943 + countOneBits((_e945 & _e948))) + countOneBits((_e957 & _e948))) + countOneBits((_e967 & _e948))) + countOneBits((_e977 & _e948))) + countOneBits((_e987 & _e948))) + countOneBits((_e997 & _e948)));
-                                                                        let _e1004 = (((((((_e945 >> bitcast<u32>(_e906)) & 1u) + ((_e957 >> bitcast<u32>(_e906)) & 1u)) + ((_e967 >> bitcast<u32>(_e906)) & 1u)) + ((_e977 >> bitcast<u32>(_e906)) & 1u)) + ((_e987 >> bitcast<u32>(_e906)) & 1u)) + ((_e997 >> bitcast<u32>(_e906)) & 1u));
-                                                                        if _e914 {
-                                                                            phi_1463_ = type_8(_e1000, (_e1000 + _e1004));
-                                                                            phi_1466_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                            loop {
-                                                                                let _e1125 = phi_1463_;
-                                                                                let _e1127 = phi_1466_;
-                                                                                local_15 = _e1127;
-                                                                                if (_e1125.member < _e1125.member_1) {
-                                                                                    phi_1464_ = type_8((_e1125.member + 1u), _e1125.member_1);
-                                                                                    phi_1489_ = type_8(1u, _e1125.member);
-                                                                                } else {
-                                                                                    phi_1464_ = _e1125;
-                                                                                    phi_1489_ = type_8(0u, type_8().member_1);
-                                                                                }
-                                                                                let _e1140 = phi_1464_;
-                                                                                let _e1142 = phi_1489_;
-                                                                                let _e1146 = (bitcast<i32>(_e1142.member) != 0i);
-                                                                                if _e1146 {
-                                                                                    let _e1147 = (2u * _e1142.member_1);
-                                                                                    let _e1150 = radiance.member[_e1147][0u];
-                                                                                    let _e1153 = radiance.member[_e1147][1u];
-                                                                                    let _e1156 = radiance.member[_e1147][2u];
-                                                                                    let _e1157 = (_e1147 + 1u);
-                                                                                    let _e1160 = radiance.member[_e1157][0u];
-                                                                                    let _e1163 = radiance.member[_e1157][1u];
-                                                                                    let _e1166 = radiance.member[_e1157][2u];
-                                                                                    let _e1175 = facets.member[_e1142.member_1].member_2;
-                                                                                    let _e1184 = sqrt((((_e1175[0] * _e1175[0]) + (_e1175[1] * _e1175[1])) + (_e1175[2] * _e1175[2])));
-                                                                                    phi_1467_ = vec4<f32>((_e1127.x + (select(_e1160, _e1150, (_e1150 > _e1160)) * _e1184)), (_e1127.y + (select(_e1163, _e1153, (_e1153 > _e1163)) * _e1184)), (_e1127.z + (select(_e1166, _e1156, (_e1156 > _e1166)) * _e1184)), (_e1127.w + _e1184));
-                                                                                } else {
-                                                                                    phi_1467_ = vec4<f32>();
-                                                                                }
-                                                                                let _e1198 = phi_1467_;
-                                                                                continue;
-                                                                                continuing {
-                                                                                    phi_1463_ = _e1140;
-                                                                                    phi_1466_ = _e1198;
-                                                                                    break if !(_e1146);
-                                                                                }
-                                                                            }
-                                                                            let _e1751 = local_15;
-                                                                            phi_1706_ = _e1751;
-                                                                        } else {
-                                                                            let _e1005 = select(1f, -1f, _e610);
-                                                                            phi_1585_ = type_8(_e1000, (_e1000 + _e1004));
-                                                                            phi_1588_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                            phi_1590_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                            loop {
-                                                                                let _e1012 = phi_1585_;
-                                                                                let _e1014 = phi_1588_;
-                                                                                let _e1016 = phi_1590_;
-                                                                                local = _e1014;
-                                                                                local_1 = _e1016;
-                                                                                local_2 = _e1014;
-                                                                                local_3 = _e1014;
-                                                                                local_4 = _e1014;
-                                                                                local_5 = _e1016;
-                                                                                local_14 = _e1016;
-                                                                                if (_e1012.member < _e1012.member_1) {
-                                                                                    phi_1586_ = type_8((_e1012.member + 1u), _e1012.member_1);
-                                                                                    phi_1613_ = type_8(1u, _e1012.member);
-                                                                                } else {
-                                                                                    phi_1586_ = _e1012;
-                                                                                    phi_1613_ = type_8(0u, type_8().member_1);
-                                                                                }
-                                                                                let _e1029 = phi_1586_;
-                                                                                let _e1031 = phi_1613_;
-                                                                                let _e1035 = (bitcast<i32>(_e1031.member) != 0i);
-                                                                                if _e1035 {
-                                                                                    let _e1038 = facets.member[_e1031.member_1].member_2;
-                                                                                    let _e1047 = -((((select(0f, _e1005, _e572) * _e1038[0]) + (select(0f, _e1005, _e698) * _e1038[1])) + (select(0f, _e1005, _e765) * _e1038[2])));
-                                                                                    if (_e1047 > 0f) {
-                                                                                        let _e1070 = radiance.member[(2u * _e1031.member_1)];
-                                                                                        phi_1682_ = _e1014;
-                                                                                        phi_1683_ = vec4<f32>((_e1016.x + (_e1070.x * _e1047)), (_e1016.y + (_e1070.y * _e1047)), (_e1016.z + (_e1070.z * _e1047)), (_e1016.w + _e1047));
-                                                                                    } else {
-                                                                                        let _e1052 = radiance.member[((2u * _e1031.member_1) + 1u)];
-                                                                                        phi_1682_ = vec4<f32>((_e1014.x - (_e1052.x * _e1047)), (_e1014.y - (_e1052.y * _e1047)), (_e1014.z - (_e1052.z * _e1047)), (_e1014.w - _e1047));
-                                                                                        phi_1683_ = _e1016;
-                                                                                    }
-                                                                                    let _e1087 = phi_1682_;
-                                                                                    let _e1089 = phi_1683_;
-                                                                                    phi_1589_ = _e1087;
-                                                                                    phi_1591_ = _e1089;
-                                                                                } else {
-                                                                                    phi_1589_ = vec4<f32>();
-                                                                                    phi_1591_ = vec4<f32>();
-                                                                                }
-                                                                                let _e1091 = phi_1589_;
-                                                                                let _e1093 = phi_1591_;
-                                                                                continue;
-                                                                                continuing {
-                                                                                    phi_1585_ = _e1029;
-                                                                                    phi_1588_ = _e1091;
-                                                                                    phi_1590_ = _e1093;
-                                                                                    break if !(_e1035);
-                                                                                }
-                                                                            }
-                                                                            let _e1096 = local;
-                                                                            let _e1099 = local_1;
-                                                                            if (_e1096.w > _e1099.w) {
-                                                                                let _e1102 = (_e1096.w - _e1099.w);
-                                                                                let _e1103 = (_e1102 / _e1096.w);
-                                                                                let _e1105 = local_2;
-                                                                                let _e1109 = local_3;
-                                                                                let _e1113 = local_4;
-                                                                                let _e1118 = local_5;
-                                                                                phi_1705_ = (_e1118 + vec4<f32>((_e1105.x * _e1103), (_e1109.y * _e1103), (_e1113.z * _e1103), _e1102));
-                                                                            } else {
-                                                                                let _e1743 = local_14;
-                                                                                phi_1705_ = _e1743;
-                                                                            }
-                                                                            let _e1121 = phi_1705_;
-                                                                            phi_1706_ = _e1121;
-                                                                        }
-                                                                        let _e1201 = phi_1706_;
-                                                                        if (_e1201.w > 1f) {
-                                                                            phi_1720_ = vec4<f32>((_e1201.x / _e1201.w), (_e1201.y / _e1201.w), (_e1201.z / _e1201.w), 1f);
-                                                                        } else {
-                                                                            phi_1720_ = _e1201;
-                                                                        }
-                                                                        let _e1212 = phi_1720_;
-                                                                        phi_1753_ = _e1212;
+                                                phi_923_ = (((_e143 + (_e378 * _e527)) * _e564) - 0.5f);
+                                            }
+                                            let _e629 = phi_923_;
+                                            let _e631 = floor(_e629);
+                                            let _e633 = i32(_e631);
+                                            let _e635 = (bitcast<i32>(_e559) - 1i);
+                                            let _e640 = ((_e629 >= -0.5f) && (_e629 <= (f32(_e635) + 0.5f)));
+                                            let _e642 = select(0i, _e633, (0i < _e633));
+                                            let _e645 = bitcast<u32>(select(_e642, _e635, (_e635 < _e642)));
+                                            let _e646 = (_e633 + 1i);
+                                            let _e648 = select(0i, _e646, (0i < _e646));
+                                            let _e651 = bitcast<u32>(select(_e648, _e635, (_e635 < _e648)));
+                                            let _e655 = select(select(0f, (_e629 - _e631), (_e633 < _e635)), 1f, (_e633 < 0i));
+                                            let _e658 = ((_e645 >> bitcast<u32>(2u)) * _e549.x);
+                                            let _e661 = ((_e651 >> bitcast<u32>(2u)) * _e549.x);
+                                            let _e670 = (((_e645 & 1u) << bitcast<u32>(1u)) | (((_e645 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                            let _e679 = (((_e651 & 1u) << bitcast<u32>(1u)) | (((_e651 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                            if _e640 {
+                                                phi_1006_ = (1f - _e655);
+                                            } else {
+                                                phi_1006_ = 0f;
+                                            }
+                                            let _e682 = phi_1006_;
+                                            let _e683 = select(0f, _e655, _e640);
+                                            let _e684 = (_e507 == 2u);
+                                            if _e684 {
+                                                phi_1017_ = _e573;
+                                            } else {
+                                                phi_1017_ = (((_e144 + (_e379 * _e527)) * _e564) - 0.5f);
+                                            }
+                                            let _e688 = phi_1017_;
+                                            let _e690 = floor(_e688);
+                                            let _e692 = i32(_e690);
+                                            let _e694 = (bitcast<i32>(_e562) - 1i);
+                                            let _e699 = ((_e688 >= -0.5f) && (_e688 <= (f32(_e694) + 0.5f)));
+                                            let _e701 = select(0i, _e692, (0i < _e692));
+                                            let _e704 = bitcast<u32>(select(_e701, _e694, (_e694 < _e701)));
+                                            let _e705 = (_e692 + 1i);
+                                            let _e707 = select(0i, _e705, (0i < _e705));
+                                            let _e710 = bitcast<u32>(select(_e707, _e694, (_e694 < _e707)));
+                                            let _e714 = select(select(0f, (_e688 - _e690), (_e692 < _e694)), 1f, (_e692 < 0i));
+                                            let _e717 = ((_e704 >> bitcast<u32>(1u)) * _e549.y);
+                                            let _e720 = ((_e710 >> bitcast<u32>(1u)) * _e549.y);
+                                            let _e723 = ((_e704 & 1u) << bitcast<u32>(2u));
+                                            let _e726 = ((_e710 & 1u) << bitcast<u32>(2u));
+                                            if _e699 {
+                                                phi_1100_ = (1f - _e714);
+                                            } else {
+                                                phi_1100_ = 0f;
+                                            }
+                                            let _e729 = phi_1100_;
+                                            let _e730 = select(0f, _e714, _e699);
+                                            if _e508 {
+                                                phi_1127_ = _e730;
+                                                phi_1128_ = _e729;
+                                                phi_1129_ = _e726;
+                                                phi_1130_ = _e723;
+                                                phi_1131_ = _e720;
+                                                phi_1132_ = _e717;
+                                                phi_1133_ = _e683;
+                                                phi_1134_ = _e682;
+                                                phi_1135_ = _e679;
+                                                phi_1136_ = _e670;
+                                                phi_1137_ = _e661;
+                                                phi_1138_ = _e658;
+                                                phi_1139_ = _e613;
+                                                phi_1140_ = _e604;
+                                            } else {
+                                                phi_1127_ = select(_e683, _e624, _e625);
+                                                phi_1128_ = select(_e682, _e623, _e625);
+                                                phi_1129_ = select(_e679, _e620, _e625);
+                                                phi_1130_ = select(_e670, _e613, _e625);
+                                                phi_1131_ = select(_e661, _e606, _e625);
+                                                phi_1132_ = select(_e658, _e604, _e625);
+                                                phi_1133_ = select(_e624, _e730, _e625);
+                                                phi_1134_ = select(_e623, _e729, _e625);
+                                                phi_1135_ = select(_e620, _e726, _e625);
+                                                phi_1136_ = select(_e613, _e723, _e625);
+                                                phi_1137_ = select(_e606, _e720, _e625);
+                                                phi_1138_ = select(_e604, _e717, _e625);
+                                                phi_1139_ = select(_e723, _e670, _e625);
+                                                phi_1140_ = select(_e717, _e658, _e625);
+                                            }
+                                            let _e746 = phi_1127_;
+                                            let _e748 = phi_1128_;
+                                            let _e750 = phi_1129_;
+                                            let _e752 = phi_1130_;
+                                            let _e754 = phi_1131_;
+                                            let _e756 = phi_1132_;
+                                            let _e758 = phi_1133_;
+                                            let _e760 = phi_1134_;
+                                            let _e762 = phi_1135_;
+                                            let _e764 = phi_1136_;
+                                            let _e766 = phi_1137_;
+                                            let _e768 = phi_1138_;
+                                            let _e770 = phi_1139_;
+                                            let _e772 = phi_1140_;
+                                            phi_1142_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                            phi_1145_ = 0u;
+                                            loop {
+                                                let _e774 = phi_1142_;
+                                                let _e776 = phi_1145_;
+                                                local_16 = _e774;
+                                                let _e777 = (_e776 < 4u);
+                                                if _e777 {
+                                                    let _e779 = ((_e776 & 1u) == 1u);
+                                                    let _e781 = ((_e776 & 2u) == 2u);
+                                                    let _e784 = (select(_e760, _e758, _e779) * select(_e748, _e746, _e781));
+                                                    let _e790 = (((_e549.z + _e772) + select(_e768, _e766, _e779)) + select(_e756, _e754, _e781));
+                                                    let _e795 = (2u * _e790);
+                                                    let _e797 = cells.member[_e795];
+                                                    let _e799 = (((_e770 | select(_e764, _e762, _e779)) | select(_e752, _e750, _e781)) & 31u);
+                                                    if ((_e784 > 0f) && (((_e797 >> bitcast<u32>(_e799)) & 1u) == 1u)) {
+                                                        let _e807 = params.member.member_8;
+                                                        let _e808 = (_e807 == 1u);
+                                                        if (_e531 == 0u) {
+                                                            let _e834 = (_e790 * 6u);
+                                                            let _e837 = cells.member[(_e795 + 1u)];
+                                                            let _e839 = facet_bits.member[_e834];
+                                                            let _e842 = ((1u << bitcast<u32>(_e799)) - 1u);
+                                                            let _e851 = facet_bits.member[(_e834 + 1u)];
+                                                            let _e861 = facet_bits.member[(_e834 + 2u)];
+                                                            let _e871 = facet_bits.member[(_e834 + 3u)];
+                                                            let _e881 = facet_bits.member[(_e834 + 4u)];
+                                                            let _e891 = facet_bits.member[(_e834 + 5u)];
+                                                            let _e894 = ((((((_e837 + countOneBits((_e839 & _e842))) + countOneBits((_e851 & _e842))) + countOneBits((_e861 & _e842))) + countOneBits((_e871 & _e842))) + countOneBits((_e881 & _e842))) + countOneBits((_e891 & _e842)));
+                                                            let _e898 = (((((((_e839 >> bitcast<u32>(_e799)) & 1u) + ((_e851 >> bitcast<u32>(_e799)) & 1u)) + ((_e861 >> bitcast<u32>(_e799)) & 1u)) + ((_e871 >> bitcast<u32>(_e799)) & 1u)) + ((_e881 >> bitcast<u32>(_e799)) & 1u)) + ((_e891 >> bitcast<u32>(_e799)) & 1u));
+                                                            if _e808 {
+                                                                phi_1299_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1302_ = _e894;
+                                                                loop {
+                                                                    let _e1001 = phi_1299_;
+                                                                    let _e1003 = phi_1302_;
+                                                                    local_15 = _e1001;
+                                                                    let _e1005 = (_e1003 < (_e894 + _e898));
+                                                                    if _e1005 {
+                                                                        let _e1006 = (2u * _e1003);
+                                                                        let _e1009 = radiance.member[_e1006][0u];
+                                                                        let _e1012 = radiance.member[_e1006][1u];
+                                                                        let _e1015 = radiance.member[_e1006][2u];
+                                                                        let _e1016 = (_e1006 + 1u);
+                                                                        let _e1019 = radiance.member[_e1016][0u];
+                                                                        let _e1022 = radiance.member[_e1016][1u];
+                                                                        let _e1025 = radiance.member[_e1016][2u];
+                                                                        let _e1034 = facets.member[_e1003].member_2;
+                                                                        let _e1043 = sqrt((((_e1034[0] * _e1034[0]) + (_e1034[1] * _e1034[1])) + (_e1034[2] * _e1034[2])));
+                                                                        phi_1300_ = vec4<f32>((_e1001.x + (select(_e1019, _e1009, (_e1009 > _e1019)) * _e1043)), (_e1001.y + (select(_e1022, _e1012, (_e1012 > _e1022)) * _e1043)), (_e1001.z + (select(_e1025, _e1015, (_e1015 > _e1025)) * _e1043)), (_e1001.w + _e1043));
+                                                                        phi_1303_ = (_e1003 + 1u);
                                                                     } else {
-                                                                        let _e918 = cells.member[(_e902 + 1u)];
-                                                                        let _e924 = (_e918 + countOneBits((_e904 & ((1u << bitcast<u32>(_e906)) - 1u))));
-                                                                        if _e914 {
-                                                                            phi_1740_ = _e924;
-                                                                        } else {
-                                                                            phi_1740_ = (((6u * _e924) + (2u * _e571)) + select(0u, 1u, _e610));
-                                                                        }
-                                                                        let _e931 = phi_1740_;
-                                                                        if ((_e597 & 1u) == 1u) {
-                                                                            let _e937 = odd.member[_e931];
-                                                                            phi_1752_ = _e937;
-                                                                        } else {
-                                                                            let _e935 = even.member[_e931];
-                                                                            phi_1752_ = _e935;
-                                                                        }
-                                                                        let _e939 = phi_1752_;
-                                                                        phi_1753_ = _e939;
+                                                                        phi_1300_ = vec4<f32>();
+                                                                        phi_1303_ = u32();
                                                                     }
-                                                                    let _e1214 = phi_1753_;
-                                                                    phi_1774_ = vec4<f32>((_e865.x + (_e1214.x * _e891)), (_e865.y + (_e1214.y * _e891)), (_e865.z + (_e1214.z * _e891)), (_e865.w + (_e1214.w * _e891)));
-                                                                } else {
-                                                                    phi_1774_ = _e865;
+                                                                    let _e1058 = phi_1300_;
+                                                                    let _e1060 = phi_1303_;
+                                                                    continue;
+                                                                    continuing {
+                                                                        phi_1299_ = _e1058;
+                                                                        phi_1302_ = _e1060;
+                                                                        break if !(_e1005);
+                                                                    }
                                                                 }
-                                                                let _e1233 = phi_1774_;
-                                                                phi_1775_ = _e1233;
+                                                                let _e1547 = local_15;
+                                                                phi_1498_ = _e1547;
                                                             } else {
-                                                                phi_1775_ = _e865;
+                                                                let _e899 = select(1f, -1f, _e545);
+                                                                phi_1398_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1401_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1403_ = _e894;
+                                                                loop {
+                                                                    let _e904 = phi_1398_;
+                                                                    let _e906 = phi_1401_;
+                                                                    let _e908 = phi_1403_;
+                                                                    local = _e904;
+                                                                    local_1 = _e906;
+                                                                    local_2 = _e904;
+                                                                    local_3 = _e904;
+                                                                    local_4 = _e904;
+                                                                    local_5 = _e906;
+                                                                    local_14 = _e906;
+                                                                    let _e910 = (_e908 < (_e894 + _e898));
+                                                                    if _e910 {
+                                                                        let _e913 = facets.member[_e908].member_2;
+                                                                        let _e922 = -((((select(0f, _e899, _e508) * _e913[0]) + (select(0f, _e899, _e625) * _e913[1])) + (select(0f, _e899, _e684) * _e913[2])));
+                                                                        if (_e922 > 0f) {
+                                                                            let _e945 = radiance.member[(2u * _e908)];
+                                                                            phi_1473_ = _e904;
+                                                                            phi_1474_ = vec4<f32>((_e906.x + (_e945.x * _e922)), (_e906.y + (_e945.y * _e922)), (_e906.z + (_e945.z * _e922)), (_e906.w + _e922));
+                                                                        } else {
+                                                                            let _e927 = radiance.member[((2u * _e908) + 1u)];
+                                                                            phi_1473_ = vec4<f32>((_e904.x - (_e927.x * _e922)), (_e904.y - (_e927.y * _e922)), (_e904.z - (_e927.z * _e922)), (_e904.w - _e922));
+                                                                            phi_1474_ = _e906;
+                                                                        }
+                                                                        let _e962 = phi_1473_;
+                                                                        let _e964 = phi_1474_;
+                                                                        phi_1399_ = _e962;
+                                                                        phi_1402_ = _e964;
+                                                                        phi_1404_ = (_e908 + 1u);
+                                                                    } else {
+                                                                        phi_1399_ = vec4<f32>();
+                                                                        phi_1402_ = vec4<f32>();
+                                                                        phi_1404_ = u32();
+                                                                    }
+                                                                    let _e967 = phi_1399_;
+                                                                    let _e969 = phi_1402_;
+                                                                    let _e971 = phi_1404_;
+                                                                    continue;
+                                                                    continuing {
+                                                                        phi_1398_ = _e967;
+                                                                        phi_1401_ = _e969;
+                                                                        phi_1403_ = _e971;
+                                                                        break if !(_e910);
+                                                                    }
+                                                                }
+                                                                let _e974 = local;
+                                                                let _e977 = local_1;
+                                                                if (_e974.w > _e977.w) {
+                                                                    let _e980 = (_e974.w - _e977.w);
+                                                                    let _e981 = (_e980 / _e974.w);
+                                                                    let _e983 = local_2;
+                                                                    let _e987 = local_3;
+                                                                    let _e991 = local_4;
+                                                                    let _e996 = local_5;
+                                                                    phi_1497_ = (_e996 + vec4<f32>((_e983.x * _e981), (_e987.y * _e981), (_e991.z * _e981), _e980));
+                                                                } else {
+                                                                    let _e1540 = local_14;
+                                                                    phi_1497_ = _e1540;
+                                                                }
+                                                                let _e999 = phi_1497_;
+                                                                phi_1498_ = _e999;
                                                             }
-                                                            let _e1235 = phi_1775_;
-                                                            phi_1283_ = _e1235;
+                                                            let _e1063 = phi_1498_;
+                                                            if (_e1063.w > 1f) {
+                                                                phi_1512_ = vec4<f32>((_e1063.x / _e1063.w), (_e1063.y / _e1063.w), (_e1063.z / _e1063.w), 1f);
+                                                            } else {
+                                                                phi_1512_ = _e1063;
+                                                            }
+                                                            let _e1074 = phi_1512_;
+                                                            phi_1545_ = _e1074;
                                                         } else {
-                                                            phi_1283_ = vec4<f32>();
+                                                            let _e812 = cells.member[(_e795 + 1u)];
+                                                            let _e818 = (_e812 + countOneBits((_e797 & ((1u << bitcast<u32>(_e799)) - 1u))));
+                                                            if _e808 {
+                                                                phi_1532_ = _e818;
+                                                            } else {
+                                                                phi_1532_ = (((6u * _e818) + (2u * _e507)) + select(0u, 1u, _e545));
+                                                            }
+                                                            let _e825 = phi_1532_;
+                                                            if ((_e531 & 1u) == 1u) {
+                                                                let _e831 = odd.member[_e825];
+                                                                phi_1544_ = _e831;
+                                                            } else {
+                                                                let _e829 = even.member[_e825];
+                                                                phi_1544_ = _e829;
+                                                            }
+                                                            let _e833 = phi_1544_;
+                                                            phi_1545_ = _e833;
                                                         }
-                                                        let _e1237 = phi_1283_;
-                                                        continue;
-                                                        continuing {
-                                                            phi_1279_ = _e878;
-                                                            phi_1282_ = _e1237;
-                                                            break if !(_e884);
-                                                        }
+                                                        let _e1076 = phi_1545_;
+                                                        phi_1566_ = vec4<f32>((_e774.x + (_e1076.x * _e784)), (_e774.y + (_e1076.y * _e784)), (_e774.z + (_e1076.z * _e784)), (_e774.w + (_e1076.w * _e784)));
+                                                    } else {
+                                                        phi_1566_ = _e774;
                                                     }
-                                                    let _e1759 = local_16;
-                                                    phi_1776_ = _e1759;
+                                                    let _e1095 = phi_1566_;
+                                                    phi_1143_ = _e1095;
+                                                    phi_1146_ = (_e776 + 1u);
+                                                } else {
+                                                    phi_1143_ = vec4<f32>();
+                                                    phi_1146_ = u32();
                                                 }
-                                                let _e1240 = phi_1776_;
-                                                phi_1777_ = _e1240;
-                                                phi_1778_ = _e637;
+                                                let _e1098 = phi_1143_;
+                                                let _e1100 = phi_1146_;
+                                                continue;
+                                                continuing {
+                                                    phi_1142_ = _e1098;
+                                                    phi_1145_ = _e1100;
+                                                    break if !(_e777);
+                                                }
                                             }
-                                            let _e1242 = phi_1777_;
-                                            let _e1244 = phi_1778_;
-                                            let _e1246 = select(_e1242, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1244));
-                                            if (_e1246.w > 0f) {
-                                                let _e1253 = select(_e601, _e1246.w, (_e1246.w < _e601));
-                                                let _e1258 = ((_e540 * _e1253) / _e1246.w);
-                                                phi_1822_ = vec3<f32>((_e530.x + (_e1246.x * _e1258)), (_e530.y + (_e1246.y * _e1258)), (_e530.z + (_e1246.z * _e1258)));
-                                                phi_1823_ = (_e538 + _e1253);
-                                                phi_1824_ = _e540;
-                                            } else {
-                                                let _e1249 = (_e571 == _e397);
-                                                phi_1822_ = _e530;
-                                                phi_1823_ = select(_e538, 0f, _e1249);
-                                                phi_1824_ = select(_e540, _e602, _e1249);
-                                            }
-                                            let _e1271 = phi_1822_;
-                                            let _e1273 = phi_1823_;
-                                            let _e1275 = phi_1824_;
-                                            let _e1276 = (_e359 * _e593);
-                                            let _e1278 = ((_e362 * _e139) + ((_e362 * _e356.z) * _e593));
-                                            let _e1280 = select(_e1278, _e1276, (_e1276 < _e1278));
-                                            let _e1287 = ((bitcast<u32>((select(1f, _e1280, (_e1280 > 1f)) * _e354)) >> bitcast<u32>(23i)) - 127u);
-                                            let _e1289 = (_e385.w - 1u);
-                                            let _e1291 = select(_e1287, _e1289, (_e1289 < _e1287));
-                                            if _e572 {
-                                                let _e1452 = (_e536.member_1 < 0f);
-                                                if _e1452 {
-                                                    phi_1867_ = (_e536.member_3 - 1i);
-                                                } else {
-                                                    phi_1867_ = (_e536.member_3 + 1i);
-                                                }
-                                                let _e1460 = phi_1867_;
-                                                let _e1466 = type_41(_e536.member, _e536.member_1, _e536.member_2, _e1460, _e536.member_4);
-                                                if (((_e536.member_3 & 1i) == 0i) == _e1452) {
-                                                    if (_e1291 > _e536.member_2) {
-                                                        let _e1475 = type_41(_e1466.member, _e1466.member_1, (_e536.member_2 + 1u), _e1466.member_3, _e1466.member_4);
-                                                        phi_1882_ = type_41(_e1475.member, _e1475.member_1, _e1475.member_2, (_e1460 >> bitcast<u32>(1i)), _e1475.member_4);
-                                                    } else {
-                                                        phi_1882_ = _e1466;
-                                                    }
-                                                    let _e1485 = phi_1882_;
-                                                    phi_1883_ = _e1485;
-                                                } else {
-                                                    phi_1883_ = _e1466;
-                                                }
-                                                let _e1487 = phi_1883_;
-                                                let _e1489 = (_e1487.member_2 & 31u);
-                                                let _e1491 = (1u << bitcast<u32>(_e1489));
-                                                if (_e1487.member_1 < 0f) {
-                                                    phi_1902_ = (_e1487.member_3 < 0i);
-                                                } else {
-                                                    phi_1902_ = (_e1487.member_3 >= bitcast<i32>((((_e385.x + _e1491) - 1u) >> bitcast<u32>(_e1489))));
-                                                }
-                                                let _e1504 = phi_1902_;
-                                                if _e1504 {
-                                                    phi_1925_ = f32();
-                                                    phi_1926_ = true;
-                                                } else {
-                                                    let _e1511 = (abs(_e1487.member_1) < 0.000001f);
-                                                    if _e1511 {
-                                                        phi_1924_ = f32();
-                                                    } else {
-                                                        phi_1924_ = ((((f32(_e1487.member_3) + 0.5f) * f32(_e1491)) - _e1487.member) / _e1487.member_1);
-                                                    }
-                                                    let _e1516 = phi_1924_;
-                                                    phi_1925_ = _e1516;
-                                                    phi_1926_ = _e1511;
-                                                }
-                                                let _e1518 = phi_1925_;
-                                                let _e1520 = phi_1926_;
-                                                phi_2096_ = _e532;
-                                                phi_2097_ = _e534;
-                                                phi_2098_ = type_41(_e1487.member, _e1487.member_1, _e1487.member_2, _e1487.member_3, select(_e1518, 340282350000000000000000000000000000000f, _e1520));
-                                            } else {
-                                                if (_e571 == 1u) {
-                                                    let _e1371 = (_e534.member_1 < 0f);
-                                                    if _e1371 {
-                                                        phi_1950_ = (_e534.member_3 - 1i);
-                                                    } else {
-                                                        phi_1950_ = (_e534.member_3 + 1i);
-                                                    }
-                                                    let _e1379 = phi_1950_;
-                                                    let _e1385 = type_41(_e534.member, _e534.member_1, _e534.member_2, _e1379, _e534.member_4);
-                                                    if (((_e534.member_3 & 1i) == 0i) == _e1371) {
-                                                        if (_e1291 > _e534.member_2) {
-                                                            let _e1394 = type_41(_e1385.member, _e1385.member_1, (_e534.member_2 + 1u), _e1385.member_3, _e1385.member_4);
-                                                            phi_1965_ = type_41(_e1394.member, _e1394.member_1, _e1394.member_2, (_e1379 >> bitcast<u32>(1i)), _e1394.member_4);
-                                                        } else {
-                                                            phi_1965_ = _e1385;
-                                                        }
-                                                        let _e1404 = phi_1965_;
-                                                        phi_1966_ = _e1404;
-                                                    } else {
-                                                        phi_1966_ = _e1385;
-                                                    }
-                                                    let _e1406 = phi_1966_;
-                                                    let _e1408 = (_e1406.member_2 & 31u);
-                                                    let _e1410 = (1u << bitcast<u32>(_e1408));
-                                                    if (_e1406.member_1 < 0f) {
-                                                        phi_1985_ = (_e1406.member_3 < 0i);
-                                                    } else {
-                                                        phi_1985_ = (_e1406.member_3 >= bitcast<i32>((((_e385.y + _e1410) - 1u) >> bitcast<u32>(_e1408))));
-                                                    }
-                                                    let _e1423 = phi_1985_;
-                                                    if _e1423 {
-                                                        phi_2008_ = f32();
-                                                        phi_2009_ = true;
-                                                    } else {
-                                                        let _e1430 = (abs(_e1406.member_1) < 0.000001f);
-                                                        if _e1430 {
-                                                            phi_2007_ = f32();
-                                                        } else {
-                                                            phi_2007_ = ((((f32(_e1406.member_3) + 0.5f) * f32(_e1410)) - _e1406.member) / _e1406.member_1);
-                                                        }
-                                                        let _e1435 = phi_2007_;
-                                                        phi_2008_ = _e1435;
-                                                        phi_2009_ = _e1430;
-                                                    }
-                                                    let _e1437 = phi_2008_;
-                                                    let _e1439 = phi_2009_;
-                                                    phi_2094_ = _e532;
-                                                    phi_2095_ = type_41(_e1406.member, _e1406.member_1, _e1406.member_2, _e1406.member_3, select(_e1437, 340282350000000000000000000000000000000f, _e1439));
-                                                } else {
-                                                    let _e1294 = (_e532.member_1 < 0f);
-                                                    if _e1294 {
-                                                        phi_2029_ = (_e532.member_3 - 1i);
-                                                    } else {
-                                                        phi_2029_ = (_e532.member_3 + 1i);
-                                                    }
-                                                    let _e1302 = phi_2029_;
-                                                    let _e1308 = type_41(_e532.member, _e532.member_1, _e532.member_2, _e1302, _e532.member_4);
-                                                    if (((_e532.member_3 & 1i) == 0i) == _e1294) {
-                                                        if (_e1291 > _e532.member_2) {
-                                                            let _e1317 = type_41(_e1308.member, _e1308.member_1, (_e532.member_2 + 1u), _e1308.member_3, _e1308.member_4);
-                                                            phi_2044_ = type_41(_e1317.member, _e1317.member_1, _e1317.member_2, (_e1302 >> bitcast<u32>(1i)), _e1317.member_4);
-                                                        } else {
-                                                            phi_2044_ = _e1308;
-                                                        }
-                                                        let _e1327 = phi_2044_;
-                                                        phi_2045_ = _e1327;
-                                                    } else {
-                                                        phi_2045_ = _e1308;
-                                                    }
-                                                    let _e1329 = phi_2045_;
-                                                    let _e1331 = (_e1329.member_2 & 31u);
-                                                    let _e1333 = (1u << bitcast<u32>(_e1331));
-                                                    if (_e1329.member_1 < 0f) {
-                                                        phi_2064_ = (_e1329.member_3 < 0i);
-                                                    } else {
-                                                        phi_2064_ = (_e1329.member_3 >= bitcast<i32>((((_e385.z + _e1333) - 1u) >> bitcast<u32>(_e1331))));
-                                                    }
-                                                    let _e1346 = phi_2064_;
-                                                    if _e1346 {
-                                                        phi_2087_ = f32();
-                                                        phi_2088_ = true;
-                                                    } else {
-                                                        let _e1353 = (abs(_e1329.member_1) < 0.000001f);
-                                                        if _e1353 {
-                                                            phi_2086_ = f32();
-                                                        } else {
-                                                            phi_2086_ = ((((f32(_e1329.member_3) + 0.5f) * f32(_e1333)) - _e1329.member) / _e1329.member_1);
-                                                        }
-                                                        let _e1358 = phi_2086_;
-                                                        phi_2087_ = _e1358;
-                                                        phi_2088_ = _e1353;
-                                                    }
-                                                    let _e1360 = phi_2087_;
-                                                    let _e1362 = phi_2088_;
-                                                    phi_2094_ = type_41(_e1329.member, _e1329.member_1, _e1329.member_2, _e1329.member_3, select(_e1360, 340282350000000000000000000000000000000f, _e1362));
-                                                    phi_2095_ = _e534;
-                                                }
-                                                let _e1448 = phi_2094_;
-                                                let _e1450 = phi_2095_;
-                                                phi_2096_ = _e1448;
-                                                phi_2097_ = _e1450;
-                                                phi_2098_ = _e536;
-                                            }
-                                            let _e1529 = phi_2096_;
-                                            let _e1531 = phi_2097_;
-                                            let _e1533 = phi_2098_;
-                                            phi_2099_ = _e1271;
-                                            phi_2100_ = _e1529;
-                                            phi_2101_ = _e1531;
-                                            phi_2102_ = _e1533;
-                                            phi_2103_ = _e1273;
-                                            phi_2104_ = _e1275;
+                                            let _e1555 = local_16;
+                                            phi_1568_ = _e1555;
                                         }
-                                        let _e1535 = phi_2099_;
-                                        let _e1537 = phi_2100_;
-                                        let _e1539 = phi_2101_;
-                                        let _e1541 = phi_2102_;
-                                        let _e1543 = phi_2103_;
-                                        let _e1545 = phi_2104_;
-                                        phi_2106_ = _e1535;
-                                        phi_2107_ = _e1537;
-                                        phi_2108_ = _e1539;
-                                        phi_2109_ = _e1541;
-                                        phi_2110_ = _e1543;
-                                        phi_2111_ = _e1545;
-                                        phi_2112_ = select(true, false, _e603);
+                                        let _e1103 = phi_1568_;
+                                        if (_e1103.w > 0f) {
+                                            let _e1110 = select(_e535, _e1103.w, (_e1103.w < _e535));
+                                            let _e1115 = ((_e495 * _e1110) / _e1103.w);
+                                            phi_1608_ = vec3<f32>((_e483.x + (_e1103.x * _e1115)), (_e483.y + (_e1103.y * _e1115)), (_e483.z + (_e1103.z * _e1115)));
+                                            phi_1609_ = (_e493 + _e1110);
+                                            phi_1610_ = _e495;
+                                        } else {
+                                            let _e1106 = (_e507 == _e394);
+                                            phi_1608_ = _e483;
+                                            phi_1609_ = select(_e493, 0f, _e1106);
+                                            phi_1610_ = select(_e495, _e536, _e1106);
+                                        }
+                                        let _e1128 = phi_1608_;
+                                        let _e1130 = phi_1609_;
+                                        let _e1132 = phi_1610_;
+                                        let _e1133 = (_e356 * _e527);
+                                        let _e1135 = ((_e359 * _e138) + ((_e359 * _e353.z) * _e527));
+                                        let _e1137 = select(_e1135, _e1133, (_e1133 < _e1135));
+                                        let _e1144 = ((bitcast<u32>((select(1f, _e1137, (_e1137 > 1f)) * _e351)) >> bitcast<u32>(23i)) - 127u);
+                                        let _e1146 = (_e382.w - 1u);
+                                        let _e1148 = select(_e1144, _e1146, (_e1146 < _e1144));
+                                        if _e508 {
+                                            let _e1299 = (_e489.member_1 < 0f);
+                                            if _e1299 {
+                                                phi_1653_ = (_e489.member_3 - 1i);
+                                            } else {
+                                                phi_1653_ = (_e489.member_3 + 1i);
+                                            }
+                                            let _e1307 = phi_1653_;
+                                            let _e1313 = type_41(_e489.member, _e489.member_1, _e489.member_2, _e1307, _e489.member_4);
+                                            if ((((_e489.member_3 & 1i) == 0i) == _e1299) && (_e1148 > _e489.member_2)) {
+                                                let _e1323 = type_41(_e1313.member, _e1313.member_1, (_e489.member_2 + 1u), _e1313.member_3, _e1313.member_4);
+                                                phi_1666_ = type_41(_e1323.member, _e1323.member_1, _e1323.member_2, (_e1307 >> bitcast<u32>(1i)), _e1323.member_4);
+                                            } else {
+                                                phi_1666_ = _e1313;
+                                            }
+                                            let _e1333 = phi_1666_;
+                                            let _e1335 = (_e1333.member_2 & 31u);
+                                            let _e1337 = (1u << bitcast<u32>(_e1335));
+                                            if ((((_e1333.member_1 < 0f) && (_e1333.member_3 < 0i)) || ((_e1333.member_1 >= 0f) && (_e1333.member_3 >= bitcast<i32>((((_e382.x + _e1337) - 1u) >> bitcast<u32>(_e1335)))))) || (abs(_e1333.member_1) < 0.000001f)) {
+                                                phi_1706_ = 340282350000000000000000000000000000000f;
+                                            } else {
+                                                phi_1706_ = ((((f32(_e1333.member_3) + 0.5f) * f32(_e1337)) - _e1333.member) / _e1333.member_1);
+                                            }
+                                            let _e1363 = phi_1706_;
+                                            phi_1852_ = _e485;
+                                            phi_1853_ = _e487;
+                                            phi_1854_ = type_41(_e1333.member, _e1333.member_1, _e1333.member_2, _e1333.member_3, _e1363);
+                                        } else {
+                                            if (_e507 == 1u) {
+                                                let _e1223 = (_e487.member_1 < 0f);
+                                                if _e1223 {
+                                                    phi_1726_ = (_e487.member_3 - 1i);
+                                                } else {
+                                                    phi_1726_ = (_e487.member_3 + 1i);
+                                                }
+                                                let _e1231 = phi_1726_;
+                                                let _e1237 = type_41(_e487.member, _e487.member_1, _e487.member_2, _e1231, _e487.member_4);
+                                                if ((((_e487.member_3 & 1i) == 0i) == _e1223) && (_e1148 > _e487.member_2)) {
+                                                    let _e1247 = type_41(_e1237.member, _e1237.member_1, (_e487.member_2 + 1u), _e1237.member_3, _e1237.member_4);
+                                                    phi_1739_ = type_41(_e1247.member, _e1247.member_1, _e1247.member_2, (_e1231 >> bitcast<u32>(1i)), _e1247.member_4);
+                                                } else {
+                                                    phi_1739_ = _e1237;
+                                                }
+                                                let _e1257 = phi_1739_;
+                                                let _e1259 = (_e1257.member_2 & 31u);
+                                                let _e1261 = (1u << bitcast<u32>(_e1259));
+                                                if ((((_e1257.member_1 < 0f) && (_e1257.member_3 < 0i)) || ((_e1257.member_1 >= 0f) && (_e1257.member_3 >= bitcast<i32>((((_e382.y + _e1261) - 1u) >> bitcast<u32>(_e1259)))))) || (abs(_e1257.member_1) < 0.000001f)) {
+                                                    phi_1779_ = 340282350000000000000000000000000000000f;
+                                                } else {
+                                                    phi_1779_ = ((((f32(_e1257.member_3) + 0.5f) * f32(_e1261)) - _e1257.member) / _e1257.member_1);
+                                                }
+                                                let _e1287 = phi_1779_;
+                                                phi_1850_ = _e485;
+                                                phi_1851_ = type_41(_e1257.member, _e1257.member_1, _e1257.member_2, _e1257.member_3, _e1287);
+                                            } else {
+                                                let _e1151 = (_e485.member_1 < 0f);
+                                                if _e1151 {
+                                                    phi_1795_ = (_e485.member_3 - 1i);
+                                                } else {
+                                                    phi_1795_ = (_e485.member_3 + 1i);
+                                                }
+                                                let _e1159 = phi_1795_;
+                                                let _e1165 = type_41(_e485.member, _e485.member_1, _e485.member_2, _e1159, _e485.member_4);
+                                                if ((((_e485.member_3 & 1i) == 0i) == _e1151) && (_e1148 > _e485.member_2)) {
+                                                    let _e1175 = type_41(_e1165.member, _e1165.member_1, (_e485.member_2 + 1u), _e1165.member_3, _e1165.member_4);
+                                                    phi_1808_ = type_41(_e1175.member, _e1175.member_1, _e1175.member_2, (_e1159 >> bitcast<u32>(1i)), _e1175.member_4);
+                                                } else {
+                                                    phi_1808_ = _e1165;
+                                                }
+                                                let _e1185 = phi_1808_;
+                                                let _e1187 = (_e1185.member_2 & 31u);
+                                                let _e1189 = (1u << bitcast<u32>(_e1187));
+                                                if ((((_e1185.member_1 < 0f) && (_e1185.member_3 < 0i)) || ((_e1185.member_1 >= 0f) && (_e1185.member_3 >= bitcast<i32>((((_e382.z + _e1189) - 1u) >> bitcast<u32>(_e1187)))))) || (abs(_e1185.member_1) < 0.000001f)) {
+                                                    phi_1848_ = 340282350000000000000000000000000000000f;
+                                                } else {
+                                                    phi_1848_ = ((((f32(_e1185.member_3) + 0.5f) * f32(_e1189)) - _e1185.member) / _e1185.member_1);
+                                                }
+                                                let _e1215 = phi_1848_;
+                                                phi_1850_ = type_41(_e1185.member, _e1185.member_1, _e1185.member_2, _e1185.member_3, _e1215);
+                                                phi_1851_ = _e487;
+                                            }
+                                            let _e1295 = phi_1850_;
+                                            let _e1297 = phi_1851_;
+                                            phi_1852_ = _e1295;
+                                            phi_1853_ = _e1297;
+                                            phi_1854_ = _e489;
+                                        }
+                                        let _e1371 = phi_1852_;
+                                        let _e1373 = phi_1853_;
+                                        let _e1375 = phi_1854_;
+                                        phi_1855_ = _e1128;
+                                        phi_1856_ = _e1371;
+                                        phi_1857_ = _e1373;
+                                        phi_1858_ = _e1375;
+                                        phi_1859_ = _e1130;
+                                        phi_1860_ = _e1132;
                                     }
-                                    let _e1548 = phi_2106_;
-                                    let _e1550 = phi_2107_;
-                                    let _e1552 = phi_2108_;
-                                    let _e1554 = phi_2109_;
-                                    let _e1556 = phi_2110_;
-                                    let _e1558 = phi_2111_;
-                                    let _e1560 = phi_2112_;
-                                    phi_775_ = _e1548;
-                                    phi_777_ = _e1550;
-                                    phi_779_ = _e1552;
-                                    phi_781_ = _e1554;
-                                    phi_783_ = _e1556;
-                                    phi_785_ = _e1558;
-                                    phi_2114_ = _e1560;
+                                    let _e1377 = phi_1855_;
+                                    let _e1379 = phi_1856_;
+                                    let _e1381 = phi_1857_;
+                                    let _e1383 = phi_1858_;
+                                    let _e1385 = phi_1859_;
+                                    let _e1387 = phi_1860_;
+                                    phi_700_ = _e1377;
+                                    phi_703_ = _e1379;
+                                    phi_705_ = _e1381;
+                                    phi_707_ = _e1383;
+                                    phi_709_ = (_e491 + 1u);
+                                    phi_711_ = _e1385;
+                                    phi_713_ = _e1387;
+                                    phi_1862_ = select(true, false, _e538);
                                 } else {
-                                    phi_775_ = vec3<f32>();
-                                    phi_777_ = type_41();
-                                    phi_779_ = type_41();
-                                    phi_781_ = type_41();
-                                    phi_783_ = f32();
-                                    phi_785_ = f32();
-                                    phi_2114_ = false;
+                                    phi_700_ = vec3<f32>();
+                                    phi_703_ = type_41();
+                                    phi_705_ = type_41();
+                                    phi_707_ = type_41();
+                                    phi_709_ = u32();
+                                    phi_711_ = f32();
+                                    phi_713_ = f32();
+                                    phi_1862_ = false;
                                 }
-                                let _e1562 = phi_775_;
-                                let _e1564 = phi_777_;
-                                let _e1566 = phi_779_;
-                                let _e1568 = phi_781_;
-                                let _e1570 = phi_783_;
-                                let _e1572 = phi_785_;
-                                let _e1574 = phi_2114_;
+                                let _e1390 = phi_700_;
+                                let _e1392 = phi_703_;
+                                let _e1394 = phi_705_;
+                                let _e1396 = phi_707_;
+                                let _e1398 = phi_709_;
+                                let _e1400 = phi_711_;
+                                let _e1402 = phi_713_;
+                                let _e1404 = phi_1862_;
                                 continue;
                                 continuing {
-                                    phi_771_ = _e553;
-                                    phi_774_ = _e1562;
-                                    phi_776_ = _e1564;
-                                    phi_778_ = _e1566;
-                                    phi_780_ = _e1568;
-                                    phi_782_ = _e1570;
-                                    phi_784_ = _e1572;
-                                    phi_2221_ = _e203;
-                                    break if !(_e1574);
+                                    phi_699_ = _e1390;
+                                    phi_702_ = _e1392;
+                                    phi_704_ = _e1394;
+                                    phi_706_ = _e1396;
+                                    phi_708_ = _e1398;
+                                    phi_710_ = _e1400;
+                                    phi_712_ = _e1402;
+                                    break if !(_e1404);
                                 }
                             }
-                            let _e1577 = phi_2221_;
-                            phi_2363_ = _e1577;
-                            if _e1577 {
-                                break;
-                            }
-                            let _e1579 = local_6;
-                            let _e1582 = local_7;
-                            let _e1583 = (_e1582 * (1f - _e1579));
-                            let _e1585 = local_8;
-                            let _e1588 = local_9;
-                            let _e1591 = local_10;
-                            let _e1595 = params.member.member_5;
-                            phi_2364_ = _e1577;
-                            phi_323_ = vec3<f32>((_e207.x + ((_e1585.x + (_e1595.x * _e1583)) * _e231.w)), (_e207.y + ((_e1588.y + (_e1595.y * _e1583)) * _e231.w)), (_e207.z + ((_e1591.z + (_e1595.z * _e1583)) * _e231.w)));
+                            let _e1407 = local_6;
+                            let _e1410 = local_7;
+                            let _e1411 = (_e1410 * (1f - _e1407));
+                            let _e1413 = local_8;
+                            let _e1416 = local_9;
+                            let _e1419 = local_10;
+                            let _e1423 = params.member.member_5;
+                            phi_324_ = vec3<f32>((_e204.x + ((_e1413.x + (_e1423.x * _e1411)) * _e228.w)), (_e204.y + ((_e1416.y + (_e1423.y * _e1411)) * _e228.w)), (_e204.z + ((_e1419.z + (_e1423.z * _e1411)) * _e228.w)));
                         } else {
-                            phi_2364_ = _e203;
-                            phi_323_ = vec3<f32>();
+                            phi_324_ = vec3<f32>();
                         }
-                        let _e1617 = phi_2364_;
-                        let _e1619 = phi_323_;
+                        let _e1445 = phi_324_;
                         continue;
                         continuing {
-                            phi_2248_ = _e1617;
-                            phi_319_ = _e220;
-                            phi_322_ = _e1619;
-                            phi_2363_ = _e1617;
-                            break if !(_e226);
+                            phi_320_ = _e217;
+                            phi_323_ = _e1445;
+                            phi_1959_ = false;
+                            break if !(_e223);
                         }
                     }
-                    let _e1622 = phi_2363_;
-                    if _e1622 {
+                    let _e1448 = phi_1959_;
+                    if _e1448 {
                         break;
                     }
-                    let _e1624 = local_11;
-                    let _e1628 = local_12;
-                    let _e1632 = local_13;
-                    phi_2160_ = vec4<f32>((_e1624.x * 3.1415927f), (_e1628.y * 3.1415927f), (_e1632.z * 3.1415927f), 0f);
+                    let _e1450 = local_11;
+                    let _e1454 = local_12;
+                    let _e1458 = local_13;
+                    phi_1903_ = vec4<f32>((_e1450.x * 3.1415927f), (_e1454.y * 3.1415927f), (_e1458.z * 3.1415927f), 0f);
                 }
-                let _e1637 = phi_2160_;
-                if (_e95 < arrayLength((&out.member))) {
+                let _e1463 = phi_1903_;
+                if (_e94 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e95] = _e1637;
+                out.member[_e94] = _e1463;
             }
             break;
         }

@@ -1,13 +1,8 @@
-struct type_8 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_11 {
+struct type_9 {
     member: array<u32>,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -18,11 +13,11 @@ struct type_18 {
     member_7: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_26 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -35,15 +30,15 @@ struct type_26 {
     member_9: f32,
 }
 
-struct type_30 {
+struct type_29 {
     member: array<vec4<f32>>,
 }
 
-struct type_34 {
-    member: array<type_26>,
+struct type_33 {
+    member: array<type_25>,
 }
 
-struct type_38 {
+struct type_37 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -61,11 +56,11 @@ struct type_38 {
     member_14: f32,
 }
 
-struct type_39 {
-    member: type_38,
+struct type_38 {
+    member: type_37,
 }
 
-struct type_41 {
+struct type_40 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -75,1126 +70,809 @@ struct type_41 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_39;
+var<uniform> params: type_38;
 @group(0) @binding(1) 
-var<storage> cells: type_11;
+var<storage> cells: type_9;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_11;
+var<storage> facet_bits: type_9;
 @group(0) @binding(3) 
-var<storage> facets: type_20;
+var<storage> facets: type_19;
 @group(0) @binding(4) 
-var<storage> radiance: type_30;
+var<storage> radiance: type_29;
 @group(0) @binding(5) 
-var<storage> odd: type_30;
+var<storage> odd: type_29;
 @group(0) @binding(6) 
-var<storage> even: type_30;
+var<storage> even: type_29;
 @group(0) @binding(7) 
-var<storage> surfels: type_34;
+var<storage> surfels: type_33;
 @group(0) @binding(8) 
-var<storage, read_write> out: type_30;
+var<storage, read_write> out: type_29;
 
 fn function_() {
-    var phi_229_: vec3<f32>;
-    var phi_313_: bool;
-    var phi_322_: u32;
-    var phi_354_: i32;
-    var phi_368_: bool;
-    var phi_385_: f32;
-    var phi_386_: f32;
-    var phi_387_: bool;
-    var phi_424_: i32;
-    var phi_438_: bool;
-    var phi_455_: f32;
-    var phi_456_: f32;
-    var phi_457_: bool;
-    var phi_494_: i32;
-    var phi_508_: bool;
-    var phi_525_: f32;
-    var phi_526_: f32;
-    var phi_527_: bool;
-    var phi_535_: type_8;
-    var phi_538_: vec3<f32>;
-    var phi_540_: type_41;
-    var phi_542_: type_41;
-    var phi_544_: type_41;
-    var phi_546_: f32;
-    var phi_548_: f32;
-    var phi_536_: type_8;
-    var phi_571_: type_8;
-    var phi_591_: bool;
-    var phi_602_: u32;
-    var phi_623_: f32;
-    var phi_624_: i32;
-    var phi_625_: u32;
-    var phi_626_: f32;
-    var phi_627_: f32;
-    var phi_628_: i32;
-    var phi_629_: u32;
-    var phi_630_: f32;
-    var phi_686_: u32;
-    var phi_703_: f32;
-    var phi_724_: bool;
-    var phi_736_: u32;
-    var phi_747_: u32;
-    var phi_755_: f32;
-    var phi_794_: f32;
-    var phi_805_: f32;
-    var phi_827_: bool;
-    var phi_839_: u32;
-    var phi_850_: u32;
-    var phi_858_: f32;
-    var phi_897_: f32;
-    var phi_908_: f32;
-    var phi_930_: bool;
-    var phi_942_: u32;
-    var phi_953_: u32;
-    var phi_961_: f32;
-    var phi_1000_: f32;
-    var phi_1027_: f32;
-    var phi_1028_: f32;
-    var phi_1029_: u32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1033_: f32;
-    var phi_1034_: f32;
-    var phi_1035_: u32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1040_: u32;
-    var phi_1043_: type_8;
-    var phi_1046_: vec4<f32>;
-    var phi_1044_: type_8;
-    var phi_1069_: type_8;
-    var phi_1504_: u32;
-    var phi_1516_: vec4<f32>;
-    var phi_1349_: type_8;
-    var phi_1352_: vec4<f32>;
-    var phi_1354_: vec4<f32>;
-    var phi_1350_: type_8;
-    var phi_1377_: type_8;
-    var phi_1446_: vec4<f32>;
-    var phi_1447_: vec4<f32>;
-    var phi_1353_: vec4<f32>;
-    var phi_1355_: vec4<f32>;
+    var phi_182_: vec3<f32>;
+    var phi_272_: bool;
+    var phi_281_: u32;
+    var phi_297_: i32;
+    var phi_326_: f32;
+    var phi_343_: i32;
+    var phi_372_: f32;
+    var phi_389_: i32;
+    var phi_418_: f32;
+    var phi_421_: vec3<f32>;
+    var phi_424_: type_40;
+    var phi_426_: type_40;
+    var phi_428_: type_40;
+    var phi_430_: u32;
+    var phi_432_: f32;
+    var phi_434_: f32;
+    var phi_460_: u32;
+    var phi_482_: i32;
+    var phi_483_: u32;
+    var phi_484_: f32;
+    var phi_485_: f32;
+    var phi_486_: i32;
+    var phi_487_: u32;
+    var phi_488_: f32;
+    var phi_537_: u32;
+    var phi_552_: f32;
+    var phi_634_: f32;
+    var phi_645_: f32;
+    var phi_728_: f32;
+    var phi_739_: f32;
+    var phi_822_: f32;
+    var phi_849_: f32;
+    var phi_850_: f32;
+    var phi_851_: u32;
+    var phi_852_: u32;
+    var phi_853_: u32;
+    var phi_854_: u32;
+    var phi_855_: f32;
+    var phi_856_: f32;
+    var phi_857_: u32;
+    var phi_858_: u32;
+    var phi_859_: u32;
+    var phi_860_: u32;
+    var phi_861_: u32;
+    var phi_862_: u32;
+    var phi_864_: vec4<f32>;
+    var phi_867_: u32;
+    var phi_1254_: u32;
+    var phi_1266_: vec4<f32>;
+    var phi_1120_: vec4<f32>;
+    var phi_1123_: vec4<f32>;
+    var phi_1125_: u32;
+    var phi_1195_: vec4<f32>;
+    var phi_1196_: vec4<f32>;
+    var phi_1121_: vec4<f32>;
+    var phi_1124_: vec4<f32>;
+    var phi_1126_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1469_: vec4<f32>;
-    var phi_1227_: type_8;
-    var phi_1230_: vec4<f32>;
-    var phi_1228_: type_8;
-    var phi_1253_: type_8;
-    var phi_1231_: vec4<f32>;
-    var phi_1470_: vec4<f32>;
-    var phi_1484_: vec4<f32>;
-    var phi_1517_: vec4<f32>;
-    var phi_1538_: vec4<f32>;
-    var phi_1539_: vec4<f32>;
-    var phi_1047_: vec4<f32>;
-    var phi_1540_: vec4<f32>;
-    var phi_1541_: vec4<f32>;
-    var phi_1542_: bool;
-    var phi_1586_: vec3<f32>;
-    var phi_1587_: f32;
-    var phi_1588_: f32;
-    var phi_1793_: i32;
-    var phi_1808_: type_41;
-    var phi_1809_: type_41;
-    var phi_1828_: bool;
-    var phi_1850_: f32;
-    var phi_1851_: f32;
-    var phi_1852_: bool;
-    var phi_1714_: i32;
-    var phi_1729_: type_41;
-    var phi_1730_: type_41;
-    var phi_1749_: bool;
-    var phi_1771_: f32;
-    var phi_1772_: f32;
-    var phi_1773_: bool;
-    var phi_1858_: type_41;
-    var phi_1859_: type_41;
-    var phi_1631_: i32;
-    var phi_1646_: type_41;
-    var phi_1647_: type_41;
-    var phi_1666_: bool;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1690_: bool;
-    var phi_1860_: type_41;
-    var phi_1861_: type_41;
-    var phi_1862_: type_41;
-    var phi_1863_: vec3<f32>;
-    var phi_1864_: type_41;
-    var phi_1865_: type_41;
-    var phi_1866_: type_41;
-    var phi_1867_: f32;
-    var phi_1868_: f32;
-    var phi_1870_: vec3<f32>;
-    var phi_1871_: type_41;
-    var phi_1872_: type_41;
-    var phi_1873_: type_41;
-    var phi_1874_: f32;
-    var phi_1875_: f32;
-    var phi_1876_: bool;
-    var phi_539_: vec3<f32>;
-    var phi_541_: type_41;
-    var phi_543_: type_41;
-    var phi_545_: type_41;
-    var phi_547_: f32;
-    var phi_549_: f32;
-    var phi_1878_: bool;
-    var phi_1931_: bool;
+    var phi_1219_: vec4<f32>;
+    var phi_1021_: vec4<f32>;
+    var phi_1024_: u32;
+    var phi_1022_: vec4<f32>;
+    var phi_1025_: u32;
+    var phi_1220_: vec4<f32>;
+    var phi_1234_: vec4<f32>;
+    var phi_1267_: vec4<f32>;
+    var phi_1288_: vec4<f32>;
+    var phi_865_: vec4<f32>;
+    var phi_868_: u32;
+    var phi_1290_: vec4<f32>;
+    var phi_1330_: vec3<f32>;
+    var phi_1331_: f32;
+    var phi_1332_: f32;
+    var phi_1517_: i32;
+    var phi_1530_: type_40;
+    var phi_1570_: f32;
+    var phi_1448_: i32;
+    var phi_1461_: type_40;
+    var phi_1501_: f32;
+    var phi_1572_: type_40;
+    var phi_1573_: type_40;
+    var phi_1375_: i32;
+    var phi_1388_: type_40;
+    var phi_1428_: f32;
+    var phi_1574_: type_40;
+    var phi_1575_: type_40;
+    var phi_1576_: type_40;
+    var phi_1577_: vec3<f32>;
+    var phi_1578_: type_40;
+    var phi_1579_: type_40;
+    var phi_1580_: type_40;
+    var phi_1581_: f32;
+    var phi_1582_: f32;
+    var phi_422_: vec3<f32>;
+    var phi_425_: type_40;
+    var phi_427_: type_40;
+    var phi_429_: type_40;
+    var phi_431_: u32;
+    var phi_433_: f32;
+    var phi_435_: f32;
+    var phi_1584_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: vec3<f32>;
-    var phi_1905_: vec4<f32>;
+    var phi_1606_: vec4<f32>;
     var local_11: vec4<f32>;
     var local_12: vec4<f32>;
     var local_13: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e57 = gid_1;
-            let _e71 = (_e57.x + (_e57.y * 2097152u));
-            let _e72 = (_e71 < arrayLength((&out.member)));
-            if _e72 {
-                if (_e71 < arrayLength((&surfels.member))) {
+            let _e51 = gid_1;
+            let _e63 = (_e51.x + (_e51.y * 2097152u));
+            let _e64 = (_e63 < arrayLength((&out.member)));
+            if _e64 {
+                let _e68 = surfels.member[_e63].member_1;
+                if (_e68 == 4294967295u) {
+                    phi_1606_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    break;
-                }
-                let _e77 = surfels.member[_e71].member;
-                let _e81 = surfels.member[_e71].member_1;
-                let _e85 = surfels.member[_e71].member_2;
-                let _e89 = surfels.member[_e71].member_4;
-                if (_e81 == 4294967295u) {
-                    phi_1905_ = vec4<f32>(0f, 0f, 0f, 0f);
-                } else {
-                    let _e96 = params.member.member_6;
-                    let _e100 = (_e96.x - _e77[0]);
-                    let _e101 = (_e96.y - _e77[1]);
-                    let _e102 = (_e96.z - _e77[2]);
-                    let _e107 = (((_e100 * _e100) + (_e101 * _e101)) + (_e102 * _e102));
-                    if (_e107 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e110 = (1f / sqrt(_e107));
-                        phi_229_ = vec3<f32>((_e100 * _e110), (_e101 * _e110), (_e102 * _e110));
+                    let _e73 = surfels.member[_e63].member;
+                    let _e79 = params.member.member_6;
+                    let _e83 = (_e79.x - _e73[0]);
+                    let _e84 = (_e79.y - _e73[1]);
+                    let _e85 = (_e79.z - _e73[2]);
+                    let _e90 = (((_e83 * _e83) + (_e84 * _e84)) + (_e85 * _e85));
+                    if (_e90 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e93 = (1f / sqrt(_e90));
+                        phi_182_ = vec3<f32>((_e83 * _e93), (_e84 * _e93), (_e85 * _e93));
                     } else {
-                        phi_229_ = vec3<f32>(0f, 0f, 0f);
+                        phi_182_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e116 = phi_229_;
-                    let _e128 = (2f * (((_e116.x * _e85[0]) + (_e116.y * _e85[1])) + (_e116.z * _e85[2])));
-                    let _e132 = ((_e85[0] * _e128) - _e116.x);
-                    let _e133 = ((_e85[1] * _e128) - _e116.y);
-                    let _e134 = ((_e85[2] * _e128) - _e116.z);
-                    let _e137 = params.member.member;
-                    let _e153 = params.member.member_12;
-                    let _e157 = (((_e77[0] - _e137.x) / _e137.w) + (_e89[0] * _e153));
-                    let _e158 = (((_e77[1] - _e137.y) / _e137.w) + (_e89[1] * _e153));
-                    let _e159 = (((_e77[2] - _e137.z) / _e137.w) + (_e89[2] * _e153));
-                    let _e163 = params.member.member_6[3u];
-                    let _e167 = params.member.member_13;
-                    let _e173 = (((_e132 * _e89[0]) + (_e133 * _e89[1])) + (_e134 * _e89[2]));
-                    let _e179 = params.member.member_1;
-                    let _e180 = abs(_e132);
-                    let _e181 = abs(_e133);
-                    let _e182 = abs(_e134);
-                    if (_e180 >= _e181) {
-                        phi_313_ = select(true, false, (_e180 >= _e182));
+                    let _e99 = phi_182_;
+                    let _e103 = surfels.member[_e63].member_2;
+                    let _e115 = (2f * (((_e99.x * _e103[0]) + (_e99.y * _e103[1])) + (_e99.z * _e103[2])));
+                    let _e119 = ((_e103[0] * _e115) - _e99.x);
+                    let _e120 = ((_e103[1] * _e115) - _e99.y);
+                    let _e121 = ((_e103[2] * _e115) - _e99.z);
+                    let _e124 = params.member.member;
+                    let _e138 = surfels.member[_e63].member_4;
+                    let _e144 = params.member.member_12;
+                    let _e148 = (((_e73[0] - _e124.x) / _e124.w) + (_e138[0] * _e144));
+                    let _e149 = (((_e73[1] - _e124.y) / _e124.w) + (_e138[1] * _e144));
+                    let _e150 = (((_e73[2] - _e124.z) / _e124.w) + (_e138[2] * _e144));
+                    let _e154 = params.member.member_6[3u];
+                    let _e158 = params.member.member_13;
+                    let _e164 = (((_e119 * _e138[0]) + (_e120 * _e138[1])) + (_e121 * _e138[2]));
+                    let _e170 = params.member.member_1;
+                    let _e171 = abs(_e119);
+                    let _e172 = abs(_e120);
+                    let _e173 = abs(_e121);
+                    if (_e171 >= _e172) {
+                        phi_272_ = select(true, false, (_e171 >= _e173));
                     } else {
-                        phi_313_ = true;
+                        phi_272_ = true;
                     }
-                    let _e187 = phi_313_;
-                    if _e187 {
-                        phi_322_ = select(2u, 1u, (_e181 >= _e182));
+                    let _e178 = phi_272_;
+                    if _e178 {
+                        phi_281_ = select(2u, 1u, (_e172 >= _e173));
                     } else {
-                        phi_322_ = 0u;
+                        phi_281_ = 0u;
                     }
-                    let _e191 = phi_322_;
-                    let _e194 = floor((_e157 - 0.5f));
-                    let _e204 = -(floor((0.5f - _e157)));
-                    let _e212 = (_e132 < 0f);
-                    if _e212 {
-                        phi_354_ = (select(0i, select(select(i32(_e204), i32(-2147483648), (_e204 < -2147483600f)), 2147483647i, (_e204 > 2147483500f)), (_e204 == _e204)) - 1i);
+                    let _e182 = phi_281_;
+                    let _e191 = (_e119 < 0f);
+                    if _e191 {
+                        phi_297_ = (i32(-(floor((0.5f - _e148)))) - 1i);
                     } else {
-                        phi_354_ = (select(0i, select(select(i32(_e194), i32(-2147483648), (_e194 < -2147483600f)), 2147483647i, (_e194 > 2147483500f)), (_e194 == _e194)) + 1i);
+                        phi_297_ = (i32(floor((_e148 - 0.5f))) + 1i);
                     }
-                    let _e216 = phi_354_;
-                    if _e212 {
-                        phi_368_ = (_e216 < 0i);
+                    let _e195 = phi_297_;
+                    if (((_e191 && (_e195 < 0i)) || ((_e119 >= 0f) && (_e195 >= bitcast<i32>(_e170.x)))) || (_e171 < 0.000001f)) {
+                        phi_326_ = 340282350000000000000000000000000000000f;
                     } else {
-                        phi_368_ = (_e216 >= bitcast<i32>(_e179.x));
+                        phi_326_ = (((f32(_e195) + 0.5f) - _e148) / _e119);
                     }
-                    let _e221 = phi_368_;
-                    if _e221 {
-                        phi_386_ = f32();
-                        phi_387_ = true;
+                    let _e210 = phi_326_;
+                    let _e220 = (_e120 < 0f);
+                    if _e220 {
+                        phi_343_ = (i32(-(floor((0.5f - _e149)))) - 1i);
                     } else {
-                        let _e224 = (_e180 < 0.000001f);
-                        if _e224 {
-                            phi_385_ = f32();
-                        } else {
-                            phi_385_ = (((f32(_e216) + 0.5f) - _e157) / _e132);
-                        }
-                        let _e228 = phi_385_;
-                        phi_386_ = _e228;
-                        phi_387_ = _e224;
+                        phi_343_ = (i32(floor((_e149 - 0.5f))) + 1i);
                     }
-                    let _e230 = phi_386_;
-                    let _e232 = phi_387_;
-                    let _e237 = floor((_e158 - 0.5f));
-                    let _e247 = -(floor((0.5f - _e158)));
-                    let _e255 = (_e133 < 0f);
-                    if _e255 {
-                        phi_424_ = (select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < -2147483600f)), 2147483647i, (_e247 > 2147483500f)), (_e247 == _e247)) - 1i);
+                    let _e224 = phi_343_;
+                    if (((_e220 && (_e224 < 0i)) || ((_e120 >= 0f) && (_e224 >= bitcast<i32>(_e170.y)))) || (_e172 < 0.000001f)) {
+                        phi_372_ = 340282350000000000000000000000000000000f;
                     } else {
-                        phi_424_ = (select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < -2147483600f)), 2147483647i, (_e237 > 2147483500f)), (_e237 == _e237)) + 1i);
+                        phi_372_ = (((f32(_e224) + 0.5f) - _e149) / _e120);
                     }
-                    let _e259 = phi_424_;
-                    if _e255 {
-                        phi_438_ = (_e259 < 0i);
+                    let _e239 = phi_372_;
+                    let _e249 = (_e121 < 0f);
+                    if _e249 {
+                        phi_389_ = (i32(-(floor((0.5f - _e150)))) - 1i);
                     } else {
-                        phi_438_ = (_e259 >= bitcast<i32>(_e179.y));
+                        phi_389_ = (i32(floor((_e150 - 0.5f))) + 1i);
                     }
-                    let _e264 = phi_438_;
-                    if _e264 {
-                        phi_456_ = f32();
-                        phi_457_ = true;
+                    let _e253 = phi_389_;
+                    if (((_e249 && (_e253 < 0i)) || ((_e121 >= 0f) && (_e253 >= bitcast<i32>(_e170.z)))) || (_e173 < 0.000001f)) {
+                        phi_418_ = 340282350000000000000000000000000000000f;
                     } else {
-                        let _e267 = (_e181 < 0.000001f);
-                        if _e267 {
-                            phi_455_ = f32();
-                        } else {
-                            phi_455_ = (((f32(_e259) + 0.5f) - _e158) / _e133);
-                        }
-                        let _e271 = phi_455_;
-                        phi_456_ = _e271;
-                        phi_457_ = _e267;
+                        phi_418_ = (((f32(_e253) + 0.5f) - _e150) / _e121);
                     }
-                    let _e273 = phi_456_;
-                    let _e275 = phi_457_;
-                    let _e280 = floor((_e159 - 0.5f));
-                    let _e290 = -(floor((0.5f - _e159)));
-                    let _e298 = (_e134 < 0f);
-                    if _e298 {
-                        phi_494_ = (select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < -2147483600f)), 2147483647i, (_e290 > 2147483500f)), (_e290 == _e290)) - 1i);
-                    } else {
-                        phi_494_ = (select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < -2147483600f)), 2147483647i, (_e280 > 2147483500f)), (_e280 == _e280)) + 1i);
-                    }
-                    let _e302 = phi_494_;
-                    if _e298 {
-                        phi_508_ = (_e302 < 0i);
-                    } else {
-                        phi_508_ = (_e302 >= bitcast<i32>(_e179.z));
-                    }
-                    let _e307 = phi_508_;
-                    if _e307 {
-                        phi_526_ = f32();
-                        phi_527_ = true;
-                    } else {
-                        let _e310 = (_e182 < 0.000001f);
-                        if _e310 {
-                            phi_525_ = f32();
-                        } else {
-                            phi_525_ = (((f32(_e302) + 0.5f) - _e159) / _e134);
-                        }
-                        let _e314 = phi_525_;
-                        phi_526_ = _e314;
-                        phi_527_ = _e310;
-                    }
-                    let _e316 = phi_526_;
-                    let _e318 = phi_527_;
-                    phi_535_ = type_8(0u, 2048u);
-                    phi_538_ = vec3<f32>(0f, 0f, 0f);
-                    phi_540_ = type_41(_e159, _e134, 0u, _e302, select(_e316, 340282350000000000000000000000000000000f, _e318));
-                    phi_542_ = type_41(_e158, _e133, 0u, _e259, select(_e273, 340282350000000000000000000000000000000f, _e275));
-                    phi_544_ = type_41(_e157, _e132, 0u, _e216, select(_e230, 340282350000000000000000000000000000000f, _e232));
-                    phi_546_ = 0f;
-                    phi_548_ = 1f;
+                    let _e268 = phi_418_;
+                    phi_421_ = vec3<f32>(0f, 0f, 0f);
+                    phi_424_ = type_40(_e150, _e121, 0u, _e253, _e268);
+                    phi_426_ = type_40(_e149, _e120, 0u, _e224, _e239);
+                    phi_428_ = type_40(_e148, _e119, 0u, _e195, _e210);
+                    phi_430_ = 0u;
+                    phi_432_ = 0f;
+                    phi_434_ = 1f;
                     loop {
-                        let _e322 = phi_535_;
-                        let _e324 = phi_538_;
-                        let _e326 = phi_540_;
-                        let _e328 = phi_542_;
-                        let _e330 = phi_544_;
-                        let _e332 = phi_546_;
-                        let _e334 = phi_548_;
-                        local_6 = _e332;
-                        local_7 = _e334;
-                        local_8 = _e324;
-                        local_9 = _e324;
-                        local_10 = _e324;
-                        if (_e322.member < _e322.member_1) {
-                            phi_536_ = type_8((_e322.member + 1u), _e322.member_1);
-                            phi_571_ = type_8(1u, _e322.member);
-                        } else {
-                            phi_536_ = _e322;
-                            phi_571_ = type_8(0u, type_8().member_1);
-                        }
-                        let _e347 = phi_536_;
-                        let _e349 = phi_571_;
-                        if (bitcast<i32>(_e349.member) != 0i) {
-                            if (_e330.member_4 <= _e328.member_4) {
-                                phi_591_ = select(true, false, (_e330.member_4 <= _e326.member_4));
+                        let _e271 = phi_421_;
+                        let _e273 = phi_424_;
+                        let _e275 = phi_426_;
+                        let _e277 = phi_428_;
+                        let _e279 = phi_430_;
+                        let _e281 = phi_432_;
+                        let _e283 = phi_434_;
+                        local_6 = _e281;
+                        local_7 = _e283;
+                        local_8 = _e271;
+                        local_9 = _e271;
+                        local_10 = _e271;
+                        if (_e279 < 2048u) {
+                            if ((_e277.member_4 <= _e275.member_4) && (_e277.member_4 <= _e273.member_4)) {
+                                phi_460_ = 0u;
                             } else {
-                                phi_591_ = true;
+                                phi_460_ = select(2u, 1u, (_e275.member_4 <= _e273.member_4));
                             }
-                            let _e360 = phi_591_;
-                            if _e360 {
-                                phi_602_ = select(2u, 1u, (_e328.member_4 <= _e326.member_4));
+                            let _e295 = phi_460_;
+                            let _e296 = (_e295 == 0u);
+                            if _e296 {
+                                phi_485_ = _e277.member_4;
+                                phi_486_ = _e277.member_3;
+                                phi_487_ = _e277.member_2;
+                                phi_488_ = _e277.member_1;
                             } else {
-                                phi_602_ = 0u;
-                            }
-                            let _e365 = phi_602_;
-                            let _e366 = (_e365 == 0u);
-                            if _e366 {
-                                phi_627_ = _e330.member_4;
-                                phi_628_ = _e330.member_3;
-                                phi_629_ = _e330.member_2;
-                                phi_630_ = _e330.member_1;
-                            } else {
-                                if (_e365 == 1u) {
-                                    phi_623_ = _e328.member_4;
-                                    phi_624_ = _e328.member_3;
-                                    phi_625_ = _e328.member_2;
-                                    phi_626_ = _e328.member_1;
+                                let _e297 = (_e295 == 1u);
+                                if _e297 {
+                                    phi_482_ = _e275.member_3;
+                                    phi_483_ = _e275.member_2;
+                                    phi_484_ = _e275.member_1;
                                 } else {
-                                    phi_623_ = _e326.member_4;
-                                    phi_624_ = _e326.member_3;
-                                    phi_625_ = _e326.member_2;
-                                    phi_626_ = _e326.member_1;
+                                    phi_482_ = _e273.member_3;
+                                    phi_483_ = _e273.member_2;
+                                    phi_484_ = _e273.member_1;
                                 }
-                                let _e376 = phi_623_;
-                                let _e378 = phi_624_;
-                                let _e380 = phi_625_;
-                                let _e382 = phi_626_;
-                                phi_627_ = _e376;
-                                phi_628_ = _e378;
-                                phi_629_ = _e380;
-                                phi_630_ = _e382;
+                                let _e305 = phi_482_;
+                                let _e307 = phi_483_;
+                                let _e309 = phi_484_;
+                                phi_485_ = select(_e273.member_4, _e275.member_4, _e297);
+                                phi_486_ = _e305;
+                                phi_487_ = _e307;
+                                phi_488_ = _e309;
                             }
-                            let _e387 = phi_627_;
-                            let _e389 = phi_628_;
-                            let _e391 = phi_629_;
-                            let _e393 = phi_630_;
-                            if (_e387 >= 340282350000000000000000000000000000000f) {
-                                phi_1870_ = vec3<f32>();
-                                phi_1871_ = type_41();
-                                phi_1872_ = type_41();
-                                phi_1873_ = type_41();
-                                phi_1874_ = f32();
-                                phi_1875_ = f32();
-                                phi_1876_ = false;
+                            let _e315 = phi_485_;
+                            let _e317 = phi_486_;
+                            let _e319 = phi_487_;
+                            let _e321 = phi_488_;
+                            let _e323 = (1f - _e281);
+                            let _e324 = (_e283 * _e323);
+                            let _e326 = ((_e315 >= 340282350000000000000000000000000000000f) || (_e324 < 0.001f));
+                            if _e326 {
+                                phi_1577_ = vec3<f32>();
+                                phi_1578_ = type_40();
+                                phi_1579_ = type_40();
+                                phi_1580_ = type_40();
+                                phi_1581_ = f32();
+                                phi_1582_ = f32();
                             } else {
-                                let _e395 = (1f - _e332);
-                                let _e396 = (_e334 * _e395);
-                                let _e397 = (_e396 < 0.001f);
-                                if _e397 {
-                                    phi_1863_ = vec3<f32>();
-                                    phi_1864_ = type_41();
-                                    phi_1865_ = type_41();
-                                    phi_1866_ = type_41();
-                                    phi_1867_ = f32();
-                                    phi_1868_ = f32();
+                                let _e333 = (_e321 < 0f);
+                                let _e337 = params.member.member_2[_e319];
+                                let _e338 = (_e319 & 31u);
+                                let _e340 = (1u << bitcast<u32>(_e338));
+                                let _e341 = (_e340 - 1u);
+                                let _e344 = ((_e170.x + _e341) >> bitcast<u32>(_e338));
+                                let _e347 = ((_e170.y + _e341) >> bitcast<u32>(_e338));
+                                let _e350 = ((_e170.z + _e341) >> bitcast<u32>(_e338));
+                                let _e352 = (1f / f32(_e340));
+                                if _e296 {
+                                    phi_537_ = _e344;
                                 } else {
-                                    let _e404 = (_e393 < 0f);
-                                    if (_e391 < 10u) {
+                                    phi_537_ = select(_e350, _e347, (_e295 == 1u));
+                                }
+                                let _e356 = phi_537_;
+                                if ((_e317 < 0i) || (_e317 >= bitcast<i32>(_e356))) {
+                                    phi_1290_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                } else {
+                                    let _e361 = f32(_e317);
+                                    if _e296 {
+                                        phi_552_ = _e361;
                                     } else {
-                                        phi_1931_ = true;
-                                        break;
+                                        phi_552_ = (((_e148 + (_e119 * _e315)) * _e352) - 0.5f);
                                     }
-                                    let _e409 = params.member.member_2[_e391];
-                                    let _e410 = (_e391 & 31u);
-                                    let _e412 = (1u << bitcast<u32>(_e410));
-                                    let _e413 = (_e412 - 1u);
-                                    let _e416 = ((_e179.x + _e413) >> bitcast<u32>(_e410));
-                                    let _e419 = ((_e179.y + _e413) >> bitcast<u32>(_e410));
-                                    let _e422 = ((_e179.z + _e413) >> bitcast<u32>(_e410));
-                                    let _e424 = (1f / f32(_e412));
-                                    if _e366 {
-                                        phi_686_ = _e416;
+                                    let _e365 = phi_552_;
+                                    let _e366 = floor(_e365);
+                                    let _e368 = i32(_e366);
+                                    let _e370 = (bitcast<i32>(_e344) - 1i);
+                                    let _e375 = ((_e365 >= -0.5f) && (_e365 <= (f32(_e370) + 0.5f)));
+                                    let _e377 = select(0i, _e368, (0i < _e368));
+                                    let _e380 = bitcast<u32>(select(_e377, _e370, (_e370 < _e377)));
+                                    let _e381 = (_e368 + 1i);
+                                    let _e383 = select(0i, _e381, (0i < _e381));
+                                    let _e386 = bitcast<u32>(select(_e383, _e370, (_e370 < _e383)));
+                                    let _e390 = select(select(0f, (_e365 - _e366), (_e368 < _e370)), 1f, (_e368 < 0i));
+                                    let _e392 = (_e380 >> bitcast<u32>(2u));
+                                    let _e394 = (_e386 >> bitcast<u32>(2u));
+                                    let _e401 = ((_e380 & 1u) | (((_e380 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                    let _e408 = ((_e386 & 1u) | (((_e386 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
+                                    if _e375 {
+                                        phi_634_ = (1f - _e390);
                                     } else {
-                                        phi_686_ = select(_e422, _e419, (_e365 == 1u));
+                                        phi_634_ = 0f;
                                     }
-                                    let _e428 = phi_686_;
-                                    if (_e389 < 0i) {
-                                        phi_1541_ = vec4<f32>();
-                                        phi_1542_ = true;
+                                    let _e411 = phi_634_;
+                                    let _e412 = select(0f, _e390, _e375);
+                                    let _e413 = (_e295 == 1u);
+                                    if _e413 {
+                                        phi_645_ = _e361;
                                     } else {
-                                        let _e431 = (_e389 >= bitcast<i32>(_e428));
-                                        if _e431 {
-                                            phi_1540_ = vec4<f32>();
-                                        } else {
-                                            let _e432 = f32(_e389);
-                                            if _e366 {
-                                                phi_703_ = _e432;
-                                            } else {
-                                                phi_703_ = (((_e157 + (_e132 * _e387)) * _e424) - 0.5f);
-                                            }
-                                            let _e436 = phi_703_;
-                                            let _e437 = floor(_e436);
-                                            let _e445 = select(0i, select(select(i32(_e437), i32(-2147483648), (_e437 < -2147483600f)), 2147483647i, (_e437 > 2147483500f)), (_e437 == _e437));
-                                            let _e447 = (bitcast<i32>(_e416) - 1i);
-                                            if (_e436 >= -0.5f) {
-                                                phi_724_ = (_e436 <= (f32(_e447) + 0.5f));
-                                            } else {
-                                                phi_724_ = false;
-                                            }
-                                            let _e453 = phi_724_;
-                                            let _e454 = (_e445 >= 0i);
-                                            let _e455 = (_e445 < _e447);
-                                            if _e454 {
-                                                phi_736_ = bitcast<u32>(select(_e445, _e447, (_e447 < _e445)));
-                                            } else {
-                                                phi_736_ = 0u;
-                                            }
-                                            let _e460 = phi_736_;
-                                            if _e455 {
-                                                let _e461 = (_e445 + 1i);
-                                                phi_747_ = bitcast<u32>(select(0i, _e461, (0i < _e461)));
-                                            } else {
-                                                phi_747_ = 0u;
-                                            }
-                                            let _e466 = phi_747_;
-                                            if _e454 {
-                                                phi_755_ = select(0f, (_e436 - _e437), _e455);
-                                            } else {
-                                                phi_755_ = 1f;
-                                            }
-                                            let _e469 = phi_755_;
-                                            let _e471 = (_e460 >> bitcast<u32>(2u));
-                                            let _e473 = (_e466 >> bitcast<u32>(2u));
-                                            let _e480 = ((_e460 & 1u) | (((_e460 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            let _e487 = ((_e466 & 1u) | (((_e466 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            if _e453 {
-                                                phi_794_ = (1f - _e469);
-                                            } else {
-                                                phi_794_ = 0f;
-                                            }
-                                            let _e490 = phi_794_;
-                                            let _e491 = select(0f, _e469, _e453);
-                                            let _e492 = (_e365 == 1u);
-                                            if _e492 {
-                                                phi_805_ = _e432;
-                                            } else {
-                                                phi_805_ = (((_e158 + (_e133 * _e387)) * _e424) - 0.5f);
-                                            }
-                                            let _e496 = phi_805_;
-                                            let _e498 = floor(_e496);
-                                            let _e506 = select(0i, select(select(i32(_e498), i32(-2147483648), (_e498 < -2147483600f)), 2147483647i, (_e498 > 2147483500f)), (_e498 == _e498));
-                                            let _e508 = (bitcast<i32>(_e419) - 1i);
-                                            if (_e496 >= -0.5f) {
-                                                phi_827_ = (_e496 <= (f32(_e508) + 0.5f));
-                                            } else {
-                                                phi_827_ = false;
-                                            }
-                                            let _e514 = phi_827_;
-                                            let _e515 = (_e506 >= 0i);
-                                            let _e516 = (_e506 < _e508);
-                                            if _e515 {
-                                                phi_839_ = bitcast<u32>(select(_e506, _e508, (_e508 < _e506)));
-                                            } else {
-                                                phi_839_ = 0u;
-                                            }
-                                            let _e521 = phi_839_;
-                                            if _e516 {
-                                                let _e522 = (_e506 + 1i);
-                                                phi_850_ = bitcast<u32>(select(0i, _e522, (0i < _e522)));
-                                            } else {
-                                                phi_850_ = 0u;
-                                            }
-                                            let _e527 = phi_850_;
-                                            if _e515 {
-                                                phi_858_ = select(0f, (_e496 - _e498), _e516);
-                                            } else {
-                                                phi_858_ = 1f;
-                                            }
-                                            let _e530 = phi_858_;
-                                            let _e533 = ((_e521 >> bitcast<u32>(2u)) * _e409.x);
-                                            let _e536 = ((_e527 >> bitcast<u32>(2u)) * _e409.x);
-                                            let _e545 = (((_e521 & 1u) << bitcast<u32>(1u)) | (((_e521 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            let _e554 = (((_e527 & 1u) << bitcast<u32>(1u)) | (((_e527 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            if _e514 {
-                                                phi_897_ = (1f - _e530);
-                                            } else {
-                                                phi_897_ = 0f;
-                                            }
-                                            let _e557 = phi_897_;
-                                            let _e558 = select(0f, _e530, _e514);
-                                            let _e559 = (_e365 == 2u);
-                                            if _e559 {
-                                                phi_908_ = _e432;
-                                            } else {
-                                                phi_908_ = (((_e159 + (_e134 * _e387)) * _e424) - 0.5f);
-                                            }
-                                            let _e563 = phi_908_;
-                                            let _e565 = floor(_e563);
-                                            let _e573 = select(0i, select(select(i32(_e565), i32(-2147483648), (_e565 < -2147483600f)), 2147483647i, (_e565 > 2147483500f)), (_e565 == _e565));
-                                            let _e575 = (bitcast<i32>(_e422) - 1i);
-                                            if (_e563 >= -0.5f) {
-                                                phi_930_ = (_e563 <= (f32(_e575) + 0.5f));
-                                            } else {
-                                                phi_930_ = false;
-                                            }
-                                            let _e581 = phi_930_;
-                                            let _e582 = (_e573 >= 0i);
-                                            let _e583 = (_e573 < _e575);
-                                            if _e582 {
-                                                phi_942_ = bitcast<u32>(select(_e573, _e575, (_e575 < _e573)));
-                                            } else {
-                                                phi_942_ = 0u;
-                                            }
-                                            let _e588 = phi_942_;
-                                            if _e583 {
-                                                let _e589 = (_e573 + 1i);
-                                                phi_953_ = bitcast<u32>(select(0i, _e589, (0i < _e589)));
-                                            } else {
-                                                phi_953_ = 0u;
-                                            }
-                                            let _e594 = phi_953_;
-                                            if _e582 {
-                                                phi_961_ = select(0f, (_e563 - _e565), _e583);
-                                            } else {
-                                                phi_961_ = 1f;
-                                            }
-                                            let _e597 = phi_961_;
-                                            let _e600 = ((_e588 >> bitcast<u32>(1u)) * _e409.y);
-                                            let _e603 = ((_e594 >> bitcast<u32>(1u)) * _e409.y);
-                                            let _e606 = ((_e588 & 1u) << bitcast<u32>(2u));
-                                            let _e609 = ((_e594 & 1u) << bitcast<u32>(2u));
-                                            if _e581 {
-                                                phi_1000_ = (1f - _e597);
-                                            } else {
-                                                phi_1000_ = 0f;
-                                            }
-                                            let _e612 = phi_1000_;
-                                            let _e613 = select(0f, _e597, _e581);
-                                            if _e366 {
-                                                phi_1027_ = _e613;
-                                                phi_1028_ = _e612;
-                                                phi_1029_ = _e609;
-                                                phi_1030_ = _e606;
-                                                phi_1031_ = _e603;
-                                                phi_1032_ = _e600;
-                                                phi_1033_ = _e558;
-                                                phi_1034_ = _e557;
-                                                phi_1035_ = _e554;
-                                                phi_1036_ = _e545;
-                                                phi_1037_ = _e536;
-                                                phi_1038_ = _e533;
-                                                phi_1039_ = _e480;
-                                                phi_1040_ = _e471;
-                                            } else {
-                                                phi_1027_ = select(_e558, _e491, _e492);
-                                                phi_1028_ = select(_e557, _e490, _e492);
-                                                phi_1029_ = select(_e554, _e487, _e492);
-                                                phi_1030_ = select(_e545, _e480, _e492);
-                                                phi_1031_ = select(_e536, _e473, _e492);
-                                                phi_1032_ = select(_e533, _e471, _e492);
-                                                phi_1033_ = select(_e491, _e613, _e492);
-                                                phi_1034_ = select(_e490, _e612, _e492);
-                                                phi_1035_ = select(_e487, _e609, _e492);
-                                                phi_1036_ = select(_e480, _e606, _e492);
-                                                phi_1037_ = select(_e473, _e603, _e492);
-                                                phi_1038_ = select(_e471, _e600, _e492);
-                                                phi_1039_ = select(_e606, _e545, _e492);
-                                                phi_1040_ = select(_e600, _e533, _e492);
-                                            }
-                                            let _e629 = phi_1027_;
-                                            let _e631 = phi_1028_;
-                                            let _e633 = phi_1029_;
-                                            let _e635 = phi_1030_;
-                                            let _e637 = phi_1031_;
-                                            let _e639 = phi_1032_;
-                                            let _e641 = phi_1033_;
-                                            let _e643 = phi_1034_;
-                                            let _e645 = phi_1035_;
-                                            let _e647 = phi_1036_;
-                                            let _e649 = phi_1037_;
-                                            let _e651 = phi_1038_;
-                                            let _e653 = phi_1039_;
-                                            let _e655 = phi_1040_;
-                                            phi_1043_ = type_8(0u, 4u);
-                                            phi_1046_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                            loop {
-                                                let _e657 = phi_1043_;
-                                                let _e659 = phi_1046_;
-                                                local_13 = _e659;
-                                                if (_e657.member < _e657.member_1) {
-                                                    phi_1044_ = type_8((_e657.member + 1u), _e657.member_1);
-                                                    phi_1069_ = type_8(1u, _e657.member);
-                                                } else {
-                                                    phi_1044_ = _e657;
-                                                    phi_1069_ = type_8(0u, type_8().member_1);
-                                                }
-                                                let _e672 = phi_1044_;
-                                                let _e674 = phi_1069_;
-                                                let _e678 = (bitcast<i32>(_e674.member) != 0i);
-                                                if _e678 {
-                                                    let _e680 = ((_e674.member_1 & 1u) == 1u);
-                                                    let _e682 = ((_e674.member_1 & 2u) == 2u);
-                                                    let _e685 = (select(_e643, _e641, _e680) * select(_e631, _e629, _e682));
-                                                    let _e691 = (((_e409.z + _e655) + select(_e651, _e649, _e680)) + select(_e639, _e637, _e682));
-                                                    let _e696 = (2u * _e691);
-                                                    let _e698 = cells.member[_e696];
-                                                    if (_e685 > 0f) {
-                                                        let _e700 = (((_e653 | select(_e647, _e645, _e680)) | select(_e635, _e633, _e682)) & 31u);
-                                                        if (((_e698 >> bitcast<u32>(_e700)) & 1u) == 1u) {
-                                                            let _e707 = params.member.member_8;
-                                                            let _e708 = (_e707 == 1u);
-                                                            if (_e391 == 0u) {
-                                                                let _e734 = (_e691 * 6u);
-                                                                let _e737 = cells.member[(_e696 + 1u)];
-                                                                let _e739 = facet_bits.member[_e734];
-                                                                let _e742 = ((1u << bitcast<u32>(_e700)) - 1u);
-                                                                let _e751 = facet_bits.member[(_e734 + 1u)];
-                                                                let _e761 = facet_bits.member[(_e734 + 2u)];
-                                                                let _e771 = facet_bits.member[(_e734 + 3u)];
-                                                                let _e781 = facet_bits.member[(_e734 + 4u)];
-                                                                let _e791 = facet_bits.member[(_e734 + 5u)];
-                                                                let _e794 = ((((((_e737 + countOneBits((_e739 & _e742))) + countOneBits((_e751 & _e742))) + countOneBits((_e761 & _e742))) + countOneBits((_e771 & _e742))) + countOneBits((_e781 & _e742))) + countOneBits((_e791 & _e742)));
-                                                                let _e798 = (((((((_e739 >> bitcast<u32>(_e700)) & 1u) + ((_e751 >> bitcast<u32>(_e700)) & 1u)) + ((_e761 >> bitcast<u32>(_e700)) & 1u)) + ((_e771 >> bitcast<u32>(_e700)) & 1u)) + ((_e781 >> bitcast<u32>(_e700)) & 1u)) + ((_e791 >> bitcast<u32>(_e700)) & 1u));
-                                                                if _e708 {
-                                                                    phi_1227_ = type_8(_e794, (_e794 + _e798));
-                                                                    phi_1230_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                    loop {
-                                                                        let _e919 = phi_1227_;
-                                                                        let _e921 = phi_1230_;
-                                                                        local_12 = _e921;
-                                                                        if (_e919.member < _e919.member_1) {
-                                                                            phi_1228_ = type_8((_e919.member + 1u), _e919.member_1);
-                                                                            phi_1253_ = type_8(1u, _e919.member);
-                                                                        } else {
-                                                                            phi_1228_ = _e919;
-                                                                            phi_1253_ = type_8(0u, type_8().member_1);
-                                                                        }
-                                                                        let _e934 = phi_1228_;
-                                                                        let _e936 = phi_1253_;
-                                                                        let _e940 = (bitcast<i32>(_e936.member) != 0i);
-                                                                        if _e940 {
-                                                                            let _e941 = (2u * _e936.member_1);
-                                                                            let _e944 = radiance.member[_e941][0u];
-                                                                            let _e947 = radiance.member[_e941][1u];
-                                                                            let _e950 = radiance.member[_e941][2u];
-                                                                            let _e951 = (_e941 + 1u);
-                                                                            let _e954 = radiance.member[_e951][0u];
-                                                                            let _e957 = radiance.member[_e951][1u];
-                                                                            let _e960 = radiance.member[_e951][2u];
-                                                                            let _e969 = facets.member[_e936.member_1].member_2;
-                                                                            let _e978 = sqrt((((_e969[0] * _e969[0]) + (_e969[1] * _e969[1])) + (_e969[2] * _e969[2])));
-                                                                            phi_1231_ = vec4<f32>((_e921.x + (select(_e954, _e944, (_e944 > _e954)) * _e978)), (_e921.y + (select(_e957, _e947, (_e947 > _e957)) * _e978)), (_e921.z + (select(_e960, _e950, (_e950 > _e960)) * _e978)), (_e921.w + _e978));
-                                                                        } else {
-                                                                            phi_1231_ = vec4<f32>();
-                                                                        }
-                                                                        let _e992 = phi_1231_;
-                                                                        continue;
-                                                                        continuing {
-                                                                            phi_1227_ = _e934;
-                                                                            phi_1230_ = _e992;
-                                                                            break if !(_e940);
-                                                                        }
-                                                                    }
-                                                                    let _e1505 = local_12;
-                                                                    phi_1470_ = _e1505;
-                                                                } else {
-                                                                    let _e799 = select(1f, -1f, _e404);
-                                                                    phi_1349_ = type_8(_e794, (_e794 + _e798));
-                                                                    phi_1352_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                    phi_1354_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                    loop {
-                                                                        let _e806 = phi_1349_;
-                                                                        let _e808 = phi_1352_;
-                                                                        let _e810 = phi_1354_;
-                                                                        local = _e808;
-                                                                        local_1 = _e810;
-                                                                        local_2 = _e808;
-                                                                        local_3 = _e808;
-                                                                        local_4 = _e808;
-                                                                        local_5 = _e810;
-                                                                        local_11 = _e810;
-                                                                        if (_e806.member < _e806.member_1) {
-                                                                            phi_1350_ = type_8((_e806.member + 1u), _e806.member_1);
-                                                                            phi_1377_ = type_8(1u, _e806.member);
-                                                                        } else {
-                                                                            phi_1350_ = _e806;
-                                                                            phi_1377_ = type_8(0u, type_8().member_1);
-                                                                        }
-                                                                        let _e823 = phi_1350_;
-                                                                        let _e825 = phi_1377_;
-                                                                        let _e829 = (bitcast<i32>(_e825.member) != 0i);
-                                                                        if _e829 {
-                                                                            let _e832 = facets.member[_e825.member_1].member_2;
-                                                                            let _e841 = -((((select(0f, _e799, _e366) * _e832[0]) + (select(0f, _e799, _e492) * _e832[1])) + (select(0f, _e799, _e559) * _e832[2])));
-                                                                            if (_e841 > 0f) {
-                                                                                let _e864 = radiance.member[(2u * _e825.member_1)];
-                                                                                phi_1446_ = _e808;
-                                                                                phi_1447_ = vec4<f32>((_e810.x + (_e864.x * _e841)), (_e810.y + (_e864.y * _e841)), (_e810.z + (_e864.z * _e841)), (_e810.w + _e841));
-                                                                            } else {
-                                                                                let _e846 = radiance.member[((2u * _e825.member_1) + 1u)];
-                                                                                phi_1446_ = vec4<f32>((_e808.x - (_e846.x * _e841)), (_e808.y - (_e846.y * _e841)), (_e808.z - (_e846.z * _e841)), (_e808.w - _e841));
-                                                                                phi_1447_ = _e810;
-                                                                            }
-                                                                            let _e881 = phi_1446_;
-                                                                            let _e883 = phi_1447_;
-                                                                            phi_1353_ = _e881;
-                                                                            phi_1355_ = _e883;
-                                                                        } else {
-                                                                            phi_1353_ = vec4<f32>();
-                                                                            phi_1355_ = vec4<f32>();
-                                                                        }
-                                                                        let _e885 = phi_1353_;
-                                                                        let _e887 = phi_1355_;
-                                                                        continue;
-                                                                        continuing {
-                                                                            phi_1349_ = _e823;
-                                                                            phi_1352_ = _e885;
-                                                                            phi_1354_ = _e887;
-                                                                            break if !(_e829);
-                                                                        }
-                                                                    }
-                                                                    let _e890 = local;
-                                                                    let _e893 = local_1;
-                                                                    if (_e890.w > _e893.w) {
-                                                                        let _e896 = (_e890.w - _e893.w);
-                                                                        let _e897 = (_e896 / _e890.w);
-                                                                        let _e899 = local_2;
-                                                                        let _e903 = local_3;
-                                                                        let _e907 = local_4;
-                                                                        let _e912 = local_5;
-                                                                        phi_1469_ = (_e912 + vec4<f32>((_e899.x * _e897), (_e903.y * _e897), (_e907.z * _e897), _e896));
-                                                                    } else {
-                                                                        let _e1497 = local_11;
-                                                                        phi_1469_ = _e1497;
-                                                                    }
-                                                                    let _e915 = phi_1469_;
-                                                                    phi_1470_ = _e915;
-                                                                }
-                                                                let _e995 = phi_1470_;
-                                                                if (_e995.w > 1f) {
-                                                                    phi_1484_ = vec4<f32>((_e995.x / _e995.w), (_e995.y / _e995.w), (_e995.z / _e995.w), 1f);
-                                                                } else {
-                                                                    phi_1484_ = _e995;
-                                                                }
-                                                                let _e1006 = phi_1484_;
-                                                                phi_1517_ = _e1006;
+                                        phi_645_ = (((_e149 + (_e120 * _e315)) * _e352) - 0.5f);
+                                    }
+                                    let _e417 = phi_645_;
+                                    let _e419 = floor(_e417);
+                                    let _e421 = i32(_e419);
+                                    let _e423 = (bitcast<i32>(_e347) - 1i);
+                                    let _e428 = ((_e417 >= -0.5f) && (_e417 <= (f32(_e423) + 0.5f)));
+                                    let _e430 = select(0i, _e421, (0i < _e421));
+                                    let _e433 = bitcast<u32>(select(_e430, _e423, (_e423 < _e430)));
+                                    let _e434 = (_e421 + 1i);
+                                    let _e436 = select(0i, _e434, (0i < _e434));
+                                    let _e439 = bitcast<u32>(select(_e436, _e423, (_e423 < _e436)));
+                                    let _e443 = select(select(0f, (_e417 - _e419), (_e421 < _e423)), 1f, (_e421 < 0i));
+                                    let _e446 = ((_e433 >> bitcast<u32>(2u)) * _e337.x);
+                                    let _e449 = ((_e439 >> bitcast<u32>(2u)) * _e337.x);
+                                    let _e458 = (((_e433 & 1u) << bitcast<u32>(1u)) | (((_e433 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                    let _e467 = (((_e439 & 1u) << bitcast<u32>(1u)) | (((_e439 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
+                                    if _e428 {
+                                        phi_728_ = (1f - _e443);
+                                    } else {
+                                        phi_728_ = 0f;
+                                    }
+                                    let _e470 = phi_728_;
+                                    let _e471 = select(0f, _e443, _e428);
+                                    let _e472 = (_e295 == 2u);
+                                    if _e472 {
+                                        phi_739_ = _e361;
+                                    } else {
+                                        phi_739_ = (((_e150 + (_e121 * _e315)) * _e352) - 0.5f);
+                                    }
+                                    let _e476 = phi_739_;
+                                    let _e478 = floor(_e476);
+                                    let _e480 = i32(_e478);
+                                    let _e482 = (bitcast<i32>(_e350) - 1i);
+                                    let _e487 = ((_e476 >= -0.5f) && (_e476 <= (f32(_e482) + 0.5f)));
+                                    let _e489 = select(0i, _e480, (0i < _e480));
+                                    let _e492 = bitcast<u32>(select(_e489, _e482, (_e482 < _e489)));
+                                    let _e493 = (_e480 + 1i);
+                                    let _e495 = select(0i, _e493, (0i < _e493));
+                                    let _e498 = bitcast<u32>(select(_e495, _e482, (_e482 < _e495)));
+                                    let _e502 = select(select(0f, (_e476 - _e478), (_e480 < _e482)), 1f, (_e480 < 0i));
+                                    let _e505 = ((_e492 >> bitcast<u32>(1u)) * _e337.y);
+                                    let _e508 = ((_e498 >> bitcast<u32>(1u)) * _e337.y);
+                                    let _e511 = ((_e492 & 1u) << bitcast<u32>(2u));
+                                    let _e514 = ((_e498 & 1u) << bitcast<u32>(2u));
+                                    if _e487 {
+                                        phi_822_ = (1f - _e502);
+                                    } else {
+                                        phi_822_ = 0f;
+                                    }
+                                    let _e517 = phi_822_;
+                                    let _e518 = select(0f, _e502, _e487);
+                                    if _e296 {
+                                        phi_849_ = _e518;
+                                        phi_850_ = _e517;
+                                        phi_851_ = _e514;
+                                        phi_852_ = _e511;
+                                        phi_853_ = _e508;
+                                        phi_854_ = _e505;
+                                        phi_855_ = _e471;
+                                        phi_856_ = _e470;
+                                        phi_857_ = _e467;
+                                        phi_858_ = _e458;
+                                        phi_859_ = _e449;
+                                        phi_860_ = _e446;
+                                        phi_861_ = _e401;
+                                        phi_862_ = _e392;
+                                    } else {
+                                        phi_849_ = select(_e471, _e412, _e413);
+                                        phi_850_ = select(_e470, _e411, _e413);
+                                        phi_851_ = select(_e467, _e408, _e413);
+                                        phi_852_ = select(_e458, _e401, _e413);
+                                        phi_853_ = select(_e449, _e394, _e413);
+                                        phi_854_ = select(_e446, _e392, _e413);
+                                        phi_855_ = select(_e412, _e518, _e413);
+                                        phi_856_ = select(_e411, _e517, _e413);
+                                        phi_857_ = select(_e408, _e514, _e413);
+                                        phi_858_ = select(_e401, _e511, _e413);
+                                        phi_859_ = select(_e394, _e508, _e413);
+                                        phi_860_ = select(_e392, _e505, _e413);
+                                        phi_861_ = select(_e511, _e458, _e413);
+                                        phi_862_ = select(_e505, _e446, _e413);
+                                    }
+                                    let _e534 = phi_849_;
+                                    let _e536 = phi_850_;
+                                    let _e538 = phi_851_;
+                                    let _e540 = phi_852_;
+                                    let _e542 = phi_853_;
+                                    let _e544 = phi_854_;
+                                    let _e546 = phi_855_;
+                                    let _e548 = phi_856_;
+                                    let _e550 = phi_857_;
+                                    let _e552 = phi_858_;
+                                    let _e554 = phi_859_;
+                                    let _e556 = phi_860_;
+                                    let _e558 = phi_861_;
+                                    let _e560 = phi_862_;
+                                    phi_864_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                    phi_867_ = 0u;
+                                    loop {
+                                        let _e562 = phi_864_;
+                                        let _e564 = phi_867_;
+                                        local_13 = _e562;
+                                        let _e565 = (_e564 < 4u);
+                                        if _e565 {
+                                            let _e567 = ((_e564 & 1u) == 1u);
+                                            let _e569 = ((_e564 & 2u) == 2u);
+                                            let _e572 = (select(_e548, _e546, _e567) * select(_e536, _e534, _e569));
+                                            let _e578 = (((_e337.z + _e560) + select(_e556, _e554, _e567)) + select(_e544, _e542, _e569));
+                                            let _e583 = (2u * _e578);
+                                            let _e585 = cells.member[_e583];
+                                            let _e587 = (((_e558 | select(_e552, _e550, _e567)) | select(_e540, _e538, _e569)) & 31u);
+                                            if ((_e572 > 0f) && (((_e585 >> bitcast<u32>(_e587)) & 1u) == 1u)) {
+                                                let _e595 = params.member.member_8;
+                                                let _e596 = (_e595 == 1u);
+                                                if (_e319 == 0u) {
+                                                    let _e622 = (_e578 * 6u);
+                                                    let _e625 = cells.member[(_e583 + 1u)];
+                                                    let _e627 = facet_bits.member[_e622];
+                                                    let _e630 = ((1u << bitcast<u32>(_e587)) - 1u);
+                                                    let _e639 = facet_bits.member[(_e622 + 1u)];
+                                                    let _e649 = facet_bits.member[(_e622 + 2u)];
+                                                    let _e659 = facet_bits.member[(_e622 + 3u)];
+                                                    let _e669 = facet_bits.member[(_e622 + 4u)];
+                                                    let _e679 = facet_bits.member[(_e622 + 5u)];
+                                                    let _e682 = ((((((_e625 + countOneBits((_e627 & _e630))) + countOneBits((_e639 & _e630))) + countOneBits((_e649 & _e630))) + countOneBits((_e659 & _e630))) + countOneBits((_e669 & _e630))) + countOneBits((_e679 & _e630)));
+                                                    let _e686 = (((((((_e627 >> bitcast<u32>(_e587)) & 1u) + ((_e639 >> bitcast<u32>(_e587)) & 1u)) + ((_e649 >> bitcast<u32>(_e587)) & 1u)) + ((_e659 >> bitcast<u32>(_e587)) & 1u)) + ((_e669 >> bitcast<u32>(_e587)) & 1u)) + ((_e679 >> bitcast<u32>(_e587)) & 1u));
+                                                    if _e596 {
+                                                        phi_1021_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1024_ = _e682;
+                                                        loop {
+                                                            let _e789 = phi_1021_;
+                                                            let _e791 = phi_1024_;
+                                                            local_12 = _e789;
+                                                            let _e793 = (_e791 < (_e682 + _e686));
+                                                            if _e793 {
+                                                                let _e794 = (2u * _e791);
+                                                                let _e797 = radiance.member[_e794][0u];
+                                                                let _e800 = radiance.member[_e794][1u];
+                                                                let _e803 = radiance.member[_e794][2u];
+                                                                let _e804 = (_e794 + 1u);
+                                                                let _e807 = radiance.member[_e804][0u];
+                                                                let _e810 = radiance.member[_e804][1u];
+                                                                let _e813 = radiance.member[_e804][2u];
+                                                                let _e822 = facets.member[_e791].member_2;
+                                                                let _e831 = sqrt((((_e822[0] * _e822[0]) + (_e822[1] * _e822[1])) + (_e822[2] * _e822[2])));
+                                                                phi_1022_ = vec4<f32>((_e789.x + (select(_e807, _e797, (_e797 > _e807)) * _e831)), (_e789.y + (select(_e810, _e800, (_e800 > _e810)) * _e831)), (_e789.z + (select(_e813, _e803, (_e803 > _e813)) * _e831)), (_e789.w + _e831));
+                                                                phi_1025_ = (_e791 + 1u);
                                                             } else {
-                                                                let _e712 = cells.member[(_e696 + 1u)];
-                                                                let _e718 = (_e712 + countOneBits((_e698 & ((1u << bitcast<u32>(_e700)) - 1u))));
-                                                                if _e708 {
-                                                                    phi_1504_ = _e718;
-                                                                } else {
-                                                                    phi_1504_ = (((6u * _e718) + (2u * _e365)) + select(0u, 1u, _e404));
-                                                                }
-                                                                let _e725 = phi_1504_;
-                                                                if ((_e391 & 1u) == 1u) {
-                                                                    let _e731 = odd.member[_e725];
-                                                                    phi_1516_ = _e731;
-                                                                } else {
-                                                                    let _e729 = even.member[_e725];
-                                                                    phi_1516_ = _e729;
-                                                                }
-                                                                let _e733 = phi_1516_;
-                                                                phi_1517_ = _e733;
+                                                                phi_1022_ = vec4<f32>();
+                                                                phi_1025_ = u32();
                                                             }
-                                                            let _e1008 = phi_1517_;
-                                                            phi_1538_ = vec4<f32>((_e659.x + (_e1008.x * _e685)), (_e659.y + (_e1008.y * _e685)), (_e659.z + (_e1008.z * _e685)), (_e659.w + (_e1008.w * _e685)));
-                                                        } else {
-                                                            phi_1538_ = _e659;
+                                                            let _e846 = phi_1022_;
+                                                            let _e848 = phi_1025_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_1021_ = _e846;
+                                                                phi_1024_ = _e848;
+                                                                break if !(_e793);
+                                                            }
                                                         }
-                                                        let _e1027 = phi_1538_;
-                                                        phi_1539_ = _e1027;
+                                                        let _e1298 = local_12;
+                                                        phi_1220_ = _e1298;
                                                     } else {
-                                                        phi_1539_ = _e659;
+                                                        let _e687 = select(1f, -1f, _e333);
+                                                        phi_1120_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1123_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1125_ = _e682;
+                                                        loop {
+                                                            let _e692 = phi_1120_;
+                                                            let _e694 = phi_1123_;
+                                                            let _e696 = phi_1125_;
+                                                            local = _e692;
+                                                            local_1 = _e694;
+                                                            local_2 = _e692;
+                                                            local_3 = _e692;
+                                                            local_4 = _e692;
+                                                            local_5 = _e694;
+                                                            local_11 = _e694;
+                                                            let _e698 = (_e696 < (_e682 + _e686));
+                                                            if _e698 {
+                                                                let _e701 = facets.member[_e696].member_2;
+                                                                let _e710 = -((((select(0f, _e687, _e296) * _e701[0]) + (select(0f, _e687, _e413) * _e701[1])) + (select(0f, _e687, _e472) * _e701[2])));
+                                                                if (_e710 > 0f) {
+                                                                    let _e733 = radiance.member[(2u * _e696)];
+                                                                    phi_1195_ = _e692;
+                                                                    phi_1196_ = vec4<f32>((_e694.x + (_e733.x * _e710)), (_e694.y + (_e733.y * _e710)), (_e694.z + (_e733.z * _e710)), (_e694.w + _e710));
+                                                                } else {
+                                                                    let _e715 = radiance.member[((2u * _e696) + 1u)];
+                                                                    phi_1195_ = vec4<f32>((_e692.x - (_e715.x * _e710)), (_e692.y - (_e715.y * _e710)), (_e692.z - (_e715.z * _e710)), (_e692.w - _e710));
+                                                                    phi_1196_ = _e694;
+                                                                }
+                                                                let _e750 = phi_1195_;
+                                                                let _e752 = phi_1196_;
+                                                                phi_1121_ = _e750;
+                                                                phi_1124_ = _e752;
+                                                                phi_1126_ = (_e696 + 1u);
+                                                            } else {
+                                                                phi_1121_ = vec4<f32>();
+                                                                phi_1124_ = vec4<f32>();
+                                                                phi_1126_ = u32();
+                                                            }
+                                                            let _e755 = phi_1121_;
+                                                            let _e757 = phi_1124_;
+                                                            let _e759 = phi_1126_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_1120_ = _e755;
+                                                                phi_1123_ = _e757;
+                                                                phi_1125_ = _e759;
+                                                                break if !(_e698);
+                                                            }
+                                                        }
+                                                        let _e762 = local;
+                                                        let _e765 = local_1;
+                                                        if (_e762.w > _e765.w) {
+                                                            let _e768 = (_e762.w - _e765.w);
+                                                            let _e769 = (_e768 / _e762.w);
+                                                            let _e771 = local_2;
+                                                            let _e775 = local_3;
+                                                            let _e779 = local_4;
+                                                            let _e784 = local_5;
+                                                            phi_1219_ = (_e784 + vec4<f32>((_e771.x * _e769), (_e775.y * _e769), (_e779.z * _e769), _e768));
+                                                        } else {
+                                                            let _e1291 = local_11;
+                                                            phi_1219_ = _e1291;
+                                                        }
+                                                        let _e787 = phi_1219_;
+                                                        phi_1220_ = _e787;
                                                     }
-                                                    let _e1029 = phi_1539_;
-                                                    phi_1047_ = _e1029;
+                                                    let _e851 = phi_1220_;
+                                                    if (_e851.w > 1f) {
+                                                        phi_1234_ = vec4<f32>((_e851.x / _e851.w), (_e851.y / _e851.w), (_e851.z / _e851.w), 1f);
+                                                    } else {
+                                                        phi_1234_ = _e851;
+                                                    }
+                                                    let _e862 = phi_1234_;
+                                                    phi_1267_ = _e862;
                                                 } else {
-                                                    phi_1047_ = vec4<f32>();
+                                                    let _e600 = cells.member[(_e583 + 1u)];
+                                                    let _e606 = (_e600 + countOneBits((_e585 & ((1u << bitcast<u32>(_e587)) - 1u))));
+                                                    if _e596 {
+                                                        phi_1254_ = _e606;
+                                                    } else {
+                                                        phi_1254_ = (((6u * _e606) + (2u * _e295)) + select(0u, 1u, _e333));
+                                                    }
+                                                    let _e613 = phi_1254_;
+                                                    if ((_e319 & 1u) == 1u) {
+                                                        let _e619 = odd.member[_e613];
+                                                        phi_1266_ = _e619;
+                                                    } else {
+                                                        let _e617 = even.member[_e613];
+                                                        phi_1266_ = _e617;
+                                                    }
+                                                    let _e621 = phi_1266_;
+                                                    phi_1267_ = _e621;
                                                 }
-                                                let _e1031 = phi_1047_;
-                                                continue;
-                                                continuing {
-                                                    phi_1043_ = _e672;
-                                                    phi_1046_ = _e1031;
-                                                    break if !(_e678);
-                                                }
+                                                let _e864 = phi_1267_;
+                                                phi_1288_ = vec4<f32>((_e562.x + (_e864.x * _e572)), (_e562.y + (_e864.y * _e572)), (_e562.z + (_e864.z * _e572)), (_e562.w + (_e864.w * _e572)));
+                                            } else {
+                                                phi_1288_ = _e562;
                                             }
-                                            let _e1513 = local_13;
-                                            phi_1540_ = _e1513;
+                                            let _e883 = phi_1288_;
+                                            phi_865_ = _e883;
+                                            phi_868_ = (_e564 + 1u);
+                                        } else {
+                                            phi_865_ = vec4<f32>();
+                                            phi_868_ = u32();
                                         }
-                                        let _e1034 = phi_1540_;
-                                        phi_1541_ = _e1034;
-                                        phi_1542_ = _e431;
+                                        let _e886 = phi_865_;
+                                        let _e888 = phi_868_;
+                                        continue;
+                                        continuing {
+                                            phi_864_ = _e886;
+                                            phi_867_ = _e888;
+                                            break if !(_e565);
+                                        }
                                     }
-                                    let _e1036 = phi_1541_;
-                                    let _e1038 = phi_1542_;
-                                    let _e1040 = select(_e1036, vec4<f32>(0f, 0f, 0f, 0f), vec4(_e1038));
-                                    if (_e1040.w > 0f) {
-                                        let _e1047 = select(_e395, _e1040.w, (_e1040.w < _e395));
-                                        let _e1052 = ((_e334 * _e1047) / _e1040.w);
-                                        phi_1586_ = vec3<f32>((_e324.x + (_e1040.x * _e1052)), (_e324.y + (_e1040.y * _e1052)), (_e324.z + (_e1040.z * _e1052)));
-                                        phi_1587_ = (_e332 + _e1047);
-                                        phi_1588_ = _e334;
-                                    } else {
-                                        let _e1043 = (_e365 == _e191);
-                                        phi_1586_ = _e324;
-                                        phi_1587_ = select(_e332, 0f, _e1043);
-                                        phi_1588_ = select(_e334, _e396, _e1043);
-                                    }
-                                    let _e1065 = phi_1586_;
-                                    let _e1067 = phi_1587_;
-                                    let _e1069 = phi_1588_;
-                                    let _e1070 = ((2f * _e163) * _e387);
-                                    let _e1072 = ((_e167 * _e153) + ((_e167 * select(0f, _e173, (_e173 > 0f))) * _e387));
-                                    let _e1074 = select(_e1072, _e1070, (_e1070 < _e1072));
-                                    let _e1081 = ((bitcast<u32>((select(1f, _e1074, (_e1074 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
-                                    let _e1083 = (_e179.w - 1u);
-                                    let _e1085 = select(_e1081, _e1083, (_e1083 < _e1081));
-                                    if _e366 {
-                                        let _e1246 = (_e330.member_1 < 0f);
-                                        if _e1246 {
-                                            phi_1631_ = (_e330.member_3 - 1i);
-                                        } else {
-                                            phi_1631_ = (_e330.member_3 + 1i);
-                                        }
-                                        let _e1254 = phi_1631_;
-                                        let _e1260 = type_41(_e330.member, _e330.member_1, _e330.member_2, _e1254, _e330.member_4);
-                                        if (((_e330.member_3 & 1i) == 0i) == _e1246) {
-                                            if (_e1085 > _e330.member_2) {
-                                                let _e1269 = type_41(_e1260.member, _e1260.member_1, (_e330.member_2 + 1u), _e1260.member_3, _e1260.member_4);
-                                                phi_1646_ = type_41(_e1269.member, _e1269.member_1, _e1269.member_2, (_e1254 >> bitcast<u32>(1i)), _e1269.member_4);
-                                            } else {
-                                                phi_1646_ = _e1260;
-                                            }
-                                            let _e1279 = phi_1646_;
-                                            phi_1647_ = _e1279;
-                                        } else {
-                                            phi_1647_ = _e1260;
-                                        }
-                                        let _e1281 = phi_1647_;
-                                        let _e1283 = (_e1281.member_2 & 31u);
-                                        let _e1285 = (1u << bitcast<u32>(_e1283));
-                                        if (_e1281.member_1 < 0f) {
-                                            phi_1666_ = (_e1281.member_3 < 0i);
-                                        } else {
-                                            phi_1666_ = (_e1281.member_3 >= bitcast<i32>((((_e179.x + _e1285) - 1u) >> bitcast<u32>(_e1283))));
-                                        }
-                                        let _e1298 = phi_1666_;
-                                        if _e1298 {
-                                            phi_1689_ = f32();
-                                            phi_1690_ = true;
-                                        } else {
-                                            let _e1305 = (abs(_e1281.member_1) < 0.000001f);
-                                            if _e1305 {
-                                                phi_1688_ = f32();
-                                            } else {
-                                                phi_1688_ = ((((f32(_e1281.member_3) + 0.5f) * f32(_e1285)) - _e1281.member) / _e1281.member_1);
-                                            }
-                                            let _e1310 = phi_1688_;
-                                            phi_1689_ = _e1310;
-                                            phi_1690_ = _e1305;
-                                        }
-                                        let _e1312 = phi_1689_;
-                                        let _e1314 = phi_1690_;
-                                        phi_1860_ = _e326;
-                                        phi_1861_ = _e328;
-                                        phi_1862_ = type_41(_e1281.member, _e1281.member_1, _e1281.member_2, _e1281.member_3, select(_e1312, 340282350000000000000000000000000000000f, _e1314));
-                                    } else {
-                                        if (_e365 == 1u) {
-                                            let _e1165 = (_e328.member_1 < 0f);
-                                            if _e1165 {
-                                                phi_1714_ = (_e328.member_3 - 1i);
-                                            } else {
-                                                phi_1714_ = (_e328.member_3 + 1i);
-                                            }
-                                            let _e1173 = phi_1714_;
-                                            let _e1179 = type_41(_e328.member, _e328.member_1, _e328.member_2, _e1173, _e328.member_4);
-                                            if (((_e328.member_3 & 1i) == 0i) == _e1165) {
-                                                if (_e1085 > _e328.member_2) {
-                                                    let _e1188 = type_41(_e1179.member, _e1179.member_1, (_e328.member_2 + 1u), _e1179.member_3, _e1179.member_4);
-                                                    phi_1729_ = type_41(_e1188.member, _e1188.member_1, _e1188.member_2, (_e1173 >> bitcast<u32>(1i)), _e1188.member_4);
-                                                } else {
-                                                    phi_1729_ = _e1179;
-                                                }
-                                                let _e1198 = phi_1729_;
-                                                phi_1730_ = _e1198;
-                                            } else {
-                                                phi_1730_ = _e1179;
-                                            }
-                                            let _e1200 = phi_1730_;
-                                            let _e1202 = (_e1200.member_2 & 31u);
-                                            let _e1204 = (1u << bitcast<u32>(_e1202));
-                                            if (_e1200.member_1 < 0f) {
-                                                phi_1749_ = (_e1200.member_3 < 0i);
-                                            } else {
-                                                phi_1749_ = (_e1200.member_3 >= bitcast<i32>((((_e179.y + _e1204) - 1u) >> bitcast<u32>(_e1202))));
-                                            }
-                                            let _e1217 = phi_1749_;
-                                            if _e1217 {
-                                                phi_1772_ = f32();
-                                                phi_1773_ = true;
-                                            } else {
-                                                let _e1224 = (abs(_e1200.member_1) < 0.000001f);
-                                                if _e1224 {
-                                                    phi_1771_ = f32();
-                                                } else {
-                                                    phi_1771_ = ((((f32(_e1200.member_3) + 0.5f) * f32(_e1204)) - _e1200.member) / _e1200.member_1);
-                                                }
-                                                let _e1229 = phi_1771_;
-                                                phi_1772_ = _e1229;
-                                                phi_1773_ = _e1224;
-                                            }
-                                            let _e1231 = phi_1772_;
-                                            let _e1233 = phi_1773_;
-                                            phi_1858_ = _e326;
-                                            phi_1859_ = type_41(_e1200.member, _e1200.member_1, _e1200.member_2, _e1200.member_3, select(_e1231, 340282350000000000000000000000000000000f, _e1233));
-                                        } else {
-                                            let _e1088 = (_e326.member_1 < 0f);
-                                            if _e1088 {
-                                                phi_1793_ = (_e326.member_3 - 1i);
-                                            } else {
-                                                phi_1793_ = (_e326.member_3 + 1i);
-                                            }
-                                            let _e1096 = phi_1793_;
-                                            let _e1102 = type_41(_e326.member, _e326.member_1, _e326.member_2, _e1096, _e326.member_4);
-                                            if (((_e326.member_3 & 1i) == 0i) == _e1088) {
-                                                if (_e1085 > _e326.member_2) {
-                                                    let _e1111 = type_41(_e1102.member, _e1102.member_1, (_e326.member_2 + 1u), _e1102.member_3, _e1102.member_4);
-                                                    phi_1808_ = type_41(_e1111.member, _e1111.member_1, _e1111.member_2, (_e1096 >> bitcast<u32>(1i)), _e1111.member_4);
-                                                } else {
-                                                    phi_1808_ = _e1102;
-                                                }
-                                                let _e1121 = phi_1808_;
-                                                phi_1809_ = _e1121;
-                                            } else {
-                                                phi_1809_ = _e1102;
-                                            }
-                                            let _e1123 = phi_1809_;
-                                            let _e1125 = (_e1123.member_2 & 31u);
-                                            let _e1127 = (1u << bitcast<u32>(_e1125));
-                                            if (_e1123.member_1 < 0f) {
-                                                phi_1828_ = (_e1123.member_3 < 0i);
-                                            } else {
-                                                phi_1828_ = (_e1123.member_3 >= bitcast<i32>((((_e179.z + _e1127) - 1u) >> bitcast<u32>(_e1125))));
-                                            }
-                                            let _e1140 = phi_1828_;
-                                            if _e1140 {
-                                                phi_1851_ = f32();
-                                                phi_1852_ = true;
-                                            } else {
-                                                let _e1147 = (abs(_e1123.member_1) < 0.000001f);
-                                                if _e1147 {
-                                                    phi_1850_ = f32();
-                                                } else {
-                                                    phi_1850_ = ((((f32(_e1123.member_3) + 0.5f) * f32(_e1127)) - _e1123.member) / _e1123.member_1);
-                                                }
-                                                let _e1152 = phi_1850_;
-                                                phi_1851_ = _e1152;
-                                                phi_1852_ = _e1147;
-                                            }
-                                            let _e1154 = phi_1851_;
-                                            let _e1156 = phi_1852_;
-                                            phi_1858_ = type_41(_e1123.member, _e1123.member_1, _e1123.member_2, _e1123.member_3, select(_e1154, 340282350000000000000000000000000000000f, _e1156));
-                                            phi_1859_ = _e328;
-                                        }
-                                        let _e1242 = phi_1858_;
-                                        let _e1244 = phi_1859_;
-                                        phi_1860_ = _e1242;
-                                        phi_1861_ = _e1244;
-                                        phi_1862_ = _e330;
-                                    }
-                                    let _e1323 = phi_1860_;
-                                    let _e1325 = phi_1861_;
-                                    let _e1327 = phi_1862_;
-                                    phi_1863_ = _e1065;
-                                    phi_1864_ = _e1323;
-                                    phi_1865_ = _e1325;
-                                    phi_1866_ = _e1327;
-                                    phi_1867_ = _e1067;
-                                    phi_1868_ = _e1069;
+                                    let _e1306 = local_13;
+                                    phi_1290_ = _e1306;
                                 }
-                                let _e1329 = phi_1863_;
-                                let _e1331 = phi_1864_;
-                                let _e1333 = phi_1865_;
-                                let _e1335 = phi_1866_;
-                                let _e1337 = phi_1867_;
-                                let _e1339 = phi_1868_;
-                                phi_1870_ = _e1329;
-                                phi_1871_ = _e1331;
-                                phi_1872_ = _e1333;
-                                phi_1873_ = _e1335;
-                                phi_1874_ = _e1337;
-                                phi_1875_ = _e1339;
-                                phi_1876_ = select(true, false, _e397);
+                                let _e891 = phi_1290_;
+                                if (_e891.w > 0f) {
+                                    let _e898 = select(_e323, _e891.w, (_e891.w < _e323));
+                                    let _e903 = ((_e283 * _e898) / _e891.w);
+                                    phi_1330_ = vec3<f32>((_e271.x + (_e891.x * _e903)), (_e271.y + (_e891.y * _e903)), (_e271.z + (_e891.z * _e903)));
+                                    phi_1331_ = (_e281 + _e898);
+                                    phi_1332_ = _e283;
+                                } else {
+                                    let _e894 = (_e295 == _e182);
+                                    phi_1330_ = _e271;
+                                    phi_1331_ = select(_e281, 0f, _e894);
+                                    phi_1332_ = select(_e283, _e324, _e894);
+                                }
+                                let _e916 = phi_1330_;
+                                let _e918 = phi_1331_;
+                                let _e920 = phi_1332_;
+                                let _e921 = ((2f * _e154) * _e315);
+                                let _e923 = ((_e158 * _e144) + ((_e158 * select(0f, _e164, (_e164 > 0f))) * _e315));
+                                let _e925 = select(_e923, _e921, (_e921 < _e923));
+                                let _e932 = ((bitcast<u32>((select(1f, _e925, (_e925 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
+                                let _e934 = (_e170.w - 1u);
+                                let _e936 = select(_e932, _e934, (_e934 < _e932));
+                                if _e296 {
+                                    let _e1087 = (_e277.member_1 < 0f);
+                                    if _e1087 {
+                                        phi_1375_ = (_e277.member_3 - 1i);
+                                    } else {
+                                        phi_1375_ = (_e277.member_3 + 1i);
+                                    }
+                                    let _e1095 = phi_1375_;
+                                    let _e1101 = type_40(_e277.member, _e277.member_1, _e277.member_2, _e1095, _e277.member_4);
+                                    if ((((_e277.member_3 & 1i) == 0i) == _e1087) && (_e936 > _e277.member_2)) {
+                                        let _e1111 = type_40(_e1101.member, _e1101.member_1, (_e277.member_2 + 1u), _e1101.member_3, _e1101.member_4);
+                                        phi_1388_ = type_40(_e1111.member, _e1111.member_1, _e1111.member_2, (_e1095 >> bitcast<u32>(1i)), _e1111.member_4);
+                                    } else {
+                                        phi_1388_ = _e1101;
+                                    }
+                                    let _e1121 = phi_1388_;
+                                    let _e1123 = (_e1121.member_2 & 31u);
+                                    let _e1125 = (1u << bitcast<u32>(_e1123));
+                                    if ((((_e1121.member_1 < 0f) && (_e1121.member_3 < 0i)) || ((_e1121.member_1 >= 0f) && (_e1121.member_3 >= bitcast<i32>((((_e170.x + _e1125) - 1u) >> bitcast<u32>(_e1123)))))) || (abs(_e1121.member_1) < 0.000001f)) {
+                                        phi_1428_ = 340282350000000000000000000000000000000f;
+                                    } else {
+                                        phi_1428_ = ((((f32(_e1121.member_3) + 0.5f) * f32(_e1125)) - _e1121.member) / _e1121.member_1);
+                                    }
+                                    let _e1151 = phi_1428_;
+                                    phi_1574_ = _e273;
+                                    phi_1575_ = _e275;
+                                    phi_1576_ = type_40(_e1121.member, _e1121.member_1, _e1121.member_2, _e1121.member_3, _e1151);
+                                } else {
+                                    if (_e295 == 1u) {
+                                        let _e1011 = (_e275.member_1 < 0f);
+                                        if _e1011 {
+                                            phi_1448_ = (_e275.member_3 - 1i);
+                                        } else {
+                                            phi_1448_ = (_e275.member_3 + 1i);
+                                        }
+                                        let _e1019 = phi_1448_;
+                                        let _e1025 = type_40(_e275.member, _e275.member_1, _e275.member_2, _e1019, _e275.member_4);
+                                        if ((((_e275.member_3 & 1i) == 0i) == _e1011) && (_e936 > _e275.member_2)) {
+                                            let _e1035 = type_40(_e1025.member, _e1025.member_1, (_e275.member_2 + 1u), _e1025.member_3, _e1025.member_4);
+                                            phi_1461_ = type_40(_e1035.member, _e1035.member_1, _e1035.member_2, (_e1019 >> bitcast<u32>(1i)), _e1035.member_4);
+                                        } else {
+                                            phi_1461_ = _e1025;
+                                        }
+                                        let _e1045 = phi_1461_;
+                                        let _e1047 = (_e1045.member_2 & 31u);
+                                        let _e1049 = (1u << bitcast<u32>(_e1047));
+                                        if ((((_e1045.member_1 < 0f) && (_e1045.member_3 < 0i)) || ((_e1045.member_1 >= 0f) && (_e1045.member_3 >= bitcast<i32>((((_e170.y + _e1049) - 1u) >> bitcast<u32>(_e1047)))))) || (abs(_e1045.member_1) < 0.000001f)) {
+                                            phi_1501_ = 340282350000000000000000000000000000000f;
+                                        } else {
+                                            phi_1501_ = ((((f32(_e1045.member_3) + 0.5f) * f32(_e1049)) - _e1045.member) / _e1045.member_1);
+                                        }
+                                        let _e1075 = phi_1501_;
+                                        phi_1572_ = _e273;
+                                        phi_1573_ = type_40(_e1045.member, _e1045.member_1, _e1045.member_2, _e1045.member_3, _e1075);
+                                    } else {
+                                        let _e939 = (_e273.member_1 < 0f);
+                                        if _e939 {
+                                            phi_1517_ = (_e273.member_3 - 1i);
+                                        } else {
+                                            phi_1517_ = (_e273.member_3 + 1i);
+                                        }
+                                        let _e947 = phi_1517_;
+                                        let _e953 = type_40(_e273.member, _e273.member_1, _e273.member_2, _e947, _e273.member_4);
+                                        if ((((_e273.member_3 & 1i) == 0i) == _e939) && (_e936 > _e273.member_2)) {
+                                            let _e963 = type_40(_e953.member, _e953.member_1, (_e273.member_2 + 1u), _e953.member_3, _e953.member_4);
+                                            phi_1530_ = type_40(_e963.member, _e963.member_1, _e963.member_2, (_e947 >> bitcast<u32>(1i)), _e963.member_4);
+                                        } else {
+                                            phi_1530_ = _e953;
+                                        }
+                                        let _e973 = phi_1530_;
+                                        let _e975 = (_e973.member_2 & 31u);
+                                        let _e977 = (1u << bitcast<u32>(_e975));
+                                        if ((((_e973.member_1 < 0f) && (_e973.member_3 < 0i)) || ((_e973.member_1 >= 0f) && (_e973.member_3 >= bitcast<i32>((((_e170.z + _e977) - 1u) >> bitcast<u32>(_e975)))))) || (abs(_e973.member_1) < 0.000001f)) {
+                                            phi_1570_ = 340282350000000000000000000000000000000f;
+                                        } else {
+                                            phi_1570_ = ((((f32(_e973.member_3) + 0.5f) * f32(_e977)) - _e973.member) / _e973.member_1);
+                                        }
+                                        let _e1003 = phi_1570_;
+                                        phi_1572_ = type_40(_e973.member, _e973.member_1, _e973.member_2, _e973.member_3, _e1003);
+                                        phi_1573_ = _e275;
+                                    }
+                                    let _e1083 = phi_1572_;
+                                    let _e1085 = phi_1573_;
+                                    phi_1574_ = _e1083;
+                                    phi_1575_ = _e1085;
+                                    phi_1576_ = _e277;
+                                }
+                                let _e1159 = phi_1574_;
+                                let _e1161 = phi_1575_;
+                                let _e1163 = phi_1576_;
+                                phi_1577_ = _e916;
+                                phi_1578_ = _e1159;
+                                phi_1579_ = _e1161;
+                                phi_1580_ = _e1163;
+                                phi_1581_ = _e918;
+                                phi_1582_ = _e920;
                             }
-                            let _e1342 = phi_1870_;
-                            let _e1344 = phi_1871_;
-                            let _e1346 = phi_1872_;
-                            let _e1348 = phi_1873_;
-                            let _e1350 = phi_1874_;
-                            let _e1352 = phi_1875_;
-                            let _e1354 = phi_1876_;
-                            phi_539_ = _e1342;
-                            phi_541_ = _e1344;
-                            phi_543_ = _e1346;
-                            phi_545_ = _e1348;
-                            phi_547_ = _e1350;
-                            phi_549_ = _e1352;
-                            phi_1878_ = _e1354;
+                            let _e1165 = phi_1577_;
+                            let _e1167 = phi_1578_;
+                            let _e1169 = phi_1579_;
+                            let _e1171 = phi_1580_;
+                            let _e1173 = phi_1581_;
+                            let _e1175 = phi_1582_;
+                            phi_422_ = _e1165;
+                            phi_425_ = _e1167;
+                            phi_427_ = _e1169;
+                            phi_429_ = _e1171;
+                            phi_431_ = (_e279 + 1u);
+                            phi_433_ = _e1173;
+                            phi_435_ = _e1175;
+                            phi_1584_ = select(true, false, _e326);
                         } else {
-                            phi_539_ = vec3<f32>();
-                            phi_541_ = type_41();
-                            phi_543_ = type_41();
-                            phi_545_ = type_41();
-                            phi_547_ = f32();
-                            phi_549_ = f32();
-                            phi_1878_ = false;
+                            phi_422_ = vec3<f32>();
+                            phi_425_ = type_40();
+                            phi_427_ = type_40();
+                            phi_429_ = type_40();
+                            phi_431_ = u32();
+                            phi_433_ = f32();
+                            phi_435_ = f32();
+                            phi_1584_ = false;
                         }
-                        let _e1356 = phi_539_;
-                        let _e1358 = phi_541_;
-                        let _e1360 = phi_543_;
-                        let _e1362 = phi_545_;
-                        let _e1364 = phi_547_;
-                        let _e1366 = phi_549_;
-                        let _e1368 = phi_1878_;
+                        let _e1178 = phi_422_;
+                        let _e1180 = phi_425_;
+                        let _e1182 = phi_427_;
+                        let _e1184 = phi_429_;
+                        let _e1186 = phi_431_;
+                        let _e1188 = phi_433_;
+                        let _e1190 = phi_435_;
+                        let _e1192 = phi_1584_;
                         continue;
                         continuing {
-                            phi_535_ = _e347;
-                            phi_538_ = _e1356;
-                            phi_540_ = _e1358;
-                            phi_542_ = _e1360;
-                            phi_544_ = _e1362;
-                            phi_546_ = _e1364;
-                            phi_548_ = _e1366;
-                            phi_1931_ = false;
-                            break if !(_e1368);
+                            phi_421_ = _e1178;
+                            phi_424_ = _e1180;
+                            phi_426_ = _e1182;
+                            phi_428_ = _e1184;
+                            phi_430_ = _e1186;
+                            phi_432_ = _e1188;
+                            phi_434_ = _e1190;
+                            break if !(_e1192);
                         }
                     }
-                    let _e1371 = phi_1931_;
-                    if _e1371 {
-                        break;
-                    }
-                    let _e1373 = local_6;
-                    let _e1376 = local_7;
-                    let _e1377 = (_e1376 * (1f - _e1373));
-                    let _e1379 = local_8;
-                    let _e1382 = local_9;
-                    let _e1385 = local_10;
-                    let _e1389 = params.member.member_5;
-                    phi_1905_ = vec4<f32>((_e1379.x + (_e1389.x * _e1377)), (_e1382.y + (_e1389.y * _e1377)), (_e1385.z + (_e1389.z * _e1377)), _e1377);
+                    let _e1195 = local_6;
+                    let _e1198 = local_7;
+                    let _e1199 = (_e1198 * (1f - _e1195));
+                    let _e1201 = local_8;
+                    let _e1204 = local_9;
+                    let _e1207 = local_10;
+                    let _e1211 = params.member.member_5;
+                    phi_1606_ = vec4<f32>((_e1201.x + (_e1211.x * _e1199)), (_e1204.y + (_e1211.y * _e1199)), (_e1207.z + (_e1211.z * _e1199)), _e1199);
                 }
-                let _e1401 = phi_1905_;
-                if _e72 {
+                let _e1223 = phi_1606_;
+                if _e64 {
                 } else {
                     break;
                 }
-                out.member[_e71] = _e1401;
+                out.member[_e63] = _e1223;
             }
             break;
         }

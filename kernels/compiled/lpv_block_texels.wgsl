@@ -1,4 +1,4 @@
-struct type_10 {
+struct type_9 {
     member: array<u32>,
 }
 

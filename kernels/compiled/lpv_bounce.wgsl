@@ -2,13 +2,13 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
-    member: u32,
-    member_1: u32,
+struct type_12 {
+    member: array<u32>,
 }
 
-struct type_14 {
-    member: array<u32>,
+struct type_15 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_21 {
@@ -72,11 +72,11 @@ var<storage, read_write> words: type_37;
 fn function_() {
     var phi_148_: vec3<f32>;
     var phi_155_: vec3<f32>;
-    var phi_371_: type_11;
+    var phi_371_: type_15;
     var phi_374_: f32;
     var phi_376_: array<array<f32, 6>, 3>;
-    var phi_372_: type_11;
-    var phi_399_: type_11;
+    var phi_372_: type_15;
+    var phi_399_: type_15;
     var phi_429_: f32;
     var phi_434_: f32;
     var phi_440_: f32;
@@ -190,7 +190,7 @@ fn function_() {
                 let _e222 = select(0i, _e220, (0i < _e220));
                 let _e224 = select(_e222, _e207, (_e207 < _e222));
                 let _e227 = (_e204 - _e205);
-                phi_371_ = type_11(0u, 8u);
+                phi_371_ = type_15(0u, 8u);
                 phi_374_ = 0f;
                 phi_376_ = array<array<f32, 6>, 3>(array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f));
                 loop {
@@ -218,11 +218,11 @@ fn function_() {
                     local_18 = _e239;
                     local_19 = _e239;
                     if (_e235.member < _e235.member_1) {
-                        phi_372_ = type_11((_e235.member + 1u), _e235.member_1);
-                        phi_399_ = type_11(1u, _e235.member);
+                        phi_372_ = type_15((_e235.member + 1u), _e235.member_1);
+                        phi_399_ = type_15(1u, _e235.member);
                     } else {
                         phi_372_ = _e235;
-                        phi_399_ = type_11(0u, type_11().member_1);
+                        phi_399_ = type_15(0u, type_15().member_1);
                     }
                     let _e252 = phi_372_;
                     let _e254 = phi_399_;

@@ -1,10 +1,10 @@
-struct type_7 {
-    member: u32,
-    member_1: u32,
+struct type_8 {
+    member: array<u32>,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_19 {
@@ -54,21 +54,21 @@ var<storage> surfels: type_35;
 @group(0) @binding(6) 
 var<storage, read_write> irradiance: type_26;
 @group(0) @binding(1) 
-var<storage> a: type_10;
+var<storage> a: type_8;
 @group(0) @binding(2) 
-var<storage> b: type_10;
+var<storage> b: type_8;
 @group(0) @binding(3) 
-var<storage> c: type_10;
+var<storage> c: type_8;
 @group(0) @binding(4) 
-var<storage> d: type_10;
+var<storage> d: type_8;
 
 fn function_() {
     var phi_216_: f32;
-    var phi_497_: type_7;
+    var phi_497_: type_12;
     var phi_500_: f32;
     var phi_502_: array<array<f32, 6>, 3>;
-    var phi_498_: type_7;
-    var phi_525_: type_7;
+    var phi_498_: type_12;
+    var phi_525_: type_12;
     var phi_555_: f32;
     var phi_560_: f32;
     var phi_566_: f32;
@@ -193,11 +193,11 @@ fn function_() {
     var phi_16809_: bool;
     var phi_4275_: vec4<f32>;
     var phi_4336_: f32;
-    var phi_4617_: type_7;
+    var phi_4617_: type_12;
     var phi_4620_: f32;
     var phi_4622_: array<array<f32, 6>, 3>;
-    var phi_4618_: type_7;
-    var phi_4645_: type_7;
+    var phi_4618_: type_12;
+    var phi_4645_: type_12;
     var phi_4675_: f32;
     var phi_4680_: f32;
     var phi_4686_: f32;
@@ -325,11 +325,11 @@ fn function_() {
     var phi_8395_: vec4<f32>;
     var phi_8396_: bool;
     var phi_8456_: f32;
-    var phi_8737_: type_7;
+    var phi_8737_: type_12;
     var phi_8740_: f32;
     var phi_8742_: array<array<f32, 6>, 3>;
-    var phi_8738_: type_7;
-    var phi_8765_: type_7;
+    var phi_8738_: type_12;
+    var phi_8765_: type_12;
     var phi_8795_: f32;
     var phi_8800_: f32;
     var phi_8806_: f32;
@@ -457,11 +457,11 @@ fn function_() {
     var phi_12515_: vec4<f32>;
     var phi_12516_: bool;
     var phi_12576_: f32;
-    var phi_12857_: type_7;
+    var phi_12857_: type_12;
     var phi_12860_: f32;
     var phi_12862_: array<array<f32, 6>, 3>;
-    var phi_12858_: type_7;
-    var phi_12885_: type_7;
+    var phi_12858_: type_12;
+    var phi_12885_: type_12;
     var phi_12915_: f32;
     var phi_12920_: f32;
     var phi_12926_: f32;
@@ -678,7 +678,7 @@ fn function_() {
                             let _e267 = select(0i, _e265, (0i < _e265));
                             let _e269 = select(_e267, _e252, (_e252 < _e267));
                             let _e272 = (_e249 - _e250);
-                            phi_497_ = type_7(0u, 8u);
+                            phi_497_ = type_12(0u, 8u);
                             phi_500_ = 0f;
                             phi_502_ = array<array<f32, 6>, 3>(array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f));
                             loop {
@@ -706,11 +706,11 @@ fn function_() {
                                 local_18 = _e284;
                                 local_19 = _e284;
                                 if (_e280.member < _e280.member_1) {
-                                    phi_498_ = type_7((_e280.member + 1u), _e280.member_1);
-                                    phi_525_ = type_7(1u, _e280.member);
+                                    phi_498_ = type_12((_e280.member + 1u), _e280.member_1);
+                                    phi_525_ = type_12(1u, _e280.member);
                                 } else {
                                     phi_498_ = _e280;
-                                    phi_525_ = type_7(0u, type_7().member_1);
+                                    phi_525_ = type_12(0u, type_12().member_1);
                                 }
                                 let _e297 = phi_498_;
                                 let _e299 = phi_525_;
@@ -1534,7 +1534,7 @@ fn function_() {
                                 let _e1556 = select(0i, _e1554, (0i < _e1554));
                                 let _e1558 = select(_e1556, _e1541, (_e1541 < _e1556));
                                 let _e1561 = (_e1538 - _e1539);
-                                phi_4617_ = type_7(0u, 8u);
+                                phi_4617_ = type_12(0u, 8u);
                                 phi_4620_ = 0f;
                                 phi_4622_ = array<array<f32, 6>, 3>(array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f));
                                 loop {
@@ -1562,11 +1562,11 @@ fn function_() {
                                     local_38 = _e1573;
                                     local_39 = _e1573;
                                     if (_e1569.member < _e1569.member_1) {
-                                        phi_4618_ = type_7((_e1569.member + 1u), _e1569.member_1);
-                                        phi_4645_ = type_7(1u, _e1569.member);
+                                        phi_4618_ = type_12((_e1569.member + 1u), _e1569.member_1);
+                                        phi_4645_ = type_12(1u, _e1569.member);
                                     } else {
                                         phi_4618_ = _e1569;
-                                        phi_4645_ = type_7(0u, type_7().member_1);
+                                        phi_4645_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e1586 = phi_4618_;
                                     let _e1588 = phi_4645_;
@@ -2397,7 +2397,7 @@ fn function_() {
                                 let _e2853 = select(0i, _e2851, (0i < _e2851));
                                 let _e2855 = select(_e2853, _e2838, (_e2838 < _e2853));
                                 let _e2858 = (_e2835 - _e2836);
-                                phi_8737_ = type_7(0u, 8u);
+                                phi_8737_ = type_12(0u, 8u);
                                 phi_8740_ = 0f;
                                 phi_8742_ = array<array<f32, 6>, 3>(array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f));
                                 loop {
@@ -2425,11 +2425,11 @@ fn function_() {
                                     local_58 = _e2870;
                                     local_59 = _e2870;
                                     if (_e2866.member < _e2866.member_1) {
-                                        phi_8738_ = type_7((_e2866.member + 1u), _e2866.member_1);
-                                        phi_8765_ = type_7(1u, _e2866.member);
+                                        phi_8738_ = type_12((_e2866.member + 1u), _e2866.member_1);
+                                        phi_8765_ = type_12(1u, _e2866.member);
                                     } else {
                                         phi_8738_ = _e2866;
-                                        phi_8765_ = type_7(0u, type_7().member_1);
+                                        phi_8765_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e2883 = phi_8738_;
                                     let _e2885 = phi_8765_;
@@ -3257,7 +3257,7 @@ fn function_() {
                                 let _e4150 = select(0i, _e4148, (0i < _e4148));
                                 let _e4152 = select(_e4150, _e4135, (_e4135 < _e4150));
                                 let _e4155 = (_e4132 - _e4133);
-                                phi_12857_ = type_7(0u, 8u);
+                                phi_12857_ = type_12(0u, 8u);
                                 phi_12860_ = 0f;
                                 phi_12862_ = array<array<f32, 6>, 3>(array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f), array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f));
                                 loop {
@@ -3285,11 +3285,11 @@ fn function_() {
                                     local_78 = _e4167;
                                     local_79 = _e4167;
                                     if (_e4163.member < _e4163.member_1) {
-                                        phi_12858_ = type_7((_e4163.member + 1u), _e4163.member_1);
-                                        phi_12885_ = type_7(1u, _e4163.member);
+                                        phi_12858_ = type_12((_e4163.member + 1u), _e4163.member_1);
+                                        phi_12885_ = type_12(1u, _e4163.member);
                                     } else {
                                         phi_12858_ = _e4163;
-                                        phi_12885_ = type_7(0u, type_7().member_1);
+                                        phi_12885_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e4180 = phi_12858_;
                                     let _e4182 = phi_12885_;

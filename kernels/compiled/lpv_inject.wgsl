@@ -1,4 +1,4 @@
-struct type_9 {
+struct type_8 {
     member: array<u32>,
 }
 

@@ -2,12 +2,12 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_11 {
     member: u32,
     member_1: u32,
 }
 
-struct type_17 {
+struct type_16 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -32,239 +32,200 @@ struct type_17 {
     member_21: vec4<f32>,
 }
 
-struct type_18 {
-    member: type_17,
+struct type_17 {
+    member: type_16,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(3) 
 var<storage, read_write> out: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_18;
+var<uniform> params: type_17;
 @group(0) @binding(1) 
 var<storage> state: type_5;
 @group(0) @binding(2) 
 var<storage> opacity: type_5;
 
 fn function_() {
-    var local: array<f32, 5>;
-    var phi_162_: type_12;
+    var phi_157_: type_11;
+    var phi_160_: f32;
+    var phi_162_: f32;
+    var phi_164_: f32;
+    var phi_166_: f32;
+    var phi_168_: f32;
+    var phi_158_: type_11;
+    var phi_191_: type_11;
+    var phi_161_: f32;
+    var phi_163_: f32;
     var phi_165_: f32;
     var phi_167_: f32;
     var phi_169_: f32;
-    var phi_171_: f32;
-    var phi_173_: f32;
-    var phi_163_: type_12;
-    var phi_196_: type_12;
-    var phi_166_: f32;
-    var phi_168_: f32;
-    var phi_170_: f32;
-    var phi_172_: f32;
-    var phi_174_: f32;
+    var local: f32;
     var local_1: f32;
     var local_2: f32;
     var local_3: f32;
     var local_4: f32;
-    var local_5: f32;
-    var phi_597_: type_12;
-    var phi_598_: type_12;
-    var phi_621_: type_12;
-    var phi_651_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = gid_1;
-            let _e40 = params.member.member_2[1u];
-            let _e45 = params.member.member_2[0u];
-            let _e51 = (_e32.x + (_e32.y * 2097152u));
-            if (_e51 < ((3u * _e40) * _e45)) {
-                if (_e45 == 0u) {
+            let _e28 = gid_1;
+            let _e34 = params.member.member_2[1u];
+            let _e39 = params.member.member_2[0u];
+            let _e41 = ((3u * _e39) * _e34);
+            let _e45 = (_e28.x + (_e28.y * 2097152u));
+            if (_e45 < ((3u * _e34) * _e39)) {
+                if (_e39 == 0u) {
                     break;
                 }
-                let _e55 = (_e51 / _e45);
-                let _e57 = (_e51 - (_e55 * _e45));
-                let _e58 = params.member.member_2;
-                let _e60 = (_e58.x + 1u);
-                let _e63 = ((_e58.y + 1u) * _e60);
-                let _e64 = (_e63 + _e60);
-                let _e68 = (_e64 + ((_e58.z + 1u) * _e63));
-                if (_e40 == 0u) {
+                let _e49 = (_e45 / _e39);
+                let _e51 = (_e45 - (_e49 * _e39));
+                let _e52 = params.member.member_2;
+                let _e54 = (_e52.x + 1u);
+                let _e57 = ((_e52.y + 1u) * _e54);
+                let _e58 = (_e57 + _e54);
+                let _e62 = (_e58 + ((_e52.z + 1u) * _e57));
+                if (_e34 == 0u) {
                     break;
                 }
-                let _e71 = (_e55 / _e40);
-                let _e73 = (_e55 - (_e71 * _e40));
-                let _e74 = f32(_e57);
-                let _e76 = select(0f, 1f, (_e74 < 0.5f));
-                let _e80 = select(0f, 1f, ((f32(_e45) - 1.5f) < _e74));
-                let _e82 = select(0f, 1f, (_e73 == 0u));
-                let _e85 = select(0f, 1f, ((_e73 + 1u) == _e40));
-                let _e89 = params.member.member_2[2u];
-                phi_162_ = type_12(0u, _e89);
-                phi_165_ = 0f;
-                phi_167_ = 0f;
-                phi_169_ = 0f;
-                phi_171_ = 0f;
-                phi_173_ = 0f;
+                let _e65 = (_e49 / _e34);
+                let _e67 = (_e49 - (_e65 * _e34));
+                let _e68 = f32(_e51);
+                let _e70 = select(0f, 1f, (_e68 < 0.5f));
+                let _e74 = select(0f, 1f, ((f32(_e39) - 1.5f) < _e68));
+                let _e76 = select(0f, 1f, (_e67 == 0u));
+                let _e79 = select(0f, 1f, ((_e67 + 1u) == _e34));
+                let _e83 = params.member.member_2[2u];
+                phi_157_ = type_11(0u, _e83);
+                phi_160_ = 0f;
+                phi_162_ = 0f;
+                phi_164_ = 0f;
+                phi_166_ = 0f;
+                phi_168_ = 0f;
                 loop {
-                    let _e92 = phi_162_;
-                    let _e94 = phi_165_;
-                    let _e96 = phi_167_;
-                    let _e98 = phi_169_;
-                    let _e100 = phi_171_;
-                    let _e102 = phi_173_;
-                    local_1 = _e100;
-                    local_2 = _e98;
-                    local_3 = _e96;
-                    local_4 = _e94;
-                    local_5 = _e102;
-                    if (_e92.member < _e92.member_1) {
-                        phi_163_ = type_12((_e92.member + 1u), _e92.member_1);
-                        phi_196_ = type_12(1u, _e92.member);
+                    let _e86 = phi_157_;
+                    let _e88 = phi_160_;
+                    let _e90 = phi_162_;
+                    let _e92 = phi_164_;
+                    let _e94 = phi_166_;
+                    let _e96 = phi_168_;
+                    local = _e94;
+                    local_1 = _e92;
+                    local_2 = _e90;
+                    local_3 = _e88;
+                    local_4 = _e96;
+                    if (_e86.member < _e86.member_1) {
+                        phi_158_ = type_11((_e86.member + 1u), _e86.member_1);
+                        phi_191_ = type_11(1u, _e86.member);
                     } else {
-                        phi_163_ = _e92;
-                        phi_196_ = type_12(0u, type_12().member_1);
+                        phi_158_ = _e86;
+                        phi_191_ = type_11(0u, type_11().member_1);
                     }
-                    let _e115 = phi_163_;
-                    let _e117 = phi_196_;
-                    let _e121 = (bitcast<i32>(_e117.member) != 0i);
-                    if _e121 {
-                        let _e126 = (((_e64 + _e57) + (_e73 * _e60)) + (_e117.member_1 * _e63));
-                        let _e128 = ((_e71 * _e68) + _e126);
-                        let _e130 = select(0f, 1f, (_e117.member_1 == 0u));
-                        let _e133 = select(0f, 1f, ((_e117.member_1 + 1u) == _e89));
-                        let _e136 = opacity.member[_e126];
-                        let _e139 = params.member.member_8;
-                        let _e144 = opacity.member[(_e126 - 1u)];
-                        let _e146 = (_e68 + _e126);
-                        let _e149 = opacity.member[_e146];
-                        let _e154 = opacity.member[(_e146 - _e60)];
-                        let _e157 = ((2u * _e68) + _e126);
-                        let _e160 = opacity.member[_e157];
-                        let _e165 = opacity.member[(_e157 - _e63)];
-                        let _e170 = state.member[(_e128 + (3u * _e68))];
-                        let _e175 = state.member[(_e128 + (_e68 * 6u))];
-                        let _e180 = state.member[(_e128 + (_e68 * 9u))];
-                        let _e183 = state.member[_e128];
-                        let _e185 = (_e183 + (_e170 * 0.8944272f));
-                        let _e186 = (_e175 * 0.4472136f);
-                        let _e187 = (_e180 * 0.4472136f);
-                        let _e188 = (_e185 + _e186);
-                        let _e191 = (_e185 - _e186);
-                        let _e194 = (_e185 + _e187);
-                        let _e197 = (_e185 - _e187);
-                        let _e200 = (_e183 + _e170);
-                        let _e210 = (_e183 + (_e170 * -0.8944272f));
-                        let _e211 = (_e210 + _e186);
-                        let _e214 = (_e210 - _e186);
-                        let _e217 = (_e210 + _e187);
-                        let _e220 = (_e210 - _e187);
-                        let _e223 = (_e183 + -(_e170));
-                        let _e231 = ((select(0f, _e200, (0f < _e200)) * 0.4006697f) + (((select(0f, _e188, (0f < _e188)) + select(0f, _e191, (0f < _e191))) + (select(0f, _e194, (0f < _e194)) + select(0f, _e197, (0f < _e197)))) * 0.42343134f));
-                        let _e232 = ((select(0f, _e223, (0f < _e223)) * 0.4006697f) + (((select(0f, _e211, (0f < _e211)) + select(0f, _e214, (0f < _e214))) + (select(0f, _e217, (0f < _e217)) + select(0f, _e220, (0f < _e220)))) * 0.42343134f));
-                        let _e234 = (_e183 + (_e175 * 0.8944272f));
-                        let _e235 = (_e170 * 0.4472136f);
-                        let _e236 = (_e234 + _e187);
-                        let _e239 = (_e234 - _e187);
-                        let _e242 = (_e234 + _e235);
-                        let _e245 = (_e234 - _e235);
-                        let _e248 = (_e183 + _e175);
-                        let _e258 = (_e183 + (_e175 * -0.8944272f));
-                        let _e259 = (_e258 + _e187);
-                        let _e262 = (_e258 - _e187);
-                        let _e265 = (_e258 + _e235);
-                        let _e268 = (_e258 - _e235);
-                        let _e271 = (_e183 + -(_e175));
-                        let _e279 = ((select(0f, _e248, (0f < _e248)) * 0.4006697f) + (((select(0f, _e236, (0f < _e236)) + select(0f, _e239, (0f < _e239))) + (select(0f, _e242, (0f < _e242)) + select(0f, _e245, (0f < _e245)))) * 0.42343134f));
-                        let _e280 = ((select(0f, _e271, (0f < _e271)) * 0.4006697f) + (((select(0f, _e259, (0f < _e259)) + select(0f, _e262, (0f < _e262))) + (select(0f, _e265, (0f < _e265)) + select(0f, _e268, (0f < _e268)))) * 0.42343134f));
-                        let _e282 = (_e183 + (_e180 * 0.8944272f));
-                        let _e283 = (_e282 + _e235);
-                        let _e286 = (_e282 - _e235);
-                        let _e289 = (_e282 + _e186);
-                        let _e292 = (_e282 - _e186);
-                        let _e295 = (_e183 + _e180);
-                        let _e305 = (_e183 + (_e180 * -0.8944272f));
-                        let _e306 = (_e305 + _e235);
-                        let _e309 = (_e305 - _e235);
-                        let _e312 = (_e305 + _e186);
-                        let _e315 = (_e305 - _e186);
-                        let _e318 = (_e183 + -(_e180));
-                        let _e326 = ((select(0f, _e295, (0f < _e295)) * 0.4006697f) + (((select(0f, _e283, (0f < _e283)) + select(0f, _e286, (0f < _e286))) + (select(0f, _e289, (0f < _e289)) + select(0f, _e292, (0f < _e292)))) * 0.42343134f));
-                        let _e327 = ((select(0f, _e318, (0f < _e318)) * 0.4006697f) + (((select(0f, _e306, (0f < _e306)) + select(0f, _e309, (0f < _e309))) + (select(0f, _e312, (0f < _e312)) + select(0f, _e315, (0f < _e315)))) * 0.42343134f));
-                        let _e332 = (((_e231 + _e232) + (_e279 + _e280)) + (_e326 + _e327));
-                        let _e376 = state.member[((_e68 * 15u) + _e128)];
-                        phi_166_ = select(_e332, _e94, (_e332 < _e94));
-                        phi_168_ = ((((((_e96 + ((_e231 * (1f - _e80)) * (_e136 * _e139))) + ((_e232 * (1f - _e76)) * (_e144 * _e139))) + ((_e279 * (1f - _e85)) * (_e149 * _e139))) + ((_e280 * (1f - _e82)) * (_e154 * _e139))) + ((_e326 * (1f - _e133)) * (_e160 * _e139))) + ((_e327 * (1f - _e130)) * (_e165 * _e139)));
-                        phi_170_ = ((((((_e98 + (_e231 * _e80)) + (_e232 * _e76)) + (_e279 * _e85)) + (_e280 * _e82)) + (_e326 * _e133)) + (_e327 * _e130));
-                        phi_172_ = (_e100 + _e332);
-                        phi_174_ = select(_e376, _e102, (_e376 < _e102));
+                    let _e109 = phi_158_;
+                    let _e111 = phi_191_;
+                    let _e115 = (bitcast<i32>(_e111.member) != 0i);
+                    if _e115 {
+                        let _e120 = (((_e58 + _e51) + (_e67 * _e54)) + (_e111.member_1 * _e57));
+                        let _e122 = ((_e65 * _e62) + _e120);
+                        let _e124 = select(0f, 1f, (_e111.member_1 == 0u));
+                        let _e127 = select(0f, 1f, ((_e111.member_1 + 1u) == _e83));
+                        let _e130 = opacity.member[_e120];
+                        let _e133 = params.member.member_8;
+                        let _e138 = opacity.member[(_e120 - 1u)];
+                        let _e140 = (_e62 + _e120);
+                        let _e143 = opacity.member[_e140];
+                        let _e148 = opacity.member[(_e140 - _e54)];
+                        let _e151 = ((2u * _e62) + _e120);
+                        let _e154 = opacity.member[_e151];
+                        let _e159 = opacity.member[(_e151 - _e57)];
+                        let _e164 = state.member[(_e122 + (3u * _e62))];
+                        let _e169 = state.member[(_e122 + (_e62 * 6u))];
+                        let _e174 = state.member[(_e122 + (_e62 * 9u))];
+                        let _e177 = state.member[_e122];
+                        let _e179 = (_e177 + (_e164 * 0.8944272f));
+                        let _e180 = (_e169 * 0.4472136f);
+                        let _e181 = (_e174 * 0.4472136f);
+                        let _e182 = (_e179 + _e180);
+                        let _e185 = (_e179 - _e180);
+                        let _e188 = (_e179 + _e181);
+                        let _e191 = (_e179 - _e181);
+                        let _e194 = (_e177 + _e164);
+                        let _e204 = (_e177 + (_e164 * -0.8944272f));
+                        let _e205 = (_e204 + _e180);
+                        let _e208 = (_e204 - _e180);
+                        let _e211 = (_e204 + _e181);
+                        let _e214 = (_e204 - _e181);
+                        let _e217 = (_e177 + -(_e164));
+                        let _e225 = ((select(0f, _e194, (0f < _e194)) * 0.4006697f) + (((select(0f, _e182, (0f < _e182)) + select(0f, _e185, (0f < _e185))) + (select(0f, _e188, (0f < _e188)) + select(0f, _e191, (0f < _e191)))) * 0.42343134f));
+                        let _e226 = ((select(0f, _e217, (0f < _e217)) * 0.4006697f) + (((select(0f, _e205, (0f < _e205)) + select(0f, _e208, (0f < _e208))) + (select(0f, _e211, (0f < _e211)) + select(0f, _e214, (0f < _e214)))) * 0.42343134f));
+                        let _e228 = (_e177 + (_e169 * 0.8944272f));
+                        let _e229 = (_e164 * 0.4472136f);
+                        let _e230 = (_e228 + _e181);
+                        let _e233 = (_e228 - _e181);
+                        let _e236 = (_e228 + _e229);
+                        let _e239 = (_e228 - _e229);
+                        let _e242 = (_e177 + _e169);
+                        let _e252 = (_e177 + (_e169 * -0.8944272f));
+                        let _e253 = (_e252 + _e181);
+                        let _e256 = (_e252 - _e181);
+                        let _e259 = (_e252 + _e229);
+                        let _e262 = (_e252 - _e229);
+                        let _e265 = (_e177 + -(_e169));
+                        let _e273 = ((select(0f, _e242, (0f < _e242)) * 0.4006697f) + (((select(0f, _e230, (0f < _e230)) + select(0f, _e233, (0f < _e233))) + (select(0f, _e236, (0f < _e236)) + select(0f, _e239, (0f < _e239)))) * 0.42343134f));
+                        let _e274 = ((select(0f, _e265, (0f < _e265)) * 0.4006697f) + (((select(0f, _e253, (0f < _e253)) + select(0f, _e256, (0f < _e256))) + (select(0f, _e259, (0f < _e259)) + select(0f, _e262, (0f < _e262)))) * 0.42343134f));
+                        let _e276 = (_e177 + (_e174 * 0.8944272f));
+                        let _e277 = (_e276 + _e229);
+                        let _e280 = (_e276 - _e229);
+                        let _e283 = (_e276 + _e180);
+                        let _e286 = (_e276 - _e180);
+                        let _e289 = (_e177 + _e174);
+                        let _e299 = (_e177 + (_e174 * -0.8944272f));
+                        let _e300 = (_e299 + _e229);
+                        let _e303 = (_e299 - _e229);
+                        let _e306 = (_e299 + _e180);
+                        let _e309 = (_e299 - _e180);
+                        let _e312 = (_e177 + -(_e174));
+                        let _e320 = ((select(0f, _e289, (0f < _e289)) * 0.4006697f) + (((select(0f, _e277, (0f < _e277)) + select(0f, _e280, (0f < _e280))) + (select(0f, _e283, (0f < _e283)) + select(0f, _e286, (0f < _e286)))) * 0.42343134f));
+                        let _e321 = ((select(0f, _e312, (0f < _e312)) * 0.4006697f) + (((select(0f, _e300, (0f < _e300)) + select(0f, _e303, (0f < _e303))) + (select(0f, _e306, (0f < _e306)) + select(0f, _e309, (0f < _e309)))) * 0.42343134f));
+                        let _e326 = (((_e225 + _e226) + (_e273 + _e274)) + (_e320 + _e321));
+                        let _e370 = state.member[((_e62 * 15u) + _e122)];
+                        phi_161_ = select(_e326, _e88, (_e326 < _e88));
+                        phi_163_ = ((((((_e90 + ((_e225 * (1f - _e74)) * (_e130 * _e133))) + ((_e226 * (1f - _e70)) * (_e138 * _e133))) + ((_e273 * (1f - _e79)) * (_e143 * _e133))) + ((_e274 * (1f - _e76)) * (_e148 * _e133))) + ((_e320 * (1f - _e127)) * (_e154 * _e133))) + ((_e321 * (1f - _e124)) * (_e159 * _e133)));
+                        phi_165_ = ((((((_e92 + (_e225 * _e74)) + (_e226 * _e70)) + (_e273 * _e79)) + (_e274 * _e76)) + (_e320 * _e127)) + (_e321 * _e124));
+                        phi_167_ = (_e94 + _e326);
+                        phi_169_ = select(_e370, _e96, (_e370 < _e96));
                     } else {
-                        phi_166_ = f32();
-                        phi_168_ = f32();
-                        phi_170_ = f32();
-                        phi_172_ = f32();
-                        phi_174_ = f32();
+                        phi_161_ = f32();
+                        phi_163_ = f32();
+                        phi_165_ = f32();
+                        phi_167_ = f32();
+                        phi_169_ = f32();
                     }
-                    let _e380 = phi_166_;
-                    let _e382 = phi_168_;
-                    let _e384 = phi_170_;
-                    let _e386 = phi_172_;
-                    let _e388 = phi_174_;
+                    let _e374 = phi_161_;
+                    let _e376 = phi_163_;
+                    let _e378 = phi_165_;
+                    let _e380 = phi_167_;
+                    let _e382 = phi_169_;
                     continue;
                     continuing {
-                        phi_162_ = _e115;
-                        phi_165_ = _e380;
-                        phi_167_ = _e382;
-                        phi_169_ = _e384;
-                        phi_171_ = _e386;
-                        phi_173_ = _e388;
-                        break if !(_e121);
+                        phi_157_ = _e109;
+                        phi_160_ = _e374;
+                        phi_162_ = _e376;
+                        phi_164_ = _e378;
+                        phi_166_ = _e380;
+                        phi_168_ = _e382;
+                        break if !(_e115);
                     }
                 }
-                let _e391 = local_1;
-                let _e393 = local_2;
-                let _e395 = local_3;
-                let _e397 = local_4;
-                let _e399 = local_5;
-                local = array<f32, 5>(_e391, _e393, _e395, _e397, _e399);
-                phi_597_ = type_12(0u, 5u);
-                loop {
-                    let _e402 = phi_597_;
-                    if (_e402.member < _e402.member_1) {
-                        phi_598_ = type_12((_e402.member + 1u), _e402.member_1);
-                        phi_621_ = type_12(1u, _e402.member);
-                    } else {
-                        phi_598_ = _e402;
-                        phi_621_ = type_12(0u, type_12().member_1);
-                    }
-                    let _e415 = phi_598_;
-                    let _e417 = phi_621_;
-                    let _e421 = (bitcast<i32>(_e417.member) != 0i);
-                    if _e421 {
-                        if (_e417.member_1 < 5u) {
-                        } else {
-                            phi_651_ = true;
-                            break;
-                        }
-                        let _e424 = local[_e417.member_1];
-                        let _e426 = ((_e417.member_1 * ((3u * _e45) * _e40)) + _e51);
-                        if (_e426 < arrayLength((&out.member))) {
-                        } else {
-                            phi_651_ = true;
-                            break;
-                        }
-                        out.member[_e426] = _e424;
-                    }
-                    continue;
-                    continuing {
-                        phi_597_ = _e415;
-                        phi_651_ = false;
-                        break if !(_e421);
-                    }
-                }
-                let _e432 = phi_651_;
-                if _e432 {
-                    break;
-                }
+                let _e387 = local;
+                out.member[_e45] = _e387;
+                let _e392 = local_1;
+                out.member[(_e41 + _e45)] = _e392;
+                let _e398 = local_2;
+                out.member[((2u * _e41) + _e45)] = _e398;
+                let _e404 = local_3;
+                out.member[((3u * _e41) + _e45)] = _e404;
+                let _e410 = local_4;
+                out.member[((4u * _e41) + _e45)] = _e410;
             }
             break;
         }

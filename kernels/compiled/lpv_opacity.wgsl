@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
@@ -41,9 +41,9 @@ var<storage, read_write> out: type_5;
 @group(0) @binding(0) 
 var<uniform> params: type_19;
 @group(0) @binding(1) 
-var<storage> facet_words: type_12;
+var<storage> facet_words: type_11;
 @group(0) @binding(2) 
-var<storage> texel_words: type_12;
+var<storage> texel_words: type_11;
 
 fn function_() {
     var phi_74_: u32;

@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
@@ -41,7 +41,7 @@ var<storage> coefs: type_5;
 @group(0) @binding(0) 
 var<uniform> params: type_19;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_12;
+var<storage, read_write> out: type_11;
 
 fn function_() {
     var phi_169_: u32;

@@ -2,12 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_18 {
+struct type_16 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -32,13 +27,13 @@ struct type_18 {
     member_21: vec4<f32>,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_17 {
+    member: type_16,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_19;
+var<uniform> params: type_17;
 @group(0) @binding(1) 
 var<storage> before: type_5;
 @group(0) @binding(2) 
@@ -53,278 +48,239 @@ var<storage> coarse_opacity: type_5;
 var<storage, read_write> out: type_5;
 
 fn function_() {
-    var local: array<f32, 6>;
-    var phi_94_: u32;
-    var phi_178_: bool;
-    var phi_180_: bool;
-    var phi_181_: bool;
-    var phi_988_: array<f32, 6>;
-    var phi_989_: array<f32, 6>;
-    var phi_999_: type_12;
-    var phi_1000_: type_12;
-    var phi_1023_: type_12;
-    var phi_1052_: bool;
+    var phi_86_: u32;
+    var phi_170_: bool;
+    var phi_172_: bool;
+    var phi_173_: bool;
+    var phi_980_: array<f32, 6>;
+    var phi_981_: array<f32, 6>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e33 = gid_1;
-            let _e38 = params.member.member_2;
-            let _e40 = (_e38.x + 1u);
-            let _e42 = (_e38.y + 1u);
-            let _e43 = (_e42 * _e40);
-            let _e48 = ((_e43 + _e40) + ((_e38.z + 1u) * _e43));
-            if (_e38.x > 0u) {
-                if (_e40 == 0u) {
+            let _e29 = gid_1;
+            let _e32 = params.member.member_2;
+            let _e34 = (_e32.x + 1u);
+            let _e36 = (_e32.y + 1u);
+            let _e37 = (_e36 * _e34);
+            let _e42 = ((_e37 + _e34) + ((_e32.z + 1u) * _e37));
+            if (_e32.x > 0u) {
+                if (_e34 == 0u) {
                     break;
                 }
-                phi_94_ = (3u * (_e48 / _e40));
+                phi_86_ = (3u * (_e42 / _e34));
             } else {
-                phi_94_ = 0u;
+                phi_86_ = 0u;
             }
-            let _e54 = phi_94_;
-            let _e55 = (3u * _e48);
-            let _e59 = (_e33.x + (_e33.y * 2097152u));
-            if (_e59 < (_e54 * _e38.x)) {
-                if (_e38.x == 0u) {
+            let _e48 = phi_86_;
+            let _e49 = (3u * _e42);
+            let _e53 = (_e29.x + (_e29.y * 2097152u));
+            if (_e53 < (_e48 * _e32.x)) {
+                if (_e32.x == 0u) {
                     break;
                 }
-                let _e63 = (_e59 / _e38.x);
-                let _e65 = (_e59 - (_e63 * _e38.x));
-                let _e67 = ((_e63 * _e40) + _e65);
-                let _e68 = (_e48 * 15u);
-                let _e69 = (_e40 == 0u);
-                if _e69 {
+                let _e57 = (_e53 / _e32.x);
+                let _e59 = (_e53 - (_e57 * _e32.x));
+                let _e61 = ((_e57 * _e34) + _e59);
+                let _e62 = (_e42 * 15u);
+                let _e63 = (_e34 == 0u);
+                if _e63 {
                     break;
                 }
-                let _e70 = (_e48 / _e40);
-                if (_e70 == 0u) {
+                let _e64 = (_e42 / _e34);
+                if (_e64 == 0u) {
                     break;
                 }
-                let _e72 = (_e63 / _e70);
-                if _e69 {
+                let _e66 = (_e57 / _e64);
+                if _e63 {
                     break;
                 }
-                let _e74 = (_e63 - (_e72 * _e70));
-                let _e75 = (_e38.y + 2u);
-                let _e78 = (select(_e75, _e74, (_e75 < _e74)) - _e75);
-                if (_e42 == 0u) {
+                let _e68 = (_e57 - (_e66 * _e64));
+                let _e69 = (_e32.y + 2u);
+                let _e72 = (select(_e69, _e68, (_e69 < _e68)) - _e69);
+                if (_e36 == 0u) {
                     break;
                 }
-                let _e80 = (_e78 / _e42);
-                let _e82 = (_e78 - (_e80 * _e42));
-                if (_e74 >= _e75) {
-                    let _e84 = (_e82 < _e38.y);
-                    if _e84 {
-                        phi_178_ = (_e80 < _e38.z);
+                let _e74 = (_e72 / _e36);
+                let _e76 = (_e72 - (_e74 * _e36));
+                if (_e68 >= _e69) {
+                    let _e78 = (_e76 < _e32.y);
+                    if _e78 {
+                        phi_170_ = (_e74 < _e32.z);
                     } else {
-                        phi_178_ = bool();
+                        phi_170_ = bool();
                     }
-                    let _e87 = phi_178_;
-                    phi_180_ = _e87;
-                    phi_181_ = select(true, false, _e84);
+                    let _e81 = phi_170_;
+                    phi_172_ = _e81;
+                    phi_173_ = select(true, false, _e78);
                 } else {
-                    phi_180_ = bool();
-                    phi_181_ = true;
+                    phi_172_ = bool();
+                    phi_173_ = true;
                 }
-                let _e90 = phi_180_;
-                let _e92 = phi_181_;
-                if select(_e90, false, _e92) {
-                    let _e96 = params.member.member_11;
-                    let _e99 = before.member[_e67];
-                    let _e101 = (_e68 + _e67);
-                    let _e104 = state.member[_e101];
-                    let _e105 = ((_e99 * _e96) + _e104);
-                    let _e109 = before.member[(_e55 + _e67)];
-                    let _e115 = state.member[((_e68 + _e55) + _e67)];
-                    let _e116 = ((_e109 * _e96) + _e115);
-                    let _e117 = (_e48 * 6u);
-                    let _e121 = before.member[(_e117 + _e67)];
-                    let _e127 = state.member[((_e68 + _e117) + _e67)];
-                    let _e128 = ((_e121 * _e96) + _e127);
-                    let _e129 = (_e48 * 9u);
-                    let _e133 = before.member[(_e129 + _e67)];
-                    let _e139 = state.member[((_e68 + _e129) + _e67)];
-                    let _e140 = ((_e133 * _e96) + _e139);
-                    let _e141 = (_e48 * 12u);
-                    let _e145 = before.member[(_e141 + _e67)];
-                    let _e151 = state.member[((_e68 + _e141) + _e67)];
-                    let _e152 = ((_e145 * _e96) + _e151);
-                    let _e155 = before.member[_e101];
-                    let _e161 = state.member[((_e68 + _e68) + _e67)];
-                    let _e162 = ((_e155 * _e96) + _e161);
-                    let _e166 = params.member.member_12;
-                    if (_e166 > 0f) {
-                        let _e170 = params.member.member_3;
-                        let _e172 = (_e170.x + 1u);
-                        let _e175 = ((_e170.y + 1u) * _e172);
-                        let _e176 = (_e175 + _e172);
-                        let _e180 = (_e176 + ((_e170.z + 1u) * _e175));
-                        let _e181 = (_e82 / 2u);
-                        let _e182 = (_e80 / 2u);
-                        let _e186 = params.member.member_3[1u];
-                        let _e187 = (_e181 + 1u);
-                        let _e188 = (_e186 - 1u);
-                        let _e195 = ((_e82 & 1u) == 1u);
-                        let _e200 = params.member.member_3[2u];
-                        let _e201 = (_e182 + 1u);
-                        let _e202 = (_e200 - 1u);
-                        let _e209 = ((_e80 & 1u) == 1u);
-                        let _e212 = (_e67 - (_e72 * _e48));
-                        let _e214 = (_e176 + (_e181 * _e172));
-                        let _e215 = (_e182 * _e175);
-                        let _e216 = (_e214 + _e215);
-                        let _e217 = (_e65 & 1u);
-                        let _e223 = opacity.member[(_e212 - 1u)];
-                        let _e226 = opacity.member[_e212];
-                        let _e234 = coarse_opacity.member[((_e216 - 1u) + ((_e65 + 1u) / 2u))];
-                        let _e245 = (_e65 / 2u);
-                        let _e249 = coarse_opacity.member[(((_e180 + _e216) - select(_e172, 0u, _e195)) + _e245)];
-                        let _e252 = opacity.member[((_e48 + _e212) - select(0u, _e40, _e195))];
-                        let _e256 = ((0.25f * (1f - _e249)) + (_e249 * _e252));
-                        let _e268 = coarse_opacity.member[((((2u * _e180) + _e216) - select(_e175, 0u, _e209)) + _e245)];
-                        let _e271 = opacity.member[(((2u * _e48) + _e212) - select(0u, _e43, _e209))];
-                        let _e275 = ((0.25f * (1f - _e268)) + (_e268 * _e271));
-                        let _e276 = f32(_e65);
-                        let _e280 = params.member.member_3[0u];
-                        let _e287 = select(select(((0.25f * (1f - _e234)) + (_e234 * select(_e226, _e223, (0.5f < f32(_e217))))), 0f, (_e276 < 0.5f)), 0f, (((2f * f32(_e280)) - 1.5f) < _e276));
-                        let _e288 = (_e72 * _e180);
-                        let _e289 = (_e288 + _e216);
-                        let _e291 = (_e176 + (select((select(1u, _e181, (1u < _e181)) - 1u), select(_e187, _e188, (_e188 < _e187)), _e195) * _e172));
-                        let _e293 = (_e288 + (_e291 + _e215));
-                        let _e294 = (select((select(1u, _e182, (1u < _e182)) - 1u), select(_e201, _e202, (_e202 < _e201)), _e209) * _e175);
-                        let _e296 = (_e288 + (_e214 + _e294));
-                        let _e298 = (_e288 + (_e291 + _e294));
-                        let _e299 = (3u * _e180);
-                        let _e300 = (_e289 + _e245);
-                        let _e303 = coarse.member[_e300];
-                        let _e304 = (1f - _e287);
-                        let _e306 = (2u * _e217);
-                        let _e311 = coarse.member[((_e300 + _e306) - 1u)];
-                        let _e314 = (_e293 + _e245);
-                        let _e317 = coarse.member[_e314];
-                        let _e323 = coarse.member[((_e314 + _e306) - 1u)];
-                        let _e326 = (_e296 + _e245);
-                        let _e329 = coarse.member[_e326];
-                        let _e335 = coarse.member[((_e326 + _e306) - 1u)];
-                        let _e338 = (_e298 + _e245);
-                        let _e341 = coarse.member[_e338];
-                        let _e347 = coarse.member[((_e338 + _e306) - 1u)];
-                        let _e350 = (1f - _e256);
-                        let _e357 = (1f - _e275);
-                        let _e364 = ((_e299 + _e289) + _e245);
-                        let _e367 = coarse.member[_e364];
-                        let _e373 = coarse.member[((_e364 + _e306) - 1u)];
-                        let _e377 = ((_e299 + _e293) + _e245);
-                        let _e380 = coarse.member[_e377];
-                        let _e386 = coarse.member[((_e377 + _e306) - 1u)];
-                        let _e390 = ((_e299 + _e296) + _e245);
-                        let _e393 = coarse.member[_e390];
-                        let _e399 = coarse.member[((_e390 + _e306) - 1u)];
-                        let _e403 = ((_e299 + _e298) + _e245);
-                        let _e406 = coarse.member[_e403];
-                        let _e412 = coarse.member[((_e403 + _e306) - 1u)];
-                        let _e426 = (_e180 * 6u);
-                        let _e428 = ((_e426 + _e289) + _e245);
-                        let _e431 = coarse.member[_e428];
-                        let _e437 = coarse.member[((_e428 + _e306) - 1u)];
-                        let _e441 = ((_e426 + _e293) + _e245);
-                        let _e444 = coarse.member[_e441];
-                        let _e450 = coarse.member[((_e441 + _e306) - 1u)];
-                        let _e454 = ((_e426 + _e296) + _e245);
-                        let _e457 = coarse.member[_e454];
-                        let _e463 = coarse.member[((_e454 + _e306) - 1u)];
-                        let _e467 = ((_e426 + _e298) + _e245);
-                        let _e470 = coarse.member[_e467];
-                        let _e476 = coarse.member[((_e467 + _e306) - 1u)];
-                        let _e490 = (_e180 * 9u);
-                        let _e492 = ((_e490 + _e289) + _e245);
-                        let _e495 = coarse.member[_e492];
-                        let _e501 = coarse.member[((_e492 + _e306) - 1u)];
-                        let _e505 = ((_e490 + _e293) + _e245);
-                        let _e508 = coarse.member[_e505];
-                        let _e514 = coarse.member[((_e505 + _e306) - 1u)];
-                        let _e518 = ((_e490 + _e296) + _e245);
-                        let _e521 = coarse.member[_e518];
-                        let _e527 = coarse.member[((_e518 + _e306) - 1u)];
-                        let _e531 = ((_e490 + _e298) + _e245);
-                        let _e534 = coarse.member[_e531];
-                        let _e540 = coarse.member[((_e531 + _e306) - 1u)];
-                        let _e554 = (_e180 * 12u);
-                        let _e556 = ((_e554 + _e289) + _e245);
-                        let _e559 = coarse.member[_e556];
-                        let _e565 = coarse.member[((_e556 + _e306) - 1u)];
-                        let _e569 = ((_e554 + _e293) + _e245);
-                        let _e572 = coarse.member[_e569];
-                        let _e578 = coarse.member[((_e569 + _e306) - 1u)];
-                        let _e582 = ((_e554 + _e296) + _e245);
-                        let _e585 = coarse.member[_e582];
-                        let _e591 = coarse.member[((_e582 + _e306) - 1u)];
-                        let _e595 = ((_e554 + _e298) + _e245);
-                        let _e598 = coarse.member[_e595];
-                        let _e604 = coarse.member[((_e595 + _e306) - 1u)];
-                        let _e618 = (_e180 * 15u);
-                        let _e620 = ((_e618 + _e289) + _e245);
-                        let _e623 = coarse.member[_e620];
-                        let _e629 = coarse.member[((_e620 + _e306) - 1u)];
-                        let _e633 = ((_e618 + _e293) + _e245);
-                        let _e636 = coarse.member[_e633];
-                        let _e642 = coarse.member[((_e633 + _e306) - 1u)];
-                        let _e646 = ((_e618 + _e296) + _e245);
-                        let _e649 = coarse.member[_e646];
-                        let _e655 = coarse.member[((_e646 + _e306) - 1u)];
-                        let _e659 = ((_e618 + _e298) + _e245);
-                        let _e662 = coarse.member[_e659];
-                        let _e668 = coarse.member[((_e659 + _e306) - 1u)];
-                        phi_988_ = array<f32, 6>((_e105 + (((((((_e303 * _e304) + (_e311 * _e287)) * _e350) + (((_e317 * _e304) + (_e323 * _e287)) * _e256)) * _e357) + (((((_e329 * _e304) + (_e335 * _e287)) * _e350) + (((_e341 * _e304) + (_e347 * _e287)) * _e256)) * _e275)) * _e166)), (_e116 + (((((((_e367 * _e304) + (_e373 * _e287)) * _e350) + (((_e380 * _e304) + (_e386 * _e287)) * _e256)) * _e357) + (((((_e393 * _e304) + (_e399 * _e287)) * _e350) + (((_e406 * _e304) + (_e412 * _e287)) * _e256)) * _e275)) * _e166)), (_e128 + (((((((_e431 * _e304) + (_e437 * _e287)) * _e350) + (((_e444 * _e304) + (_e450 * _e287)) * _e256)) * _e357) + (((((_e457 * _e304) + (_e463 * _e287)) * _e350) + (((_e470 * _e304) + (_e476 * _e287)) * _e256)) * _e275)) * _e166)), (_e140 + (((((((_e495 * _e304) + (_e501 * _e287)) * _e350) + (((_e508 * _e304) + (_e514 * _e287)) * _e256)) * _e357) + (((((_e521 * _e304) + (_e527 * _e287)) * _e350) + (((_e534 * _e304) + (_e540 * _e287)) * _e256)) * _e275)) * _e166)), (_e152 + (((((((_e559 * _e304) + (_e565 * _e287)) * _e350) + (((_e572 * _e304) + (_e578 * _e287)) * _e256)) * _e357) + (((((_e585 * _e304) + (_e591 * _e287)) * _e350) + (((_e598 * _e304) + (_e604 * _e287)) * _e256)) * _e275)) * _e166)), (_e162 + (((((((_e623 * _e304) + (_e629 * _e287)) * _e350) + (((_e636 * _e304) + (_e642 * _e287)) * _e256)) * _e357) + (((((_e649 * _e304) + (_e655 * _e287)) * _e350) + (((_e662 * _e304) + (_e668 * _e287)) * _e256)) * _e275)) * _e166)));
+                let _e84 = phi_172_;
+                let _e86 = phi_173_;
+                if select(_e84, false, _e86) {
+                    let _e90 = params.member.member_11;
+                    let _e93 = before.member[_e61];
+                    let _e95 = (_e62 + _e61);
+                    let _e98 = state.member[_e95];
+                    let _e99 = ((_e93 * _e90) + _e98);
+                    let _e103 = before.member[(_e49 + _e61)];
+                    let _e109 = state.member[((_e62 + _e49) + _e61)];
+                    let _e110 = ((_e103 * _e90) + _e109);
+                    let _e111 = (_e42 * 6u);
+                    let _e115 = before.member[(_e111 + _e61)];
+                    let _e121 = state.member[((_e62 + _e111) + _e61)];
+                    let _e122 = ((_e115 * _e90) + _e121);
+                    let _e123 = (_e42 * 9u);
+                    let _e127 = before.member[(_e123 + _e61)];
+                    let _e133 = state.member[((_e62 + _e123) + _e61)];
+                    let _e134 = ((_e127 * _e90) + _e133);
+                    let _e135 = (_e42 * 12u);
+                    let _e139 = before.member[(_e135 + _e61)];
+                    let _e145 = state.member[((_e62 + _e135) + _e61)];
+                    let _e146 = ((_e139 * _e90) + _e145);
+                    let _e149 = before.member[_e95];
+                    let _e155 = state.member[((_e62 + _e62) + _e61)];
+                    let _e156 = ((_e149 * _e90) + _e155);
+                    let _e160 = params.member.member_12;
+                    if (_e160 > 0f) {
+                        let _e164 = params.member.member_3;
+                        let _e166 = (_e164.x + 1u);
+                        let _e169 = ((_e164.y + 1u) * _e166);
+                        let _e170 = (_e169 + _e166);
+                        let _e174 = (_e170 + ((_e164.z + 1u) * _e169));
+                        let _e175 = (_e76 / 2u);
+                        let _e176 = (_e74 / 2u);
+                        let _e180 = params.member.member_3[1u];
+                        let _e181 = (_e175 + 1u);
+                        let _e182 = (_e180 - 1u);
+                        let _e189 = ((_e76 & 1u) == 1u);
+                        let _e194 = params.member.member_3[2u];
+                        let _e195 = (_e176 + 1u);
+                        let _e196 = (_e194 - 1u);
+                        let _e203 = ((_e74 & 1u) == 1u);
+                        let _e206 = (_e61 - (_e66 * _e42));
+                        let _e208 = (_e170 + (_e175 * _e166));
+                        let _e209 = (_e176 * _e169);
+                        let _e210 = (_e208 + _e209);
+                        let _e211 = (_e59 & 1u);
+                        let _e217 = opacity.member[(_e206 - 1u)];
+                        let _e220 = opacity.member[_e206];
+                        let _e228 = coarse_opacity.member[((_e210 - 1u) + ((_e59 + 1u) / 2u))];
+                        let _e239 = (_e59 / 2u);
+                        let _e243 = coarse_opacity.member[(((_e174 + _e210) - select(_e166, 0u, _e189)) + _e239)];
+                        let _e246 = opacity.member[((_e42 + _e206) - select(0u, _e34, _e189))];
+                        let _e250 = ((0.25f * (1f - _e243)) + (_e243 * _e246));
+                        let _e262 = coarse_opacity.member[((((2u * _e174) + _e210) - select(_e169, 0u, _e203)) + _e239)];
+                        let _e265 = opacity.member[(((2u * _e42) + _e206) - select(0u, _e37, _e203))];
+                        let _e269 = ((0.25f * (1f - _e262)) + (_e262 * _e265));
+                        let _e270 = f32(_e59);
+                        let _e274 = params.member.member_3[0u];
+                        let _e281 = select(select(((0.25f * (1f - _e228)) + (_e228 * select(_e220, _e217, (0.5f < f32(_e211))))), 0f, (_e270 < 0.5f)), 0f, (((2f * f32(_e274)) - 1.5f) < _e270));
+                        let _e282 = (_e66 * _e174);
+                        let _e283 = (_e282 + _e210);
+                        let _e285 = (_e170 + (select((select(1u, _e175, (1u < _e175)) - 1u), select(_e181, _e182, (_e182 < _e181)), _e189) * _e166));
+                        let _e287 = (_e282 + (_e285 + _e209));
+                        let _e288 = (select((select(1u, _e176, (1u < _e176)) - 1u), select(_e195, _e196, (_e196 < _e195)), _e203) * _e169);
+                        let _e290 = (_e282 + (_e208 + _e288));
+                        let _e292 = (_e282 + (_e285 + _e288));
+                        let _e293 = (3u * _e174);
+                        let _e294 = (_e283 + _e239);
+                        let _e297 = coarse.member[_e294];
+                        let _e298 = (1f - _e281);
+                        let _e300 = (2u * _e211);
+                        let _e305 = coarse.member[((_e294 + _e300) - 1u)];
+                        let _e308 = (_e287 + _e239);
+                        let _e311 = coarse.member[_e308];
+                        let _e317 = coarse.member[((_e308 + _e300) - 1u)];
+                        let _e320 = (_e290 + _e239);
+                        let _e323 = coarse.member[_e320];
+                        let _e329 = coarse.member[((_e320 + _e300) - 1u)];
+                        let _e332 = (_e292 + _e239);
+                        let _e335 = coarse.member[_e332];
+                        let _e341 = coarse.member[((_e332 + _e300) - 1u)];
+                        let _e344 = (1f - _e250);
+                        let _e351 = (1f - _e269);
+                        let _e358 = ((_e293 + _e283) + _e239);
+                        let _e361 = coarse.member[_e358];
+                        let _e367 = coarse.member[((_e358 + _e300) - 1u)];
+                        let _e371 = ((_e293 + _e287) + _e239);
+                        let _e374 = coarse.member[_e371];
+                        let _e380 = coarse.member[((_e371 + _e300) - 1u)];
+                        let _e384 = ((_e293 + _e290) + _e239);
+                        let _e387 = coarse.member[_e384];
+                        let _e393 = coarse.member[((_e384 + _e300) - 1u)];
+                        let _e397 = ((_e293 + _e292) + _e239);
+                        let _e400 = coarse.member[_e397];
+                        let _e406 = coarse.member[((_e397 + _e300) - 1u)];
+                        let _e420 = (_e174 * 6u);
+                        let _e422 = ((_e420 + _e283) + _e239);
+                        let _e425 = coarse.member[_e422];
+                        let _e431 = coarse.member[((_e422 + _e300) - 1u)];
+                        let _e435 = ((_e420 + _e287) + _e239);
+                        let _e438 = coarse.member[_e435];
+                        let _e444 = coarse.member[((_e435 + _e300) - 1u)];
+                        let _e448 = ((_e420 + _e290) + _e239);
+                        let _e451 = coarse.member[_e448];
+                        let _e457 = coarse.member[((_e448 + _e300) - 1u)];
+                        let _e461 = ((_e420 + _e292) + _e239);
+                        let _e464 = coarse.member[_e461];
+                        let _e470 = coarse.member[((_e461 + _e300) - 1u)];
+                        let _e484 = (_e174 * 9u);
+                        let _e486 = ((_e484 + _e283) + _e239);
+                        let _e489 = coarse.member[_e486];
+                        let _e495 = coarse.member[((_e486 + _e300) - 1u)];
+                        let _e499 = ((_e484 + _e287) + _e239);
+                        let _e502 = coarse.member[_e499];
+                        let _e508 = coarse.member[((_e499 + _e300) - 1u)];
+                        let _e512 = ((_e484 + _e290) + _e239);
+                        let _e515 = coarse.member[_e512];
+                        let _e521 = coarse.member[((_e512 + _e300) - 1u)];
+                        let _e525 = ((_e484 + _e292) + _e239);
+                        let _e528 = coarse.member[_e525];
+                        let _e534 = coarse.member[((_e525 + _e300) - 1u)];
+                        let _e548 = (_e174 * 12u);
+                        let _e550 = ((_e548 + _e283) + _e239);
+                        let _e553 = coarse.member[_e550];
+                        let _e559 = coarse.member[((_e550 + _e300) - 1u)];
+                        let _e563 = ((_e548 + _e287) + _e239);
+                        let _e566 = coarse.member[_e563];
+                        let _e572 = coarse.member[((_e563 + _e300) - 1u)];
+                        let _e576 = ((_e548 + _e290) + _e239);
+                        let _e579 = coarse.member[_e576];
+                        let _e585 = coarse.member[((_e576 + _e300) - 1u)];
+                        let _e589 = ((_e548 + _e292) + _e239);
+                        let _e592 = coarse.member[_e589];
+                        let _e598 = coarse.member[((_e589 + _e300) - 1u)];
+                        let _e612 = (_e174 * 15u);
+                        let _e614 = ((_e612 + _e283) + _e239);
+                        let _e617 = coarse.member[_e614];
+                        let _e623 = coarse.member[((_e614 + _e300) - 1u)];
+                        let _e627 = ((_e612 + _e287) + _e239);
+                        let _e630 = coarse.member[_e627];
+                        let _e636 = coarse.member[((_e627 + _e300) - 1u)];
+                        let _e640 = ((_e612 + _e290) + _e239);
+                        let _e643 = coarse.member[_e640];
+                        let _e649 = coarse.member[((_e640 + _e300) - 1u)];
+                        let _e653 = ((_e612 + _e292) + _e239);
+                        let _e656 = coarse.member[_e653];
+                        let _e662 = coarse.member[((_e653 + _e300) - 1u)];
+                        phi_980_ = array<f32, 6>((_e99 + (((((((_e297 * _e298) + (_e305 * _e281)) * _e344) + (((_e311 * _e298) + (_e317 * _e281)) * _e250)) * _e351) + (((((_e323 * _e298) + (_e329 * _e281)) * _e344) + (((_e335 * _e298) + (_e341 * _e281)) * _e250)) * _e269)) * _e160)), (_e110 + (((((((_e361 * _e298) + (_e367 * _e281)) * _e344) + (((_e374 * _e298) + (_e380 * _e281)) * _e250)) * _e351) + (((((_e387 * _e298) + (_e393 * _e281)) * _e344) + (((_e400 * _e298) + (_e406 * _e281)) * _e250)) * _e269)) * _e160)), (_e122 + (((((((_e425 * _e298) + (_e431 * _e281)) * _e344) + (((_e438 * _e298) + (_e444 * _e281)) * _e250)) * _e351) + (((((_e451 * _e298) + (_e457 * _e281)) * _e344) + (((_e464 * _e298) + (_e470 * _e281)) * _e250)) * _e269)) * _e160)), (_e134 + (((((((_e489 * _e298) + (_e495 * _e281)) * _e344) + (((_e502 * _e298) + (_e508 * _e281)) * _e250)) * _e351) + (((((_e515 * _e298) + (_e521 * _e281)) * _e344) + (((_e528 * _e298) + (_e534 * _e281)) * _e250)) * _e269)) * _e160)), (_e146 + (((((((_e553 * _e298) + (_e559 * _e281)) * _e344) + (((_e566 * _e298) + (_e572 * _e281)) * _e250)) * _e351) + (((((_e579 * _e298) + (_e585 * _e281)) * _e344) + (((_e592 * _e298) + (_e598 * _e281)) * _e250)) * _e269)) * _e160)), (_e156 + (((((((_e617 * _e298) + (_e623 * _e281)) * _e344) + (((_e630 * _e298) + (_e636 * _e281)) * _e250)) * _e351) + (((((_e643 * _e298) + (_e649 * _e281)) * _e344) + (((_e656 * _e298) + (_e662 * _e281)) * _e250)) * _e269)) * _e160)));
                     } else {
-                        phi_988_ = array<f32, 6>(_e105, _e116, _e128, _e140, _e152, _e162);
+                        phi_980_ = array<f32, 6>(_e99, _e110, _e122, _e134, _e146, _e156);
                     }
-                    let _e684 = phi_988_;
-                    phi_989_ = _e684;
+                    let _e678 = phi_980_;
+                    phi_981_ = _e678;
                 } else {
-                    phi_989_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_981_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
                 }
-                let _e686 = phi_989_;
-                local = array<f32, 6>(_e686[0], _e686[1], _e686[2], _e686[3], _e686[4], _e686[5]);
-                phi_999_ = type_12(0u, 6u);
-                loop {
-                    let _e695 = phi_999_;
-                    if (_e695.member < _e695.member_1) {
-                        phi_1000_ = type_12((_e695.member + 1u), _e695.member_1);
-                        phi_1023_ = type_12(1u, _e695.member);
-                    } else {
-                        phi_1000_ = _e695;
-                        phi_1023_ = type_12(0u, type_12().member_1);
-                    }
-                    let _e708 = phi_1000_;
-                    let _e710 = phi_1023_;
-                    let _e714 = (bitcast<i32>(_e710.member) != 0i);
-                    if _e714 {
-                        if (_e710.member_1 < 6u) {
-                        } else {
-                            phi_1052_ = true;
-                            break;
-                        }
-                        let _e717 = local[_e710.member_1];
-                        let _e719 = ((_e710.member_1 * _e55) + _e67);
-                        if (_e719 < arrayLength((&out.member))) {
-                        } else {
-                            phi_1052_ = true;
-                            break;
-                        }
-                        out.member[_e719] = _e717;
-                    }
-                    continue;
-                    continuing {
-                        phi_999_ = _e708;
-                        phi_1052_ = false;
-                        break if !(_e714);
-                    }
-                }
-                let _e725 = phi_1052_;
-                if _e725 {
-                    break;
-                }
+                let _e680 = phi_981_;
+                out.member[_e61] = _e680[0];
+                out.member[(_e49 + _e61)] = _e680[1];
+                out.member[((_e42 * 6u) + _e61)] = _e680[2];
+                out.member[((_e42 * 9u) + _e61)] = _e680[3];
+                out.member[((_e42 * 12u) + _e61)] = _e680[4];
+                out.member[(_e62 + _e61)] = _e680[5];
             }
             break;
         }

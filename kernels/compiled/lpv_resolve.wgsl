@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_13 {
+struct type_12 {
     member: array<u32>,
 }
 
@@ -41,7 +41,7 @@ var<storage, read_write> out: type_5;
 @group(0) @binding(0) 
 var<uniform> params: type_20;
 @group(0) @binding(1) 
-var<storage> words: type_13;
+var<storage> words: type_12;
 
 fn function_() {
     switch bitcast<i32>(0u) {

@@ -1,13 +1,13 @@
 struct type_8 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_19 {
+struct type_17 {
     member: vec4<f32>,
     member_1: u32,
     member_2: u32,
@@ -19,11 +19,11 @@ struct type_19 {
     member_8: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_18 {
+    member: type_17,
 }
 
-struct type_23 {
+struct type_21 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -34,11 +34,11 @@ struct type_23 {
     member_7: vec4<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_27 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -47,21 +47,21 @@ struct type_27 {
     member_5: u32,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_33 {
+struct type_31 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_33 {
+    member: array<type_31>,
 }
 
-struct type_37 {
+struct type_35 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -72,11 +72,11 @@ struct type_37 {
     member_7: f32,
 }
 
-struct type_39 {
-    member: array<type_37>,
+struct type_37 {
+    member: array<type_35>,
 }
 
-struct type_41 {
+struct type_39 {
     member: vec4<f32>,
     member_1: u32,
     member_2: u32,
@@ -84,11 +84,11 @@ struct type_41 {
     member_4: u32,
 }
 
-struct type_43 {
-    member: array<type_41>,
+struct type_41 {
+    member: array<type_39>,
 }
 
-struct type_45 {
+struct type_43 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -99,19 +99,19 @@ struct type_45 {
     member_7: u32,
 }
 
-struct type_47 {
-    member: array<type_45>,
+struct type_45 {
+    member: array<type_43>,
 }
 
-struct type_59 {
+struct type_58 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: f32,
     member_3: f32,
 }
 
-struct type_60 {
-    member: type_59,
+struct type_59 {
+    member: type_58,
     member_1: vec3<f32>,
     member_2: f32,
     member_3: f32,
@@ -151,21 +151,21 @@ struct type_68 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_20;
+var<uniform> params: type_18;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
+var<storage> nodes: type_23;
 @group(0) @binding(2) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_27;
 @group(0) @binding(3) 
-var<storage> attributes: type_35;
+var<storage> attributes: type_33;
 @group(0) @binding(4) 
-var<storage> surfaces: type_11;
+var<storage> surfaces: type_8;
 @group(0) @binding(5) 
-var<storage> lights: type_39;
+var<storage> lights: type_37;
 @group(0) @binding(6) 
-var<storage> maps: type_43;
+var<storage> maps: type_41;
 @group(0) @binding(7) 
-var<storage, read_write> out: type_47;
+var<storage, read_write> out: type_45;
 
 fn function_() {
     var local: array<u32, 64>;
@@ -202,11 +202,11 @@ fn function_() {
     var phi_1630_: vec2<f32>;
     var phi_1755_: f32;
     var phi_5273_: bool;
-    var phi_1786_: type_60;
+    var phi_1786_: type_59;
     var phi_1021_: f32;
     var phi_1029_: f32;
     var phi_5272_: bool;
-    var phi_1787_: type_60;
+    var phi_1787_: type_59;
     var phi_756_: vec3<f32>;
     var phi_800_: vec3<f32>;
     var phi_844_: vec3<f32>;
@@ -234,7 +234,7 @@ fn function_() {
     var phi_900_: f32;
     var phi_945_: vec3<f32>;
     var phi_5271_: bool;
-    var phi_1788_: type_60;
+    var phi_1788_: type_59;
     var phi_4981_: f32;
     var phi_4989_: f32;
     var phi_405_: f32;
@@ -248,7 +248,7 @@ fn function_() {
     var phi_617_: vec2<f32>;
     var phi_618_: vec2<f32>;
     var phi_5270_: bool;
-    var phi_1789_: type_60;
+    var phi_1789_: type_59;
     var phi_1809_: bool;
     var phi_1819_: u32;
     var phi_1822_: bool;
@@ -260,10 +260,10 @@ fn function_() {
     var phi_2006_: u32;
     var phi_2009_: u32;
     var phi_2011_: type_64;
-    var phi_2504_: type_8;
+    var phi_2504_: type_12;
     var phi_2507_: type_64;
-    var phi_2505_: type_8;
-    var phi_2530_: type_8;
+    var phi_2505_: type_12;
+    var phi_2530_: type_12;
     var phi_2646_: f32;
     var phi_2657_: f32;
     var phi_2668_: f32;
@@ -529,7 +529,7 @@ fn function_() {
                     let _e1727 = params.member.member;
                     let _e1733 = (((39.47842f * _e168.member.w) * _e168.member.w) * _e1715);
                     phi_5270_ = false;
-                    phi_1789_ = type_60(type_59(vec3<f32>((_e168.member.x + ((((1f + (((_e1681 * _e1511) * _e1511) * _e1683)) * _e1676) + (_e1685 * _e1677)) + (_e1511 * _e1697))), (_e168.member.y + ((((_e1681 * _e1685) * _e1676) + ((_e1681 + ((_e1512 * _e1512) * _e1683)) * _e1677)) + (_e1512 * _e1697))), (_e168.member.z + ((((-(_e1681) * _e1511) * _e1676) + (-(_e1512) * _e1677)) + (_e1456 * _e1697)))), vec3<f32>(_e1511, _e1512, _e1456), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e1727.x * _e1733), (_e1727.y * _e1733), (_e1727.z * _e1733)), ((((12.566371f * _e168.member.w) * _e168.member.w) * _e1715) * 0.05f), 0f);
+                    phi_1789_ = type_59(type_58(vec3<f32>((_e168.member.x + ((((1f + (((_e1681 * _e1511) * _e1511) * _e1683)) * _e1676) + (_e1685 * _e1677)) + (_e1511 * _e1697))), (_e168.member.y + ((((_e1681 * _e1685) * _e1676) + ((_e1681 + ((_e1512 * _e1512) * _e1683)) * _e1677)) + (_e1512 * _e1697))), (_e168.member.z + ((((-(_e1681) * _e1511) * _e1676) + (-(_e1512) * _e1677)) + (_e1456 * _e1697)))), vec3<f32>(_e1511, _e1512, _e1456), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e1727.x * _e1733), (_e1727.y * _e1733), (_e1727.z * _e1733)), ((((12.566371f * _e168.member.w) * _e168.member.w) * _e1715) * 0.05f), 0f);
                 } else {
                     if (_e168.member_2 < _e142) {
                     } else {
@@ -781,7 +781,7 @@ fn function_() {
                         }
                         let _e1382 = phi_945_;
                         phi_5271_ = false;
-                        phi_1788_ = type_60(type_59(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), _e1382, 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e1344), (_e188.member_6[1] * _e1344), (_e188.member_6[2] * _e1344)), 0f, _e1344);
+                        phi_1788_ = type_59(type_58(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), _e1382, 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e1344), (_e188.member_6[1] * _e1344), (_e188.member_6[2] * _e1344)), 0f, _e1344);
                     } else {
                         if (_e168.member_1 == 1u) {
                             let _e752 = (1f - _e188.member_4[1]);
@@ -821,7 +821,7 @@ fn function_() {
                             let _e867 = select(1f, _e865, (_e865 < 1f));
                             let _e869 = ((_e867 * _e867) * _e811);
                             phi_5272_ = false;
-                            phi_1787_ = type_60(type_59(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), vec3<f32>(((((1f + (((_e820 * _e188.member_2[0]) * _e188.member_2[0]) * _e822)) * _e806) + (_e824 * _e807)) + (_e188.member_2[0] * _e808)), ((((_e820 * _e824) * _e806) + ((_e820 + ((_e188.member_2[1] * _e188.member_2[1]) * _e822)) * _e807)) + (_e188.member_2[1] * _e808)), ((((-(_e820) * _e188.member_2[0]) * _e806) + (-(_e188.member_2[1]) * _e807)) + (_e188.member_2[2] * _e808))), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e869), (_e188.member_6[1] * _e869), (_e188.member_6[2] * _e869)), 0f, _e811);
+                            phi_1787_ = type_59(type_58(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), vec3<f32>(((((1f + (((_e820 * _e188.member_2[0]) * _e188.member_2[0]) * _e822)) * _e806) + (_e824 * _e807)) + (_e188.member_2[0] * _e808)), ((((_e820 * _e824) * _e806) + ((_e820 + ((_e188.member_2[1] * _e188.member_2[1]) * _e822)) * _e807)) + (_e188.member_2[1] * _e808)), ((((-(_e820) * _e188.member_2[0]) * _e806) + (-(_e188.member_2[1]) * _e807)) + (_e188.member_2[2] * _e808))), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e869), (_e188.member_6[1] * _e869), (_e188.member_6[2] * _e869)), 0f, _e811);
                         } else {
                             if (_e168.member_1 == 2u) {
                                 let _e683 = bitcast<f32>((1065353216u | (bitcast<u32>(_e188.member_2[2]) & 2147483648u)));
@@ -833,7 +833,7 @@ fn function_() {
                                 let _e707 = ((2f * _e168.member.w) / _e179);
                                 let _e736 = (_e707 * _e707);
                                 phi_5273_ = false;
-                                phi_1786_ = type_60(type_59(vec3<f32>((_e168.member.x + ((((1f + (((_e683 * _e188.member_2[0]) * _e188.member_2[0]) * _e685)) * _e701) + (_e687 * _e704)) + (_e188.member_2[0] * _e705))), (_e168.member.y + ((((_e683 * _e687) * _e701) + ((_e683 + ((_e188.member_2[1] * _e188.member_2[1]) * _e685)) * _e704)) + (_e188.member_2[1] * _e705))), (_e168.member.z + ((((-(_e683) * _e188.member_2[0]) * _e701) + (-(_e188.member_2[1]) * _e704)) + (_e188.member_2[2] * _e705)))), vec3<f32>(_e188.member_2[0], _e188.member_2[1], _e188.member_2[2]), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e736), (_e188.member_6[1] * _e736), (_e188.member_6[2] * _e736)), _e736, 0f);
+                                phi_1786_ = type_59(type_58(vec3<f32>((_e168.member.x + ((((1f + (((_e683 * _e188.member_2[0]) * _e188.member_2[0]) * _e685)) * _e701) + (_e687 * _e704)) + (_e188.member_2[0] * _e705))), (_e168.member.y + ((((_e683 * _e687) * _e701) + ((_e683 + ((_e188.member_2[1] * _e188.member_2[1]) * _e685)) * _e704)) + (_e188.member_2[1] * _e705))), (_e168.member.z + ((((-(_e683) * _e188.member_2[0]) * _e701) + (-(_e188.member_2[1]) * _e704)) + (_e188.member_2[2] * _e705)))), vec3<f32>(_e188.member_2[0], _e188.member_2[1], _e188.member_2[2]), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e736), (_e188.member_6[1] * _e736), (_e188.member_6[2] * _e736)), _e736, 0f);
                             } else {
                                 let _e193 = (_e168.member_3 + _e170);
                                 if (_e168.member_2 > 0u) {
@@ -1086,7 +1086,7 @@ fn function_() {
                                 let _e650 = phi_1755_;
                                 let _e663 = ((3.1415927f * _e259) / select(0.000000000000000000000000000000000000011754944f, _e622, (_e622 > 0.000000000000000000000000000000000000011754944f)));
                                 phi_5273_ = _e238;
-                                phi_1786_ = type_60(type_59(vec3<f32>((((_e247[0] + (_e287 * _e380.x)) + (_e290 * _e380.y)) + (_e332.x * _e650)), (((_e247[1] + (_e288 * _e380.x)) + (_e291 * _e380.y)) + (_e332.y * _e650)), (((_e247[2] + (_e289 * _e380.x)) + (_e292 * _e380.y)) + (_e332.z * _e650))), vec3<f32>(_e615, _e616, _e617), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e271[0] * _e663), (_e271[1] * _e663), (_e271[2] * _e663)), 0f, (3.1415927f / (_e210 * select(0.05f, _e580, (_e580 > 0.05f)))));
+                                phi_1786_ = type_59(type_58(vec3<f32>((((_e247[0] + (_e287 * _e380.x)) + (_e290 * _e380.y)) + (_e332.x * _e650)), (((_e247[1] + (_e288 * _e380.x)) + (_e291 * _e380.y)) + (_e332.y * _e650)), (((_e247[2] + (_e289 * _e380.x)) + (_e292 * _e380.y)) + (_e332.z * _e650))), vec3<f32>(_e615, _e616, _e617), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e271[0] * _e663), (_e271[1] * _e663), (_e271[2] * _e663)), 0f, (3.1415927f / (_e210 * select(0.05f, _e580, (_e580 > 0.05f)))));
                             }
                             let _e743 = phi_5273_;
                             let _e745 = phi_1786_;
@@ -1418,18 +1418,18 @@ fn function_() {
                         phi_3186_ = _e2797;
                         phi_2012_ = _e1888;
                     } else {
-                        phi_2504_ = type_8(_e1891, (_e1891 + _e1889));
+                        phi_2504_ = type_12(_e1891, (_e1891 + _e1889));
                         phi_2507_ = _e1888;
                         loop {
                             let _e1896 = phi_2504_;
                             let _e1898 = phi_2507_;
                             local_14 = _e1898;
                             if (_e1896.member < _e1896.member_1) {
-                                phi_2505_ = type_8((_e1896.member + 1u), _e1896.member_1);
-                                phi_2530_ = type_8(1u, _e1896.member);
+                                phi_2505_ = type_12((_e1896.member + 1u), _e1896.member_1);
+                                phi_2530_ = type_12(1u, _e1896.member);
                             } else {
                                 phi_2505_ = _e1896;
-                                phi_2530_ = type_8(0u, type_8().member_1);
+                                phi_2530_ = type_12(0u, type_12().member_1);
                             }
                             let _e1911 = phi_2505_;
                             let _e1913 = phi_2530_;
@@ -2483,7 +2483,7 @@ fn function_() {
                 } else {
                     break;
                 }
-                out.member[_e3584] = type_45(_e3528.member, _e3568, _e3528.member_4, select(0u, 1u, _e3545), _e3578, 0u, _e3581, 0u);
+                out.member[_e3584] = type_43(_e3528.member, _e3568, _e3528.member_4, select(0u, 1u, _e3545), _e3578, 0u, _e3581, 0u);
             }
             break;
         }

@@ -1,10 +1,10 @@
-struct type_5 {
-    member: u32,
-    member_1: u32,
+struct type_6 {
+    member: array<u32>,
 }
 
-struct type_8 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
@@ -20,19 +20,19 @@ struct type_12 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> values: type_8;
+var<storage> values: type_6;
 @group(0) @binding(0) 
 var<uniform> params: type_12;
 @group(0) @binding(2) 
-var<storage> parents: type_8;
+var<storage> parents: type_6;
 @group(0) @binding(3) 
-var<storage, read_write> out: type_8;
+var<storage, read_write> out: type_6;
 
 fn function_() {
-    var phi_66_: type_5;
+    var phi_66_: type_9;
     var phi_69_: u32;
-    var phi_67_: type_5;
-    var phi_92_: type_5;
+    var phi_67_: type_9;
+    var phi_92_: type_9;
     var phi_119_: u32;
     var phi_121_: u32;
     var phi_122_: bool;
@@ -52,18 +52,18 @@ fn function_() {
                     break;
                 }
                 let _e32 = parents.member[_e28];
-                phi_66_ = type_5((_e28 * 16u), _e26);
+                phi_66_ = type_9((_e28 * 16u), _e26);
                 phi_69_ = _e32;
                 loop {
                     let _e36 = phi_66_;
                     let _e38 = phi_69_;
                     local = _e38;
                     if (_e36.member < _e36.member_1) {
-                        phi_67_ = type_5((_e36.member + 1u), _e36.member_1);
-                        phi_92_ = type_5(1u, _e36.member);
+                        phi_67_ = type_9((_e36.member + 1u), _e36.member_1);
+                        phi_92_ = type_9(1u, _e36.member);
                     } else {
                         phi_67_ = _e36;
-                        phi_92_ = type_5(0u, type_5().member_1);
+                        phi_92_ = type_9(0u, type_9().member_1);
                     }
                     let _e51 = phi_67_;
                     let _e53 = phi_92_;

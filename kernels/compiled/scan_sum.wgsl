@@ -1,10 +1,10 @@
-struct type_5 {
-    member: u32,
-    member_1: u32,
+struct type_6 {
+    member: array<u32>,
 }
 
-struct type_8 {
-    member: array<u32>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
@@ -20,17 +20,17 @@ struct type_12 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> values: type_8;
+var<storage> values: type_6;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_8;
+var<storage, read_write> out: type_6;
 @group(0) @binding(0) 
 var<uniform> params: type_12;
 
 fn function_() {
-    var phi_57_: type_5;
+    var phi_57_: type_9;
     var phi_60_: u32;
-    var phi_58_: type_5;
-    var phi_83_: type_5;
+    var phi_58_: type_9;
+    var phi_83_: type_9;
     var phi_110_: u32;
     var phi_112_: u32;
     var phi_113_: bool;
@@ -44,18 +44,18 @@ fn function_() {
             let _e23 = (_e15.x + (_e15.y * 2097152u));
             let _e24 = (_e23 < arrayLength((&out.member)));
             if _e24 {
-                phi_57_ = type_5((_e23 * 16u), ((_e23 + 1u) * 16u));
+                phi_57_ = type_9((_e23 * 16u), ((_e23 + 1u) * 16u));
                 phi_60_ = 0u;
                 loop {
                     let _e30 = phi_57_;
                     let _e32 = phi_60_;
                     local = _e32;
                     if (_e30.member < _e30.member_1) {
-                        phi_58_ = type_5((_e30.member + 1u), _e30.member_1);
-                        phi_83_ = type_5(1u, _e30.member);
+                        phi_58_ = type_9((_e30.member + 1u), _e30.member_1);
+                        phi_83_ = type_9(1u, _e30.member);
                     } else {
                         phi_58_ = _e30;
-                        phi_83_ = type_5(0u, type_5().member_1);
+                        phi_83_ = type_9(0u, type_9().member_1);
                     }
                     let _e45 = phi_58_;
                     let _e47 = phi_83_;

@@ -2,205 +2,201 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
+struct type_10 {
     member: u32,
     member_1: u32,
 }
 
-struct type_13 {
+struct type_12 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: f32,
 }
 
-struct type_14 {
-    member: type_13,
+struct type_13 {
+    member: type_12,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_14;
+var<uniform> params: type_13;
 @group(0) @binding(1) 
 var<storage> directions: type_5;
 @group(0) @binding(2) 
 var<storage, read_write> table: type_5;
 
 fn function_() {
-    var local: array<f32, 4>;
-    var phi_94_: u32;
-    var phi_137_: u32;
-    var phi_138_: u32;
-    var phi_155_: bool;
+    var phi_88_: u32;
+    var phi_131_: u32;
+    var phi_132_: u32;
+    var phi_149_: bool;
+    var local: u32;
     var local_1: u32;
+    var phi_162_: u32;
     var local_2: u32;
-    var phi_168_: u32;
     var local_3: u32;
+    var phi_181_: type_10;
+    var phi_184_: f32;
+    var phi_182_: type_10;
+    var phi_207_: type_10;
     var local_4: u32;
-    var phi_187_: type_11;
-    var phi_190_: f32;
-    var phi_188_: type_11;
-    var phi_213_: type_11;
+    var phi_185_: f32;
     var local_5: u32;
-    var phi_191_: f32;
-    var local_6: u32;
-    var phi_237_: type_11;
-    var phi_240_: f32;
-    var phi_238_: type_11;
-    var phi_263_: type_11;
-    var phi_241_: f32;
+    var phi_231_: type_10;
+    var phi_234_: f32;
+    var phi_232_: type_10;
+    var phi_257_: type_10;
+    var phi_235_: f32;
+    var local_6: f32;
     var local_7: f32;
-    var local_8: f32;
-    var phi_275_: f32;
-    var phi_278_: u32;
-    var phi_279_: u32;
-    var phi_296_: bool;
+    var phi_269_: f32;
+    var phi_272_: u32;
+    var phi_273_: u32;
+    var phi_290_: bool;
+    var local_8: u32;
     var local_9: u32;
+    var phi_303_: u32;
     var local_10: u32;
-    var phi_309_: u32;
     var local_11: u32;
+    var phi_322_: type_10;
+    var phi_325_: f32;
+    var phi_323_: type_10;
+    var phi_348_: type_10;
     var local_12: u32;
-    var phi_328_: type_11;
-    var phi_331_: f32;
-    var phi_329_: type_11;
-    var phi_354_: type_11;
+    var phi_326_: f32;
     var local_13: u32;
-    var phi_332_: f32;
-    var local_14: u32;
-    var phi_378_: type_11;
-    var phi_381_: f32;
-    var phi_379_: type_11;
-    var phi_404_: type_11;
-    var phi_382_: f32;
+    var phi_372_: type_10;
+    var phi_375_: f32;
+    var phi_373_: type_10;
+    var phi_398_: type_10;
+    var phi_376_: f32;
+    var local_14: f32;
     var local_15: f32;
-    var local_16: f32;
-    var phi_416_: f32;
-    var phi_419_: u32;
-    var phi_420_: u32;
-    var phi_437_: bool;
+    var phi_410_: f32;
+    var phi_413_: u32;
+    var phi_414_: u32;
+    var phi_431_: bool;
+    var local_16: u32;
     var local_17: u32;
+    var phi_444_: u32;
     var local_18: u32;
-    var phi_450_: u32;
     var local_19: u32;
+    var phi_463_: type_10;
+    var phi_466_: f32;
+    var phi_464_: type_10;
+    var phi_489_: type_10;
     var local_20: u32;
-    var phi_469_: type_11;
-    var phi_472_: f32;
-    var phi_470_: type_11;
-    var phi_495_: type_11;
+    var phi_467_: f32;
     var local_21: u32;
-    var phi_473_: f32;
-    var local_22: u32;
-    var phi_519_: type_11;
-    var phi_522_: f32;
-    var phi_520_: type_11;
-    var phi_545_: type_11;
-    var phi_523_: f32;
+    var phi_513_: type_10;
+    var phi_516_: f32;
+    var phi_514_: type_10;
+    var phi_539_: type_10;
+    var phi_517_: f32;
+    var local_22: f32;
     var local_23: f32;
-    var local_24: f32;
-    var phi_557_: f32;
-    var phi_560_: u32;
-    var phi_561_: u32;
-    var phi_578_: bool;
+    var phi_551_: f32;
+    var phi_554_: u32;
+    var phi_555_: u32;
+    var phi_572_: bool;
+    var local_24: u32;
     var local_25: u32;
+    var phi_585_: u32;
     var local_26: u32;
-    var phi_591_: u32;
     var local_27: u32;
+    var phi_604_: type_10;
+    var phi_607_: f32;
+    var phi_605_: type_10;
+    var phi_630_: type_10;
     var local_28: u32;
-    var phi_610_: type_11;
-    var phi_613_: f32;
-    var phi_611_: type_11;
-    var phi_636_: type_11;
+    var phi_608_: f32;
     var local_29: u32;
-    var phi_614_: f32;
-    var local_30: u32;
-    var phi_660_: type_11;
-    var phi_663_: f32;
-    var phi_661_: type_11;
-    var phi_686_: type_11;
-    var phi_664_: f32;
+    var phi_654_: type_10;
+    var phi_657_: f32;
+    var phi_655_: type_10;
+    var phi_680_: type_10;
+    var phi_658_: f32;
+    var local_30: f32;
     var local_31: f32;
-    var local_32: f32;
-    var phi_698_: f32;
-    var phi_711_: f32;
-    var phi_718_: type_11;
-    var phi_721_: f32;
-    var phi_723_: f32;
-    var phi_719_: type_11;
-    var phi_745_: type_11;
-    var phi_722_: f32;
-    var local_33: u32;
-    var phi_760_: type_11;
+    var phi_692_: f32;
+    var phi_705_: f32;
+    var phi_712_: type_10;
+    var phi_715_: f32;
+    var phi_717_: f32;
+    var phi_713_: type_10;
+    var phi_739_: type_10;
+    var phi_716_: f32;
+    var local_32: u32;
+    var phi_754_: type_10;
+    var phi_757_: f32;
+    var phi_759_: f32;
+    var phi_761_: f32;
     var phi_763_: f32;
-    var phi_765_: f32;
-    var phi_767_: f32;
-    var phi_769_: f32;
-    var phi_761_: type_11;
-    var phi_791_: type_11;
-    var phi_764_: f32;
-    var phi_766_: f32;
-    var phi_768_: f32;
-    var local_34: f32;
-    var phi_818_: f32;
-    var phi_825_: type_11;
-    var phi_828_: f32;
-    var phi_830_: f32;
-    var phi_826_: type_11;
-    var phi_852_: type_11;
-    var phi_829_: f32;
-    var local_35: u32;
-    var phi_867_: type_11;
+    var phi_755_: type_10;
+    var phi_785_: type_10;
+    var phi_758_: f32;
+    var phi_760_: f32;
+    var phi_762_: f32;
+    var local_33: f32;
+    var phi_812_: f32;
+    var phi_819_: type_10;
+    var phi_822_: f32;
+    var phi_824_: f32;
+    var phi_820_: type_10;
+    var phi_846_: type_10;
+    var phi_823_: f32;
+    var local_34: u32;
+    var phi_861_: type_10;
+    var phi_864_: f32;
+    var phi_866_: f32;
+    var phi_868_: f32;
     var phi_870_: f32;
-    var phi_872_: f32;
-    var phi_874_: f32;
-    var phi_876_: f32;
-    var phi_868_: type_11;
-    var phi_898_: type_11;
-    var phi_871_: f32;
-    var phi_873_: f32;
-    var phi_875_: f32;
-    var local_36: f32;
-    var phi_925_: f32;
-    var phi_932_: type_11;
-    var phi_935_: f32;
-    var phi_937_: f32;
-    var phi_933_: type_11;
-    var phi_959_: type_11;
-    var phi_936_: f32;
-    var local_37: u32;
-    var phi_974_: type_11;
+    var phi_862_: type_10;
+    var phi_892_: type_10;
+    var phi_865_: f32;
+    var phi_867_: f32;
+    var phi_869_: f32;
+    var local_35: f32;
+    var phi_919_: f32;
+    var phi_926_: type_10;
+    var phi_929_: f32;
+    var phi_931_: f32;
+    var phi_927_: type_10;
+    var phi_953_: type_10;
+    var phi_930_: f32;
+    var local_36: u32;
+    var phi_968_: type_10;
+    var phi_971_: f32;
+    var phi_973_: f32;
+    var phi_975_: f32;
     var phi_977_: f32;
-    var phi_979_: f32;
-    var phi_981_: f32;
-    var phi_983_: f32;
-    var phi_975_: type_11;
-    var phi_1005_: type_11;
-    var phi_978_: f32;
-    var phi_980_: f32;
-    var phi_982_: f32;
-    var local_38: f32;
-    var phi_1032_: f32;
-    var phi_1039_: type_11;
-    var phi_1042_: f32;
-    var phi_1044_: f32;
-    var phi_1040_: type_11;
-    var phi_1066_: type_11;
-    var phi_1043_: f32;
-    var local_39: u32;
-    var phi_1081_: type_11;
+    var phi_969_: type_10;
+    var phi_999_: type_10;
+    var phi_972_: f32;
+    var phi_974_: f32;
+    var phi_976_: f32;
+    var local_37: f32;
+    var phi_1026_: f32;
+    var phi_1033_: type_10;
+    var phi_1036_: f32;
+    var phi_1038_: f32;
+    var phi_1034_: type_10;
+    var phi_1060_: type_10;
+    var phi_1037_: f32;
+    var local_38: u32;
+    var phi_1075_: type_10;
+    var phi_1078_: f32;
+    var phi_1080_: f32;
+    var phi_1082_: f32;
     var phi_1084_: f32;
-    var phi_1086_: f32;
-    var phi_1088_: f32;
-    var phi_1090_: f32;
-    var phi_1082_: type_11;
-    var phi_1112_: type_11;
-    var phi_1085_: f32;
-    var phi_1087_: f32;
-    var phi_1089_: f32;
+    var phi_1076_: type_10;
+    var phi_1106_: type_10;
+    var phi_1079_: f32;
+    var phi_1081_: f32;
+    var phi_1083_: f32;
+    var local_39: f32;
     var local_40: f32;
-    var phi_1135_: type_11;
-    var phi_1136_: type_11;
-    var phi_1159_: type_11;
-    var phi_1188_: bool;
     var local_41: f32;
     var local_42: f32;
     var local_43: f32;
@@ -208,872 +204,835 @@ fn function_() {
     var local_45: f32;
     var local_46: f32;
     var local_47: f32;
-    var local_48: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e25 = gid_1;
-            let _e30 = params.member.member_2;
-            let _e33 = (select(_e30, 9u, (_e30 > 9u)) + 1u);
-            let _e34 = (_e33 * _e33);
-            let _e35 = (_e34 / 4u);
-            if ((_e34 % 4u) > 0u) {
-                phi_94_ = (_e35 + 1u);
+            let _e22 = gid_1;
+            let _e25 = params.member.member_2;
+            let _e28 = (select(_e25, 9u, (_e25 > 9u)) + 1u);
+            let _e29 = (_e28 * _e28);
+            let _e30 = (_e29 / 4u);
+            if ((_e29 % 4u) > 0u) {
+                phi_88_ = (_e30 + 1u);
             } else {
-                phi_94_ = _e35;
+                phi_88_ = _e30;
             }
-            let _e40 = phi_94_;
-            let _e43 = params.member.member_1;
-            let _e44 = (_e40 * _e43);
-            let _e48 = (_e25.x + (_e25.y * 2097152u));
-            if (_e48 < _e44) {
-                if (_e43 == 0u) {
+            let _e35 = phi_88_;
+            let _e38 = params.member.member_1;
+            let _e39 = (_e35 * _e38);
+            let _e43 = (_e22.x + (_e22.y * 2097152u));
+            if (_e43 < _e39) {
+                if (_e38 == 0u) {
                     break;
                 }
-                let _e51 = (_e48 / _e43);
-                let _e53 = (_e48 - (_e51 * _e43));
-                let _e56 = directions.member[_e53];
-                let _e60 = directions.member[(_e43 + _e53)];
-                let _e65 = directions.member[((2u * _e43) + _e53)];
-                let _e70 = directions.member[((3u * _e43) + _e53)];
-                let _e71 = (_e51 * 4u);
-                phi_137_ = 0u;
+                let _e46 = (_e43 / _e38);
+                let _e48 = (_e43 - (_e46 * _e38));
+                let _e51 = directions.member[_e48];
+                let _e55 = directions.member[(_e38 + _e48)];
+                let _e60 = directions.member[((2u * _e38) + _e48)];
+                let _e65 = directions.member[((3u * _e38) + _e48)];
+                let _e66 = (_e46 * 4u);
+                phi_131_ = 0u;
                 loop {
-                    let _e73 = phi_137_;
-                    local_1 = _e73;
-                    local_3 = _e73;
-                    local_4 = _e73;
-                    local_5 = _e73;
-                    local_6 = _e73;
-                    local_33 = _e73;
-                    let _e74 = (_e73 + 1u);
-                    local_2 = _e74;
-                    if ((_e74 * _e74) <= _e71) {
-                        let _e77 = (_e73 < 9u);
-                        phi_138_ = select(u32(), _e74, _e77);
-                        phi_155_ = _e77;
+                    let _e68 = phi_131_;
+                    local = _e68;
+                    local_2 = _e68;
+                    local_3 = _e68;
+                    local_4 = _e68;
+                    local_5 = _e68;
+                    local_32 = _e68;
+                    let _e69 = (_e68 + 1u);
+                    local_1 = _e69;
+                    if ((_e69 * _e69) <= _e66) {
+                        let _e72 = (_e68 < 9u);
+                        phi_132_ = select(u32(), _e69, _e72);
+                        phi_149_ = _e72;
                     } else {
-                        phi_138_ = u32();
-                        phi_155_ = false;
+                        phi_132_ = u32();
+                        phi_149_ = false;
                     }
-                    let _e80 = phi_138_;
-                    let _e82 = phi_155_;
+                    let _e75 = phi_132_;
+                    let _e77 = phi_149_;
                     continue;
                     continuing {
-                        phi_137_ = _e80;
-                        break if !(_e82);
+                        phi_131_ = _e75;
+                        break if !(_e77);
                     }
                 }
-                let _e85 = local_1;
-                let _e87 = local_2;
-                let _e88 = (_e85 * _e87);
-                let _e89 = (_e71 < _e88);
-                if _e89 {
-                    phi_168_ = (_e88 - _e71);
+                let _e80 = local;
+                let _e82 = local_1;
+                let _e83 = (_e80 * _e82);
+                let _e84 = (_e66 < _e83);
+                if _e84 {
+                    phi_162_ = (_e83 - _e66);
                 } else {
-                    phi_168_ = (_e71 - _e88);
+                    phi_162_ = (_e66 - _e83);
                 }
-                let _e93 = phi_168_;
-                let _e95 = local_3;
-                if (_e95 <= _e30) {
-                    let _e98 = local_4;
-                    phi_187_ = type_11(1u, (_e93 + 1u));
-                    phi_190_ = (f32(((2u * _e98) + 1u)) / select(6.2831855f, 12.566371f, (_e93 == 0u)));
+                let _e88 = phi_162_;
+                let _e90 = local_2;
+                if (_e90 <= _e25) {
+                    let _e93 = local_3;
+                    phi_181_ = type_10(1u, (_e88 + 1u));
+                    phi_184_ = (f32(((2u * _e93) + 1u)) / select(6.2831855f, 12.566371f, (_e88 == 0u)));
                     loop {
-                        let _e108 = phi_187_;
-                        let _e110 = phi_190_;
-                        local_7 = _e110;
-                        if (_e108.member < _e108.member_1) {
-                            phi_188_ = type_11((_e108.member + 1u), _e108.member_1);
-                            phi_213_ = type_11(1u, _e108.member);
+                        let _e103 = phi_181_;
+                        let _e105 = phi_184_;
+                        local_6 = _e105;
+                        if (_e103.member < _e103.member_1) {
+                            phi_182_ = type_10((_e103.member + 1u), _e103.member_1);
+                            phi_207_ = type_10(1u, _e103.member);
                         } else {
-                            phi_188_ = _e108;
-                            phi_213_ = type_11(0u, type_11().member_1);
+                            phi_182_ = _e103;
+                            phi_207_ = type_10(0u, type_10().member_1);
                         }
-                        let _e123 = phi_188_;
-                        let _e125 = phi_213_;
-                        let _e129 = (bitcast<i32>(_e125.member) != 0i);
-                        if _e129 {
-                            let _e130 = (2u * _e125.member_1);
-                            let _e132 = f32((_e130 - 1u));
-                            let _e134 = local_5;
-                            let _e137 = f32(((_e134 - _e93) + _e130));
-                            phi_191_ = (_e110 * ((_e132 * _e132) / (_e137 * (_e137 - 1f))));
+                        let _e118 = phi_182_;
+                        let _e120 = phi_207_;
+                        let _e124 = (bitcast<i32>(_e120.member) != 0i);
+                        if _e124 {
+                            let _e125 = (2u * _e120.member_1);
+                            let _e127 = f32((_e125 - 1u));
+                            let _e129 = local_4;
+                            let _e132 = f32(((_e129 - _e88) + _e125));
+                            phi_185_ = (_e105 * ((_e127 * _e127) / (_e132 * (_e132 - 1f))));
                         } else {
-                            phi_191_ = f32();
+                            phi_185_ = f32();
                         }
-                        let _e144 = phi_191_;
+                        let _e139 = phi_185_;
                         continue;
                         continuing {
-                            phi_187_ = _e123;
-                            phi_190_ = _e144;
-                            break if !(_e129);
+                            phi_181_ = _e118;
+                            phi_184_ = _e139;
+                            break if !(_e124);
                         }
                     }
-                    let _e147 = local_6;
-                    phi_237_ = type_11(1u, ((_e147 - _e93) + 1u));
-                    phi_240_ = 1f;
+                    let _e142 = local_5;
+                    phi_231_ = type_10(1u, ((_e142 - _e88) + 1u));
+                    phi_234_ = 1f;
                     loop {
-                        let _e152 = phi_237_;
-                        let _e154 = phi_240_;
-                        local_8 = _e154;
-                        if (_e152.member < _e152.member_1) {
-                            phi_238_ = type_11((_e152.member + 1u), _e152.member_1);
-                            phi_263_ = type_11(1u, _e152.member);
+                        let _e147 = phi_231_;
+                        let _e149 = phi_234_;
+                        local_7 = _e149;
+                        if (_e147.member < _e147.member_1) {
+                            phi_232_ = type_10((_e147.member + 1u), _e147.member_1);
+                            phi_257_ = type_10(1u, _e147.member);
                         } else {
-                            phi_238_ = _e152;
-                            phi_263_ = type_11(0u, type_11().member_1);
+                            phi_232_ = _e147;
+                            phi_257_ = type_10(0u, type_10().member_1);
                         }
-                        let _e167 = phi_238_;
-                        let _e169 = phi_263_;
-                        let _e173 = (bitcast<i32>(_e169.member) != 0i);
-                        if _e173 {
-                            phi_241_ = (_e154 * f32(_e169.member_1));
+                        let _e162 = phi_232_;
+                        let _e164 = phi_257_;
+                        let _e168 = (bitcast<i32>(_e164.member) != 0i);
+                        if _e168 {
+                            phi_235_ = (_e149 * f32(_e164.member_1));
                         } else {
-                            phi_241_ = f32();
+                            phi_235_ = f32();
                         }
-                        let _e177 = phi_241_;
+                        let _e172 = phi_235_;
                         continue;
                         continuing {
-                            phi_237_ = _e167;
-                            phi_240_ = _e177;
-                            break if !(_e173);
+                            phi_231_ = _e162;
+                            phi_234_ = _e172;
+                            break if !(_e168);
                         }
                     }
-                    let _e180 = local_7;
-                    let _e183 = local_8;
-                    phi_275_ = (sqrt(_e180) / _e183);
+                    let _e175 = local_6;
+                    let _e178 = local_7;
+                    phi_269_ = (sqrt(_e175) / _e178);
                 } else {
-                    phi_275_ = 0f;
+                    phi_269_ = 0f;
                 }
-                let _e186 = phi_275_;
-                let _e187 = (_e71 + 1u);
-                phi_278_ = 0u;
+                let _e181 = phi_269_;
+                let _e182 = (_e66 + 1u);
+                phi_272_ = 0u;
                 loop {
-                    let _e189 = phi_278_;
-                    local_9 = _e189;
-                    local_11 = _e189;
-                    local_12 = _e189;
-                    local_13 = _e189;
-                    local_14 = _e189;
-                    local_35 = _e189;
-                    let _e190 = (_e189 + 1u);
-                    local_10 = _e190;
-                    if ((_e190 * _e190) <= _e187) {
-                        let _e193 = (_e189 < 9u);
-                        phi_279_ = select(u32(), _e190, _e193);
-                        phi_296_ = _e193;
+                    let _e184 = phi_272_;
+                    local_8 = _e184;
+                    local_10 = _e184;
+                    local_11 = _e184;
+                    local_12 = _e184;
+                    local_13 = _e184;
+                    local_34 = _e184;
+                    let _e185 = (_e184 + 1u);
+                    local_9 = _e185;
+                    if ((_e185 * _e185) <= _e182) {
+                        let _e188 = (_e184 < 9u);
+                        phi_273_ = select(u32(), _e185, _e188);
+                        phi_290_ = _e188;
                     } else {
-                        phi_279_ = u32();
-                        phi_296_ = false;
+                        phi_273_ = u32();
+                        phi_290_ = false;
                     }
-                    let _e196 = phi_279_;
-                    let _e198 = phi_296_;
+                    let _e191 = phi_273_;
+                    let _e193 = phi_290_;
                     continue;
                     continuing {
-                        phi_278_ = _e196;
-                        break if !(_e198);
+                        phi_272_ = _e191;
+                        break if !(_e193);
                     }
                 }
-                let _e201 = local_9;
-                let _e203 = local_10;
-                let _e204 = (_e201 * _e203);
-                let _e205 = (_e187 < _e204);
-                if _e205 {
-                    phi_309_ = (_e204 - _e187);
+                let _e196 = local_8;
+                let _e198 = local_9;
+                let _e199 = (_e196 * _e198);
+                let _e200 = (_e182 < _e199);
+                if _e200 {
+                    phi_303_ = (_e199 - _e182);
                 } else {
-                    phi_309_ = (_e187 - _e204);
+                    phi_303_ = (_e182 - _e199);
                 }
-                let _e209 = phi_309_;
-                let _e211 = local_11;
-                if (_e211 <= _e30) {
-                    let _e214 = local_12;
-                    phi_328_ = type_11(1u, (_e209 + 1u));
-                    phi_331_ = (f32(((2u * _e214) + 1u)) / select(6.2831855f, 12.566371f, (_e209 == 0u)));
+                let _e204 = phi_303_;
+                let _e206 = local_10;
+                if (_e206 <= _e25) {
+                    let _e209 = local_11;
+                    phi_322_ = type_10(1u, (_e204 + 1u));
+                    phi_325_ = (f32(((2u * _e209) + 1u)) / select(6.2831855f, 12.566371f, (_e204 == 0u)));
                     loop {
-                        let _e224 = phi_328_;
-                        let _e226 = phi_331_;
-                        local_15 = _e226;
-                        if (_e224.member < _e224.member_1) {
-                            phi_329_ = type_11((_e224.member + 1u), _e224.member_1);
-                            phi_354_ = type_11(1u, _e224.member);
+                        let _e219 = phi_322_;
+                        let _e221 = phi_325_;
+                        local_14 = _e221;
+                        if (_e219.member < _e219.member_1) {
+                            phi_323_ = type_10((_e219.member + 1u), _e219.member_1);
+                            phi_348_ = type_10(1u, _e219.member);
                         } else {
-                            phi_329_ = _e224;
-                            phi_354_ = type_11(0u, type_11().member_1);
+                            phi_323_ = _e219;
+                            phi_348_ = type_10(0u, type_10().member_1);
                         }
-                        let _e239 = phi_329_;
-                        let _e241 = phi_354_;
-                        let _e245 = (bitcast<i32>(_e241.member) != 0i);
-                        if _e245 {
-                            let _e246 = (2u * _e241.member_1);
-                            let _e248 = f32((_e246 - 1u));
-                            let _e250 = local_13;
-                            let _e253 = f32(((_e250 - _e209) + _e246));
-                            phi_332_ = (_e226 * ((_e248 * _e248) / (_e253 * (_e253 - 1f))));
+                        let _e234 = phi_323_;
+                        let _e236 = phi_348_;
+                        let _e240 = (bitcast<i32>(_e236.member) != 0i);
+                        if _e240 {
+                            let _e241 = (2u * _e236.member_1);
+                            let _e243 = f32((_e241 - 1u));
+                            let _e245 = local_12;
+                            let _e248 = f32(((_e245 - _e204) + _e241));
+                            phi_326_ = (_e221 * ((_e243 * _e243) / (_e248 * (_e248 - 1f))));
                         } else {
-                            phi_332_ = f32();
+                            phi_326_ = f32();
                         }
-                        let _e260 = phi_332_;
+                        let _e255 = phi_326_;
                         continue;
                         continuing {
-                            phi_328_ = _e239;
-                            phi_331_ = _e260;
-                            break if !(_e245);
+                            phi_322_ = _e234;
+                            phi_325_ = _e255;
+                            break if !(_e240);
                         }
                     }
-                    let _e263 = local_14;
-                    phi_378_ = type_11(1u, ((_e263 - _e209) + 1u));
-                    phi_381_ = 1f;
+                    let _e258 = local_13;
+                    phi_372_ = type_10(1u, ((_e258 - _e204) + 1u));
+                    phi_375_ = 1f;
                     loop {
-                        let _e268 = phi_378_;
-                        let _e270 = phi_381_;
-                        local_16 = _e270;
-                        if (_e268.member < _e268.member_1) {
-                            phi_379_ = type_11((_e268.member + 1u), _e268.member_1);
-                            phi_404_ = type_11(1u, _e268.member);
+                        let _e263 = phi_372_;
+                        let _e265 = phi_375_;
+                        local_15 = _e265;
+                        if (_e263.member < _e263.member_1) {
+                            phi_373_ = type_10((_e263.member + 1u), _e263.member_1);
+                            phi_398_ = type_10(1u, _e263.member);
                         } else {
-                            phi_379_ = _e268;
-                            phi_404_ = type_11(0u, type_11().member_1);
+                            phi_373_ = _e263;
+                            phi_398_ = type_10(0u, type_10().member_1);
                         }
-                        let _e283 = phi_379_;
-                        let _e285 = phi_404_;
-                        let _e289 = (bitcast<i32>(_e285.member) != 0i);
-                        if _e289 {
-                            phi_382_ = (_e270 * f32(_e285.member_1));
+                        let _e278 = phi_373_;
+                        let _e280 = phi_398_;
+                        let _e284 = (bitcast<i32>(_e280.member) != 0i);
+                        if _e284 {
+                            phi_376_ = (_e265 * f32(_e280.member_1));
                         } else {
-                            phi_382_ = f32();
+                            phi_376_ = f32();
                         }
-                        let _e293 = phi_382_;
+                        let _e288 = phi_376_;
                         continue;
                         continuing {
-                            phi_378_ = _e283;
-                            phi_381_ = _e293;
-                            break if !(_e289);
+                            phi_372_ = _e278;
+                            phi_375_ = _e288;
+                            break if !(_e284);
                         }
                     }
-                    let _e296 = local_15;
-                    let _e299 = local_16;
-                    phi_416_ = (sqrt(_e296) / _e299);
+                    let _e291 = local_14;
+                    let _e294 = local_15;
+                    phi_410_ = (sqrt(_e291) / _e294);
                 } else {
-                    phi_416_ = 0f;
+                    phi_410_ = 0f;
                 }
-                let _e302 = phi_416_;
-                let _e303 = (_e71 + 2u);
-                phi_419_ = 0u;
+                let _e297 = phi_410_;
+                let _e298 = (_e66 + 2u);
+                phi_413_ = 0u;
                 loop {
-                    let _e305 = phi_419_;
-                    local_17 = _e305;
-                    local_19 = _e305;
-                    local_20 = _e305;
-                    local_21 = _e305;
-                    local_22 = _e305;
-                    local_37 = _e305;
-                    let _e306 = (_e305 + 1u);
-                    local_18 = _e306;
-                    if ((_e306 * _e306) <= _e303) {
-                        let _e309 = (_e305 < 9u);
-                        phi_420_ = select(u32(), _e306, _e309);
-                        phi_437_ = _e309;
+                    let _e300 = phi_413_;
+                    local_16 = _e300;
+                    local_18 = _e300;
+                    local_19 = _e300;
+                    local_20 = _e300;
+                    local_21 = _e300;
+                    local_36 = _e300;
+                    let _e301 = (_e300 + 1u);
+                    local_17 = _e301;
+                    if ((_e301 * _e301) <= _e298) {
+                        let _e304 = (_e300 < 9u);
+                        phi_414_ = select(u32(), _e301, _e304);
+                        phi_431_ = _e304;
                     } else {
-                        phi_420_ = u32();
-                        phi_437_ = false;
+                        phi_414_ = u32();
+                        phi_431_ = false;
                     }
-                    let _e312 = phi_420_;
-                    let _e314 = phi_437_;
+                    let _e307 = phi_414_;
+                    let _e309 = phi_431_;
                     continue;
                     continuing {
-                        phi_419_ = _e312;
-                        break if !(_e314);
+                        phi_413_ = _e307;
+                        break if !(_e309);
                     }
                 }
-                let _e317 = local_17;
-                let _e319 = local_18;
-                let _e320 = (_e317 * _e319);
-                let _e321 = (_e303 < _e320);
-                if _e321 {
-                    phi_450_ = (_e320 - _e303);
+                let _e312 = local_16;
+                let _e314 = local_17;
+                let _e315 = (_e312 * _e314);
+                let _e316 = (_e298 < _e315);
+                if _e316 {
+                    phi_444_ = (_e315 - _e298);
                 } else {
-                    phi_450_ = (_e303 - _e320);
+                    phi_444_ = (_e298 - _e315);
                 }
-                let _e325 = phi_450_;
-                let _e327 = local_19;
-                if (_e327 <= _e30) {
-                    let _e330 = local_20;
-                    phi_469_ = type_11(1u, (_e325 + 1u));
-                    phi_472_ = (f32(((2u * _e330) + 1u)) / select(6.2831855f, 12.566371f, (_e325 == 0u)));
+                let _e320 = phi_444_;
+                let _e322 = local_18;
+                if (_e322 <= _e25) {
+                    let _e325 = local_19;
+                    phi_463_ = type_10(1u, (_e320 + 1u));
+                    phi_466_ = (f32(((2u * _e325) + 1u)) / select(6.2831855f, 12.566371f, (_e320 == 0u)));
                     loop {
-                        let _e340 = phi_469_;
-                        let _e342 = phi_472_;
-                        local_23 = _e342;
-                        if (_e340.member < _e340.member_1) {
-                            phi_470_ = type_11((_e340.member + 1u), _e340.member_1);
-                            phi_495_ = type_11(1u, _e340.member);
+                        let _e335 = phi_463_;
+                        let _e337 = phi_466_;
+                        local_22 = _e337;
+                        if (_e335.member < _e335.member_1) {
+                            phi_464_ = type_10((_e335.member + 1u), _e335.member_1);
+                            phi_489_ = type_10(1u, _e335.member);
                         } else {
-                            phi_470_ = _e340;
-                            phi_495_ = type_11(0u, type_11().member_1);
+                            phi_464_ = _e335;
+                            phi_489_ = type_10(0u, type_10().member_1);
                         }
-                        let _e355 = phi_470_;
-                        let _e357 = phi_495_;
-                        let _e361 = (bitcast<i32>(_e357.member) != 0i);
-                        if _e361 {
-                            let _e362 = (2u * _e357.member_1);
-                            let _e364 = f32((_e362 - 1u));
-                            let _e366 = local_21;
-                            let _e369 = f32(((_e366 - _e325) + _e362));
-                            phi_473_ = (_e342 * ((_e364 * _e364) / (_e369 * (_e369 - 1f))));
+                        let _e350 = phi_464_;
+                        let _e352 = phi_489_;
+                        let _e356 = (bitcast<i32>(_e352.member) != 0i);
+                        if _e356 {
+                            let _e357 = (2u * _e352.member_1);
+                            let _e359 = f32((_e357 - 1u));
+                            let _e361 = local_20;
+                            let _e364 = f32(((_e361 - _e320) + _e357));
+                            phi_467_ = (_e337 * ((_e359 * _e359) / (_e364 * (_e364 - 1f))));
                         } else {
-                            phi_473_ = f32();
+                            phi_467_ = f32();
                         }
-                        let _e376 = phi_473_;
+                        let _e371 = phi_467_;
                         continue;
                         continuing {
-                            phi_469_ = _e355;
-                            phi_472_ = _e376;
-                            break if !(_e361);
+                            phi_463_ = _e350;
+                            phi_466_ = _e371;
+                            break if !(_e356);
                         }
                     }
-                    let _e379 = local_22;
-                    phi_519_ = type_11(1u, ((_e379 - _e325) + 1u));
-                    phi_522_ = 1f;
+                    let _e374 = local_21;
+                    phi_513_ = type_10(1u, ((_e374 - _e320) + 1u));
+                    phi_516_ = 1f;
                     loop {
-                        let _e384 = phi_519_;
-                        let _e386 = phi_522_;
-                        local_24 = _e386;
-                        if (_e384.member < _e384.member_1) {
-                            phi_520_ = type_11((_e384.member + 1u), _e384.member_1);
-                            phi_545_ = type_11(1u, _e384.member);
+                        let _e379 = phi_513_;
+                        let _e381 = phi_516_;
+                        local_23 = _e381;
+                        if (_e379.member < _e379.member_1) {
+                            phi_514_ = type_10((_e379.member + 1u), _e379.member_1);
+                            phi_539_ = type_10(1u, _e379.member);
                         } else {
-                            phi_520_ = _e384;
-                            phi_545_ = type_11(0u, type_11().member_1);
+                            phi_514_ = _e379;
+                            phi_539_ = type_10(0u, type_10().member_1);
                         }
-                        let _e399 = phi_520_;
-                        let _e401 = phi_545_;
-                        let _e405 = (bitcast<i32>(_e401.member) != 0i);
-                        if _e405 {
-                            phi_523_ = (_e386 * f32(_e401.member_1));
+                        let _e394 = phi_514_;
+                        let _e396 = phi_539_;
+                        let _e400 = (bitcast<i32>(_e396.member) != 0i);
+                        if _e400 {
+                            phi_517_ = (_e381 * f32(_e396.member_1));
                         } else {
-                            phi_523_ = f32();
+                            phi_517_ = f32();
                         }
-                        let _e409 = phi_523_;
+                        let _e404 = phi_517_;
                         continue;
                         continuing {
-                            phi_519_ = _e399;
-                            phi_522_ = _e409;
-                            break if !(_e405);
+                            phi_513_ = _e394;
+                            phi_516_ = _e404;
+                            break if !(_e400);
                         }
                     }
-                    let _e412 = local_23;
-                    let _e415 = local_24;
-                    phi_557_ = (sqrt(_e412) / _e415);
+                    let _e407 = local_22;
+                    let _e410 = local_23;
+                    phi_551_ = (sqrt(_e407) / _e410);
                 } else {
-                    phi_557_ = 0f;
+                    phi_551_ = 0f;
                 }
-                let _e418 = phi_557_;
-                let _e419 = (_e71 + 3u);
-                phi_560_ = 0u;
+                let _e413 = phi_551_;
+                let _e414 = (_e66 + 3u);
+                phi_554_ = 0u;
                 loop {
-                    let _e421 = phi_560_;
-                    local_25 = _e421;
-                    local_27 = _e421;
-                    local_28 = _e421;
-                    local_29 = _e421;
-                    local_30 = _e421;
-                    local_39 = _e421;
-                    let _e422 = (_e421 + 1u);
-                    local_26 = _e422;
-                    if ((_e422 * _e422) <= _e419) {
-                        let _e425 = (_e421 < 9u);
-                        phi_561_ = select(u32(), _e422, _e425);
-                        phi_578_ = _e425;
+                    let _e416 = phi_554_;
+                    local_24 = _e416;
+                    local_26 = _e416;
+                    local_27 = _e416;
+                    local_28 = _e416;
+                    local_29 = _e416;
+                    local_38 = _e416;
+                    let _e417 = (_e416 + 1u);
+                    local_25 = _e417;
+                    if ((_e417 * _e417) <= _e414) {
+                        let _e420 = (_e416 < 9u);
+                        phi_555_ = select(u32(), _e417, _e420);
+                        phi_572_ = _e420;
                     } else {
-                        phi_561_ = u32();
-                        phi_578_ = false;
+                        phi_555_ = u32();
+                        phi_572_ = false;
                     }
-                    let _e428 = phi_561_;
-                    let _e430 = phi_578_;
+                    let _e423 = phi_555_;
+                    let _e425 = phi_572_;
                     continue;
                     continuing {
-                        phi_560_ = _e428;
-                        break if !(_e430);
+                        phi_554_ = _e423;
+                        break if !(_e425);
                     }
                 }
-                let _e433 = local_25;
-                let _e435 = local_26;
-                let _e436 = (_e433 * _e435);
-                let _e437 = (_e419 < _e436);
-                if _e437 {
-                    phi_591_ = (_e436 - _e419);
+                let _e428 = local_24;
+                let _e430 = local_25;
+                let _e431 = (_e428 * _e430);
+                let _e432 = (_e414 < _e431);
+                if _e432 {
+                    phi_585_ = (_e431 - _e414);
                 } else {
-                    phi_591_ = (_e419 - _e436);
+                    phi_585_ = (_e414 - _e431);
                 }
-                let _e441 = phi_591_;
-                let _e443 = local_27;
-                if (_e443 <= _e30) {
-                    let _e446 = local_28;
-                    phi_610_ = type_11(1u, (_e441 + 1u));
-                    phi_613_ = (f32(((2u * _e446) + 1u)) / select(6.2831855f, 12.566371f, (_e441 == 0u)));
+                let _e436 = phi_585_;
+                let _e438 = local_26;
+                if (_e438 <= _e25) {
+                    let _e441 = local_27;
+                    phi_604_ = type_10(1u, (_e436 + 1u));
+                    phi_607_ = (f32(((2u * _e441) + 1u)) / select(6.2831855f, 12.566371f, (_e436 == 0u)));
                     loop {
-                        let _e456 = phi_610_;
-                        let _e458 = phi_613_;
-                        local_31 = _e458;
-                        if (_e456.member < _e456.member_1) {
-                            phi_611_ = type_11((_e456.member + 1u), _e456.member_1);
-                            phi_636_ = type_11(1u, _e456.member);
+                        let _e451 = phi_604_;
+                        let _e453 = phi_607_;
+                        local_30 = _e453;
+                        if (_e451.member < _e451.member_1) {
+                            phi_605_ = type_10((_e451.member + 1u), _e451.member_1);
+                            phi_630_ = type_10(1u, _e451.member);
                         } else {
-                            phi_611_ = _e456;
-                            phi_636_ = type_11(0u, type_11().member_1);
+                            phi_605_ = _e451;
+                            phi_630_ = type_10(0u, type_10().member_1);
                         }
-                        let _e471 = phi_611_;
-                        let _e473 = phi_636_;
-                        let _e477 = (bitcast<i32>(_e473.member) != 0i);
-                        if _e477 {
-                            let _e478 = (2u * _e473.member_1);
-                            let _e480 = f32((_e478 - 1u));
-                            let _e482 = local_29;
-                            let _e485 = f32(((_e482 - _e441) + _e478));
-                            phi_614_ = (_e458 * ((_e480 * _e480) / (_e485 * (_e485 - 1f))));
+                        let _e466 = phi_605_;
+                        let _e468 = phi_630_;
+                        let _e472 = (bitcast<i32>(_e468.member) != 0i);
+                        if _e472 {
+                            let _e473 = (2u * _e468.member_1);
+                            let _e475 = f32((_e473 - 1u));
+                            let _e477 = local_28;
+                            let _e480 = f32(((_e477 - _e436) + _e473));
+                            phi_608_ = (_e453 * ((_e475 * _e475) / (_e480 * (_e480 - 1f))));
                         } else {
-                            phi_614_ = f32();
+                            phi_608_ = f32();
                         }
-                        let _e492 = phi_614_;
+                        let _e487 = phi_608_;
                         continue;
                         continuing {
-                            phi_610_ = _e471;
-                            phi_613_ = _e492;
-                            break if !(_e477);
+                            phi_604_ = _e466;
+                            phi_607_ = _e487;
+                            break if !(_e472);
                         }
                     }
-                    let _e495 = local_30;
-                    phi_660_ = type_11(1u, ((_e495 - _e441) + 1u));
-                    phi_663_ = 1f;
+                    let _e490 = local_29;
+                    phi_654_ = type_10(1u, ((_e490 - _e436) + 1u));
+                    phi_657_ = 1f;
                     loop {
-                        let _e500 = phi_660_;
-                        let _e502 = phi_663_;
-                        local_32 = _e502;
-                        if (_e500.member < _e500.member_1) {
-                            phi_661_ = type_11((_e500.member + 1u), _e500.member_1);
-                            phi_686_ = type_11(1u, _e500.member);
+                        let _e495 = phi_654_;
+                        let _e497 = phi_657_;
+                        local_31 = _e497;
+                        if (_e495.member < _e495.member_1) {
+                            phi_655_ = type_10((_e495.member + 1u), _e495.member_1);
+                            phi_680_ = type_10(1u, _e495.member);
                         } else {
-                            phi_661_ = _e500;
-                            phi_686_ = type_11(0u, type_11().member_1);
+                            phi_655_ = _e495;
+                            phi_680_ = type_10(0u, type_10().member_1);
                         }
-                        let _e515 = phi_661_;
-                        let _e517 = phi_686_;
-                        let _e521 = (bitcast<i32>(_e517.member) != 0i);
-                        if _e521 {
-                            phi_664_ = (_e502 * f32(_e517.member_1));
+                        let _e510 = phi_655_;
+                        let _e512 = phi_680_;
+                        let _e516 = (bitcast<i32>(_e512.member) != 0i);
+                        if _e516 {
+                            phi_658_ = (_e497 * f32(_e512.member_1));
                         } else {
-                            phi_664_ = f32();
+                            phi_658_ = f32();
                         }
-                        let _e525 = phi_664_;
+                        let _e520 = phi_658_;
                         continue;
                         continuing {
-                            phi_660_ = _e515;
-                            phi_663_ = _e525;
-                            break if !(_e521);
+                            phi_654_ = _e510;
+                            phi_657_ = _e520;
+                            break if !(_e516);
                         }
                     }
-                    let _e528 = local_31;
-                    let _e531 = local_32;
-                    phi_698_ = (sqrt(_e528) / _e531);
+                    let _e523 = local_30;
+                    let _e526 = local_31;
+                    phi_692_ = (sqrt(_e523) / _e526);
                 } else {
-                    phi_698_ = 0f;
+                    phi_692_ = 0f;
                 }
-                let _e534 = phi_698_;
-                let _e535 = select(1f, 0f, _e89);
-                if (_e93 == 0u) {
-                    phi_711_ = _e535;
+                let _e529 = phi_692_;
+                let _e530 = select(1f, 0f, _e84);
+                if (_e88 == 0u) {
+                    phi_705_ = _e530;
                 } else {
-                    phi_711_ = select(_e56, _e60, _e89);
+                    phi_705_ = select(_e51, _e55, _e84);
                 }
-                let _e539 = phi_711_;
-                let _e540 = (_e56 + _e56);
-                let _e543 = ((_e56 * _e56) + (_e60 * _e60));
-                phi_718_ = type_11(1u, _e93);
-                phi_721_ = _e539;
-                phi_723_ = _e535;
+                let _e534 = phi_705_;
+                let _e535 = (_e51 + _e51);
+                let _e538 = ((_e51 * _e51) + (_e55 * _e55));
+                phi_712_ = type_10(1u, _e88);
+                phi_715_ = _e534;
+                phi_717_ = _e530;
                 loop {
-                    let _e546 = phi_718_;
-                    let _e548 = phi_721_;
-                    let _e550 = phi_723_;
-                    local_41 = _e548;
-                    local_42 = _e550;
-                    if (_e546.member < _e546.member_1) {
-                        phi_719_ = type_11((_e546.member + 1u), _e546.member_1);
-                        phi_745_ = type_11(1u, _e546.member);
+                    let _e541 = phi_712_;
+                    let _e543 = phi_715_;
+                    let _e545 = phi_717_;
+                    local_40 = _e543;
+                    local_41 = _e545;
+                    if (_e541.member < _e541.member_1) {
+                        phi_713_ = type_10((_e541.member + 1u), _e541.member_1);
+                        phi_739_ = type_10(1u, _e541.member);
                     } else {
-                        phi_719_ = _e546;
-                        phi_745_ = type_11(0u, type_11().member_1);
+                        phi_713_ = _e541;
+                        phi_739_ = type_10(0u, type_10().member_1);
                     }
-                    let _e563 = phi_719_;
-                    let _e565 = phi_745_;
-                    let _e568 = (bitcast<i32>(_e565.member) != 0i);
-                    if _e568 {
-                        phi_722_ = ((_e540 * _e548) - (_e543 * _e550));
+                    let _e558 = phi_713_;
+                    let _e560 = phi_739_;
+                    let _e563 = (bitcast<i32>(_e560.member) != 0i);
+                    if _e563 {
+                        phi_716_ = ((_e535 * _e543) - (_e538 * _e545));
                     } else {
-                        phi_722_ = f32();
+                        phi_716_ = f32();
                     }
-                    let _e573 = phi_722_;
+                    let _e568 = phi_716_;
                     continue;
                     continuing {
-                        phi_718_ = _e563;
-                        phi_721_ = _e573;
-                        phi_723_ = _e548;
-                        break if !(_e568);
+                        phi_712_ = _e558;
+                        phi_715_ = _e568;
+                        phi_717_ = _e543;
+                        break if !(_e563);
                     }
                 }
-                let _e579 = local_33;
-                phi_760_ = type_11(_e93, _e579);
-                let _e1024 = local_41;
-                phi_763_ = _e1024;
-                phi_765_ = f32(((2u * _e93) + 1u));
-                phi_767_ = 0f;
-                let _e1029 = local_42;
-                phi_769_ = _e1029;
+                let _e574 = local_32;
+                phi_754_ = type_10(_e88, _e574);
+                let _e999 = local_40;
+                phi_757_ = _e999;
+                phi_759_ = f32(((2u * _e88) + 1u));
+                phi_761_ = 0f;
+                let _e1004 = local_41;
+                phi_763_ = _e1004;
                 loop {
-                    let _e582 = phi_760_;
-                    let _e584 = phi_763_;
-                    let _e586 = phi_765_;
-                    let _e588 = phi_767_;
-                    let _e590 = phi_769_;
-                    local_34 = _e584;
-                    if (_e582.member < _e582.member_1) {
-                        phi_761_ = type_11((_e582.member + 1u), _e582.member_1);
-                        phi_791_ = type_11(1u, _e582.member);
+                    let _e577 = phi_754_;
+                    let _e579 = phi_757_;
+                    let _e581 = phi_759_;
+                    let _e583 = phi_761_;
+                    let _e585 = phi_763_;
+                    local_33 = _e579;
+                    if (_e577.member < _e577.member_1) {
+                        phi_755_ = type_10((_e577.member + 1u), _e577.member_1);
+                        phi_785_ = type_10(1u, _e577.member);
                     } else {
-                        phi_761_ = _e582;
-                        phi_791_ = type_11(0u, type_11().member_1);
+                        phi_755_ = _e577;
+                        phi_785_ = type_10(0u, type_10().member_1);
                     }
-                    let _e603 = phi_761_;
-                    let _e605 = phi_791_;
-                    let _e608 = (bitcast<i32>(_e605.member) != 0i);
-                    if _e608 {
-                        phi_764_ = (((_e65 * _e586) * _e584) - (_e588 * _e590));
-                        phi_766_ = (_e586 + 2f);
-                        phi_768_ = (_e588 + _e586);
+                    let _e598 = phi_755_;
+                    let _e600 = phi_785_;
+                    let _e603 = (bitcast<i32>(_e600.member) != 0i);
+                    if _e603 {
+                        phi_758_ = (((_e60 * _e581) * _e579) - (_e583 * _e585));
+                        phi_760_ = (_e581 + 2f);
+                        phi_762_ = (_e583 + _e581);
                     } else {
-                        phi_764_ = f32();
-                        phi_766_ = f32();
-                        phi_768_ = f32();
+                        phi_758_ = f32();
+                        phi_760_ = f32();
+                        phi_762_ = f32();
                     }
-                    let _e616 = phi_764_;
-                    let _e618 = phi_766_;
-                    let _e620 = phi_768_;
+                    let _e611 = phi_758_;
+                    let _e613 = phi_760_;
+                    let _e615 = phi_762_;
                     continue;
                     continuing {
-                        phi_760_ = _e603;
-                        phi_763_ = _e616;
-                        phi_765_ = _e618;
-                        phi_767_ = _e620;
-                        phi_769_ = _e584;
-                        break if !(_e608);
+                        phi_754_ = _e598;
+                        phi_757_ = _e611;
+                        phi_759_ = _e613;
+                        phi_761_ = _e615;
+                        phi_763_ = _e579;
+                        break if !(_e603);
                     }
                 }
-                let _e623 = local_34;
-                let _e626 = select(1f, 0f, _e205);
-                if (_e209 == 0u) {
-                    phi_818_ = _e626;
+                let _e618 = local_33;
+                let _e621 = select(1f, 0f, _e200);
+                if (_e204 == 0u) {
+                    phi_812_ = _e621;
                 } else {
-                    phi_818_ = select(_e56, _e60, _e205);
+                    phi_812_ = select(_e51, _e55, _e200);
                 }
-                let _e630 = phi_818_;
-                phi_825_ = type_11(1u, _e209);
-                phi_828_ = _e630;
-                phi_830_ = _e626;
+                let _e625 = phi_812_;
+                phi_819_ = type_10(1u, _e204);
+                phi_822_ = _e625;
+                phi_824_ = _e621;
                 loop {
-                    let _e633 = phi_825_;
-                    let _e635 = phi_828_;
-                    let _e637 = phi_830_;
-                    local_43 = _e635;
-                    local_44 = _e637;
-                    if (_e633.member < _e633.member_1) {
-                        phi_826_ = type_11((_e633.member + 1u), _e633.member_1);
-                        phi_852_ = type_11(1u, _e633.member);
+                    let _e628 = phi_819_;
+                    let _e630 = phi_822_;
+                    let _e632 = phi_824_;
+                    local_42 = _e630;
+                    local_43 = _e632;
+                    if (_e628.member < _e628.member_1) {
+                        phi_820_ = type_10((_e628.member + 1u), _e628.member_1);
+                        phi_846_ = type_10(1u, _e628.member);
                     } else {
-                        phi_826_ = _e633;
-                        phi_852_ = type_11(0u, type_11().member_1);
+                        phi_820_ = _e628;
+                        phi_846_ = type_10(0u, type_10().member_1);
                     }
-                    let _e650 = phi_826_;
-                    let _e652 = phi_852_;
-                    let _e655 = (bitcast<i32>(_e652.member) != 0i);
-                    if _e655 {
-                        phi_829_ = ((_e540 * _e635) - (_e543 * _e637));
+                    let _e645 = phi_820_;
+                    let _e647 = phi_846_;
+                    let _e650 = (bitcast<i32>(_e647.member) != 0i);
+                    if _e650 {
+                        phi_823_ = ((_e535 * _e630) - (_e538 * _e632));
                     } else {
-                        phi_829_ = f32();
+                        phi_823_ = f32();
                     }
-                    let _e660 = phi_829_;
+                    let _e655 = phi_823_;
                     continue;
                     continuing {
-                        phi_825_ = _e650;
-                        phi_828_ = _e660;
-                        phi_830_ = _e635;
-                        break if !(_e655);
+                        phi_819_ = _e645;
+                        phi_822_ = _e655;
+                        phi_824_ = _e630;
+                        break if !(_e650);
                     }
                 }
-                let _e666 = local_35;
-                phi_867_ = type_11(_e209, _e666);
-                let _e1047 = local_43;
-                phi_870_ = _e1047;
-                phi_872_ = f32(((2u * _e209) + 1u));
-                phi_874_ = 0f;
-                let _e1052 = local_44;
-                phi_876_ = _e1052;
+                let _e661 = local_34;
+                phi_861_ = type_10(_e204, _e661);
+                let _e1022 = local_42;
+                phi_864_ = _e1022;
+                phi_866_ = f32(((2u * _e204) + 1u));
+                phi_868_ = 0f;
+                let _e1027 = local_43;
+                phi_870_ = _e1027;
                 loop {
-                    let _e669 = phi_867_;
-                    let _e671 = phi_870_;
-                    let _e673 = phi_872_;
-                    let _e675 = phi_874_;
-                    let _e677 = phi_876_;
-                    local_36 = _e671;
-                    if (_e669.member < _e669.member_1) {
-                        phi_868_ = type_11((_e669.member + 1u), _e669.member_1);
-                        phi_898_ = type_11(1u, _e669.member);
+                    let _e664 = phi_861_;
+                    let _e666 = phi_864_;
+                    let _e668 = phi_866_;
+                    let _e670 = phi_868_;
+                    let _e672 = phi_870_;
+                    local_35 = _e666;
+                    if (_e664.member < _e664.member_1) {
+                        phi_862_ = type_10((_e664.member + 1u), _e664.member_1);
+                        phi_892_ = type_10(1u, _e664.member);
                     } else {
-                        phi_868_ = _e669;
-                        phi_898_ = type_11(0u, type_11().member_1);
+                        phi_862_ = _e664;
+                        phi_892_ = type_10(0u, type_10().member_1);
                     }
-                    let _e690 = phi_868_;
-                    let _e692 = phi_898_;
-                    let _e695 = (bitcast<i32>(_e692.member) != 0i);
-                    if _e695 {
-                        phi_871_ = (((_e65 * _e673) * _e671) - (_e675 * _e677));
-                        phi_873_ = (_e673 + 2f);
-                        phi_875_ = (_e675 + _e673);
+                    let _e685 = phi_862_;
+                    let _e687 = phi_892_;
+                    let _e690 = (bitcast<i32>(_e687.member) != 0i);
+                    if _e690 {
+                        phi_865_ = (((_e60 * _e668) * _e666) - (_e670 * _e672));
+                        phi_867_ = (_e668 + 2f);
+                        phi_869_ = (_e670 + _e668);
                     } else {
-                        phi_871_ = f32();
-                        phi_873_ = f32();
-                        phi_875_ = f32();
+                        phi_865_ = f32();
+                        phi_867_ = f32();
+                        phi_869_ = f32();
                     }
-                    let _e703 = phi_871_;
-                    let _e705 = phi_873_;
-                    let _e707 = phi_875_;
+                    let _e698 = phi_865_;
+                    let _e700 = phi_867_;
+                    let _e702 = phi_869_;
                     continue;
                     continuing {
-                        phi_867_ = _e690;
-                        phi_870_ = _e703;
-                        phi_872_ = _e705;
-                        phi_874_ = _e707;
-                        phi_876_ = _e671;
-                        break if !(_e695);
+                        phi_861_ = _e685;
+                        phi_864_ = _e698;
+                        phi_866_ = _e700;
+                        phi_868_ = _e702;
+                        phi_870_ = _e666;
+                        break if !(_e690);
                     }
                 }
-                let _e710 = local_36;
-                let _e713 = select(1f, 0f, _e321);
-                if (_e325 == 0u) {
-                    phi_925_ = _e713;
+                let _e705 = local_35;
+                let _e708 = select(1f, 0f, _e316);
+                if (_e320 == 0u) {
+                    phi_919_ = _e708;
                 } else {
-                    phi_925_ = select(_e56, _e60, _e321);
+                    phi_919_ = select(_e51, _e55, _e316);
                 }
-                let _e717 = phi_925_;
-                phi_932_ = type_11(1u, _e325);
-                phi_935_ = _e717;
-                phi_937_ = _e713;
+                let _e712 = phi_919_;
+                phi_926_ = type_10(1u, _e320);
+                phi_929_ = _e712;
+                phi_931_ = _e708;
                 loop {
-                    let _e720 = phi_932_;
-                    let _e722 = phi_935_;
-                    let _e724 = phi_937_;
-                    local_45 = _e722;
-                    local_46 = _e724;
-                    if (_e720.member < _e720.member_1) {
-                        phi_933_ = type_11((_e720.member + 1u), _e720.member_1);
-                        phi_959_ = type_11(1u, _e720.member);
+                    let _e715 = phi_926_;
+                    let _e717 = phi_929_;
+                    let _e719 = phi_931_;
+                    local_44 = _e717;
+                    local_45 = _e719;
+                    if (_e715.member < _e715.member_1) {
+                        phi_927_ = type_10((_e715.member + 1u), _e715.member_1);
+                        phi_953_ = type_10(1u, _e715.member);
                     } else {
-                        phi_933_ = _e720;
-                        phi_959_ = type_11(0u, type_11().member_1);
+                        phi_927_ = _e715;
+                        phi_953_ = type_10(0u, type_10().member_1);
                     }
-                    let _e737 = phi_933_;
-                    let _e739 = phi_959_;
-                    let _e742 = (bitcast<i32>(_e739.member) != 0i);
-                    if _e742 {
-                        phi_936_ = ((_e540 * _e722) - (_e543 * _e724));
+                    let _e732 = phi_927_;
+                    let _e734 = phi_953_;
+                    let _e737 = (bitcast<i32>(_e734.member) != 0i);
+                    if _e737 {
+                        phi_930_ = ((_e535 * _e717) - (_e538 * _e719));
                     } else {
-                        phi_936_ = f32();
+                        phi_930_ = f32();
                     }
-                    let _e747 = phi_936_;
+                    let _e742 = phi_930_;
                     continue;
                     continuing {
-                        phi_932_ = _e737;
-                        phi_935_ = _e747;
-                        phi_937_ = _e722;
-                        break if !(_e742);
+                        phi_926_ = _e732;
+                        phi_929_ = _e742;
+                        phi_931_ = _e717;
+                        break if !(_e737);
                     }
                 }
-                let _e753 = local_37;
-                phi_974_ = type_11(_e325, _e753);
-                let _e1070 = local_45;
-                phi_977_ = _e1070;
-                phi_979_ = f32(((2u * _e325) + 1u));
-                phi_981_ = 0f;
-                let _e1075 = local_46;
-                phi_983_ = _e1075;
+                let _e748 = local_36;
+                phi_968_ = type_10(_e320, _e748);
+                let _e1045 = local_44;
+                phi_971_ = _e1045;
+                phi_973_ = f32(((2u * _e320) + 1u));
+                phi_975_ = 0f;
+                let _e1050 = local_45;
+                phi_977_ = _e1050;
                 loop {
-                    let _e756 = phi_974_;
-                    let _e758 = phi_977_;
-                    let _e760 = phi_979_;
-                    let _e762 = phi_981_;
-                    let _e764 = phi_983_;
-                    local_38 = _e758;
-                    if (_e756.member < _e756.member_1) {
-                        phi_975_ = type_11((_e756.member + 1u), _e756.member_1);
-                        phi_1005_ = type_11(1u, _e756.member);
+                    let _e751 = phi_968_;
+                    let _e753 = phi_971_;
+                    let _e755 = phi_973_;
+                    let _e757 = phi_975_;
+                    let _e759 = phi_977_;
+                    local_37 = _e753;
+                    if (_e751.member < _e751.member_1) {
+                        phi_969_ = type_10((_e751.member + 1u), _e751.member_1);
+                        phi_999_ = type_10(1u, _e751.member);
                     } else {
-                        phi_975_ = _e756;
-                        phi_1005_ = type_11(0u, type_11().member_1);
+                        phi_969_ = _e751;
+                        phi_999_ = type_10(0u, type_10().member_1);
                     }
-                    let _e777 = phi_975_;
-                    let _e779 = phi_1005_;
-                    let _e782 = (bitcast<i32>(_e779.member) != 0i);
-                    if _e782 {
-                        phi_978_ = (((_e65 * _e760) * _e758) - (_e762 * _e764));
-                        phi_980_ = (_e760 + 2f);
-                        phi_982_ = (_e762 + _e760);
+                    let _e772 = phi_969_;
+                    let _e774 = phi_999_;
+                    let _e777 = (bitcast<i32>(_e774.member) != 0i);
+                    if _e777 {
+                        phi_972_ = (((_e60 * _e755) * _e753) - (_e757 * _e759));
+                        phi_974_ = (_e755 + 2f);
+                        phi_976_ = (_e757 + _e755);
                     } else {
-                        phi_978_ = f32();
-                        phi_980_ = f32();
-                        phi_982_ = f32();
+                        phi_972_ = f32();
+                        phi_974_ = f32();
+                        phi_976_ = f32();
                     }
-                    let _e790 = phi_978_;
-                    let _e792 = phi_980_;
-                    let _e794 = phi_982_;
+                    let _e785 = phi_972_;
+                    let _e787 = phi_974_;
+                    let _e789 = phi_976_;
                     continue;
                     continuing {
-                        phi_974_ = _e777;
-                        phi_977_ = _e790;
-                        phi_979_ = _e792;
-                        phi_981_ = _e794;
-                        phi_983_ = _e758;
-                        break if !(_e782);
+                        phi_968_ = _e772;
+                        phi_971_ = _e785;
+                        phi_973_ = _e787;
+                        phi_975_ = _e789;
+                        phi_977_ = _e753;
+                        break if !(_e777);
                     }
                 }
-                let _e797 = local_38;
-                let _e800 = select(1f, 0f, _e437);
-                if (_e441 == 0u) {
-                    phi_1032_ = _e800;
+                let _e792 = local_37;
+                let _e795 = select(1f, 0f, _e432);
+                if (_e436 == 0u) {
+                    phi_1026_ = _e795;
                 } else {
-                    phi_1032_ = select(_e56, _e60, _e437);
+                    phi_1026_ = select(_e51, _e55, _e432);
                 }
-                let _e804 = phi_1032_;
-                phi_1039_ = type_11(1u, _e441);
-                phi_1042_ = _e804;
-                phi_1044_ = _e800;
+                let _e799 = phi_1026_;
+                phi_1033_ = type_10(1u, _e436);
+                phi_1036_ = _e799;
+                phi_1038_ = _e795;
                 loop {
-                    let _e807 = phi_1039_;
-                    let _e809 = phi_1042_;
-                    let _e811 = phi_1044_;
-                    local_47 = _e809;
-                    local_48 = _e811;
-                    if (_e807.member < _e807.member_1) {
-                        phi_1040_ = type_11((_e807.member + 1u), _e807.member_1);
-                        phi_1066_ = type_11(1u, _e807.member);
+                    let _e802 = phi_1033_;
+                    let _e804 = phi_1036_;
+                    let _e806 = phi_1038_;
+                    local_46 = _e804;
+                    local_47 = _e806;
+                    if (_e802.member < _e802.member_1) {
+                        phi_1034_ = type_10((_e802.member + 1u), _e802.member_1);
+                        phi_1060_ = type_10(1u, _e802.member);
                     } else {
-                        phi_1040_ = _e807;
-                        phi_1066_ = type_11(0u, type_11().member_1);
+                        phi_1034_ = _e802;
+                        phi_1060_ = type_10(0u, type_10().member_1);
                     }
-                    let _e824 = phi_1040_;
-                    let _e826 = phi_1066_;
-                    let _e829 = (bitcast<i32>(_e826.member) != 0i);
-                    if _e829 {
-                        phi_1043_ = ((_e540 * _e809) - (_e543 * _e811));
+                    let _e819 = phi_1034_;
+                    let _e821 = phi_1060_;
+                    let _e824 = (bitcast<i32>(_e821.member) != 0i);
+                    if _e824 {
+                        phi_1037_ = ((_e535 * _e804) - (_e538 * _e806));
                     } else {
-                        phi_1043_ = f32();
+                        phi_1037_ = f32();
                     }
-                    let _e834 = phi_1043_;
+                    let _e829 = phi_1037_;
                     continue;
                     continuing {
-                        phi_1039_ = _e824;
-                        phi_1042_ = _e834;
-                        phi_1044_ = _e809;
-                        break if !(_e829);
+                        phi_1033_ = _e819;
+                        phi_1036_ = _e829;
+                        phi_1038_ = _e804;
+                        break if !(_e824);
                     }
                 }
-                let _e840 = local_39;
-                phi_1081_ = type_11(_e441, _e840);
-                let _e1093 = local_47;
-                phi_1084_ = _e1093;
-                phi_1086_ = f32(((2u * _e441) + 1u));
-                phi_1088_ = 0f;
-                let _e1098 = local_48;
-                phi_1090_ = _e1098;
+                let _e835 = local_38;
+                phi_1075_ = type_10(_e436, _e835);
+                let _e1068 = local_46;
+                phi_1078_ = _e1068;
+                phi_1080_ = f32(((2u * _e436) + 1u));
+                phi_1082_ = 0f;
+                let _e1073 = local_47;
+                phi_1084_ = _e1073;
                 loop {
-                    let _e843 = phi_1081_;
-                    let _e845 = phi_1084_;
-                    let _e847 = phi_1086_;
-                    let _e849 = phi_1088_;
-                    let _e851 = phi_1090_;
-                    local_40 = _e845;
-                    if (_e843.member < _e843.member_1) {
-                        phi_1082_ = type_11((_e843.member + 1u), _e843.member_1);
-                        phi_1112_ = type_11(1u, _e843.member);
+                    let _e838 = phi_1075_;
+                    let _e840 = phi_1078_;
+                    let _e842 = phi_1080_;
+                    let _e844 = phi_1082_;
+                    let _e846 = phi_1084_;
+                    local_39 = _e840;
+                    if (_e838.member < _e838.member_1) {
+                        phi_1076_ = type_10((_e838.member + 1u), _e838.member_1);
+                        phi_1106_ = type_10(1u, _e838.member);
                     } else {
-                        phi_1082_ = _e843;
-                        phi_1112_ = type_11(0u, type_11().member_1);
+                        phi_1076_ = _e838;
+                        phi_1106_ = type_10(0u, type_10().member_1);
                     }
-                    let _e864 = phi_1082_;
-                    let _e866 = phi_1112_;
-                    let _e869 = (bitcast<i32>(_e866.member) != 0i);
-                    if _e869 {
-                        phi_1085_ = (((_e65 * _e847) * _e845) - (_e849 * _e851));
-                        phi_1087_ = (_e847 + 2f);
-                        phi_1089_ = (_e849 + _e847);
+                    let _e859 = phi_1076_;
+                    let _e861 = phi_1106_;
+                    let _e864 = (bitcast<i32>(_e861.member) != 0i);
+                    if _e864 {
+                        phi_1079_ = (((_e60 * _e842) * _e840) - (_e844 * _e846));
+                        phi_1081_ = (_e842 + 2f);
+                        phi_1083_ = (_e844 + _e842);
                     } else {
-                        phi_1085_ = f32();
-                        phi_1087_ = f32();
-                        phi_1089_ = f32();
+                        phi_1079_ = f32();
+                        phi_1081_ = f32();
+                        phi_1083_ = f32();
                     }
-                    let _e877 = phi_1085_;
-                    let _e879 = phi_1087_;
-                    let _e881 = phi_1089_;
+                    let _e872 = phi_1079_;
+                    let _e874 = phi_1081_;
+                    let _e876 = phi_1083_;
                     continue;
                     continuing {
-                        phi_1081_ = _e864;
-                        phi_1084_ = _e877;
-                        phi_1086_ = _e879;
-                        phi_1088_ = _e881;
-                        phi_1090_ = _e845;
-                        break if !(_e869);
+                        phi_1075_ = _e859;
+                        phi_1078_ = _e872;
+                        phi_1080_ = _e874;
+                        phi_1082_ = _e876;
+                        phi_1084_ = _e840;
+                        break if !(_e864);
                     }
                 }
-                let _e884 = local_40;
-                local = array<f32, 4>((_e70 * (_e623 * _e186)), (_e70 * (_e710 * _e302)), (_e70 * (_e797 * _e418)), (_e70 * (_e884 * _e534)));
-                phi_1135_ = type_11(0u, 4u);
-                loop {
-                    let _e889 = phi_1135_;
-                    if (_e889.member < _e889.member_1) {
-                        phi_1136_ = type_11((_e889.member + 1u), _e889.member_1);
-                        phi_1159_ = type_11(1u, _e889.member);
-                    } else {
-                        phi_1136_ = _e889;
-                        phi_1159_ = type_11(0u, type_11().member_1);
-                    }
-                    let _e902 = phi_1136_;
-                    let _e904 = phi_1159_;
-                    let _e908 = (bitcast<i32>(_e904.member) != 0i);
-                    if _e908 {
-                        if (_e904.member_1 < 4u) {
-                        } else {
-                            phi_1188_ = true;
-                            break;
-                        }
-                        let _e911 = local[_e904.member_1];
-                        let _e913 = ((_e904.member_1 * _e44) + _e48);
-                        if (_e913 < arrayLength((&table.member))) {
-                        } else {
-                            phi_1188_ = true;
-                            break;
-                        }
-                        table.member[_e913] = _e911;
-                    }
-                    continue;
-                    continuing {
-                        phi_1135_ = _e902;
-                        phi_1188_ = false;
-                        break if !(_e908);
-                    }
-                }
-                let _e919 = phi_1188_;
-                if _e919 {
-                    break;
-                }
+                let _e879 = local_39;
+                table.member[_e43] = (_e65 * (_e618 * _e181));
+                table.member[(_e39 + _e43)] = (_e65 * (_e705 * _e297));
+                table.member[((2u * _e39) + _e43)] = (_e65 * (_e792 * _e413));
+                table.member[((3u * _e39) + _e43)] = (_e65 * (_e879 * _e529));
             }
             break;
         }

@@ -2,12 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_12 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_18 {
+struct type_13 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -15,8 +10,8 @@ struct type_18 {
     member_4: array<vec4<f32>, 3>,
 }
 
-struct type_19 {
-    member: type_18,
+struct type_14 {
+    member: type_13,
 }
 
 var<private> gid_1: vec3<u32>;
@@ -25,407 +20,375 @@ var<storage, read_write> out: type_5;
 @group(0) @binding(1) 
 var<storage> coefs: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_19;
+var<uniform> params: type_14;
 
 fn function_() {
-    var local: array<f32, 12>;
-    var phi_88_: u32;
-    var phi_107_: u32;
-    var phi_155_: u32;
-    var phi_174_: u32;
-    var phi_205_: f32;
-    var phi_222_: f32;
-    var phi_239_: f32;
-    var phi_260_: f32;
-    var phi_281_: f32;
-    var phi_302_: f32;
-    var phi_323_: f32;
-    var phi_344_: f32;
-    var phi_365_: f32;
-    var phi_402_: f32;
-    var phi_419_: f32;
-    var phi_436_: f32;
-    var phi_457_: f32;
-    var phi_478_: f32;
-    var phi_499_: f32;
-    var phi_520_: f32;
-    var phi_541_: f32;
-    var phi_562_: f32;
-    var phi_599_: f32;
-    var phi_616_: f32;
-    var phi_633_: f32;
-    var phi_654_: f32;
-    var phi_675_: f32;
-    var phi_696_: f32;
-    var phi_717_: f32;
-    var phi_738_: f32;
-    var phi_759_: f32;
-    var phi_796_: f32;
-    var phi_813_: f32;
-    var phi_830_: f32;
-    var phi_851_: f32;
-    var phi_872_: f32;
-    var phi_893_: f32;
-    var phi_914_: f32;
-    var phi_935_: f32;
-    var phi_956_: f32;
-    var phi_988_: type_12;
-    var phi_989_: type_12;
-    var phi_1012_: type_12;
-    var phi_1042_: bool;
+    var phi_76_: u32;
+    var phi_95_: u32;
+    var phi_143_: u32;
+    var phi_162_: u32;
+    var phi_193_: f32;
+    var phi_210_: f32;
+    var phi_227_: f32;
+    var phi_248_: f32;
+    var phi_269_: f32;
+    var phi_290_: f32;
+    var phi_311_: f32;
+    var phi_332_: f32;
+    var phi_353_: f32;
+    var phi_390_: f32;
+    var phi_407_: f32;
+    var phi_424_: f32;
+    var phi_445_: f32;
+    var phi_466_: f32;
+    var phi_487_: f32;
+    var phi_508_: f32;
+    var phi_529_: f32;
+    var phi_550_: f32;
+    var phi_587_: f32;
+    var phi_604_: f32;
+    var phi_621_: f32;
+    var phi_642_: f32;
+    var phi_663_: f32;
+    var phi_684_: f32;
+    var phi_705_: f32;
+    var phi_726_: f32;
+    var phi_747_: f32;
+    var phi_784_: f32;
+    var phi_801_: f32;
+    var phi_818_: f32;
+    var phi_839_: f32;
+    var phi_860_: f32;
+    var phi_881_: f32;
+    var phi_902_: f32;
+    var phi_923_: f32;
+    var phi_944_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e35 = gid_1;
-            let _e40 = params.member.member;
-            let _e43 = params.member.member_1;
-            let _e46 = (_e40 / 64u);
-            let _e48 = ((_e40 % 64u) > 0u);
-            if _e48 {
-                phi_88_ = (_e46 + 1u);
+            let _e28 = gid_1;
+            let _e31 = params.member.member;
+            let _e34 = params.member.member_1;
+            let _e37 = (_e31 / 64u);
+            let _e39 = ((_e31 % 64u) > 0u);
+            if _e39 {
+                phi_76_ = (_e37 + 1u);
             } else {
-                phi_88_ = _e46;
+                phi_76_ = _e37;
             }
-            let _e51 = phi_88_;
-            let _e52 = (select(_e43, 9u, (_e43 > 9u)) + 1u);
-            let _e53 = (_e52 * _e52);
-            let _e54 = (_e53 / 4u);
-            let _e56 = ((_e53 % 4u) > 0u);
-            if _e56 {
-                phi_107_ = (_e54 + 1u);
+            let _e42 = phi_76_;
+            let _e43 = (select(_e34, 9u, (_e34 > 9u)) + 1u);
+            let _e44 = (_e43 * _e43);
+            let _e45 = (_e44 / 4u);
+            let _e47 = ((_e44 % 4u) > 0u);
+            if _e47 {
+                phi_95_ = (_e45 + 1u);
             } else {
-                phi_107_ = _e54;
+                phi_95_ = _e45;
             }
-            let _e59 = phi_107_;
-            let _e61 = ((_e51 * _e59) * 64u);
-            let _e65 = (_e35.x + (_e35.y * 2097152u));
-            if (_e65 < _e61) {
-                let _e67 = (_e65 / 64u);
-                if _e48 {
-                    phi_155_ = (_e46 + 1u);
+            let _e50 = phi_95_;
+            let _e51 = (_e42 * _e50);
+            let _e52 = (_e51 * 64u);
+            let _e56 = (_e28.x + (_e28.y * 2097152u));
+            if (_e56 < _e52) {
+                let _e58 = (_e56 / 64u);
+                if _e39 {
+                    phi_143_ = (_e37 + 1u);
                 } else {
-                    phi_155_ = _e46;
+                    phi_143_ = _e37;
                 }
-                let _e70 = phi_155_;
-                if _e56 {
-                    phi_174_ = (_e54 + 1u);
+                let _e61 = phi_143_;
+                if _e47 {
+                    phi_162_ = (_e45 + 1u);
                 } else {
-                    phi_174_ = _e54;
+                    phi_162_ = _e45;
                 }
-                let _e73 = phi_174_;
-                if (_e73 == 0u) {
+                let _e64 = phi_162_;
+                if (_e64 == 0u) {
                     break;
                 }
-                let _e78 = (_e70 * _e73);
-                let _e80 = ((_e67 - ((_e67 / _e73) * _e73)) * 4u);
-                let _e85 = params.member.member_4[0u][0u];
-                if (_e80 >= 1u) {
-                    let _e91 = params.member.member_4[0u][1u];
-                    phi_205_ = _e91;
+                let _e69 = (_e61 * _e64);
+                let _e71 = ((_e58 - ((_e58 / _e64) * _e64)) * 4u);
+                let _e76 = params.member.member_4[0u][0u];
+                if (_e71 >= 1u) {
+                    let _e82 = params.member.member_4[0u][1u];
+                    phi_193_ = _e82;
                 } else {
-                    phi_205_ = _e85;
+                    phi_193_ = _e76;
                 }
-                let _e93 = phi_205_;
-                if (_e80 >= 4u) {
-                    let _e99 = params.member.member_4[0u][2u];
-                    phi_222_ = _e99;
+                let _e84 = phi_193_;
+                if (_e71 >= 4u) {
+                    let _e90 = params.member.member_4[0u][2u];
+                    phi_210_ = _e90;
                 } else {
-                    phi_222_ = _e93;
+                    phi_210_ = _e84;
                 }
-                let _e101 = phi_222_;
-                if (_e80 >= 9u) {
-                    let _e107 = params.member.member_4[0u][3u];
-                    phi_239_ = _e107;
+                let _e92 = phi_210_;
+                if (_e71 >= 9u) {
+                    let _e98 = params.member.member_4[0u][3u];
+                    phi_227_ = _e98;
                 } else {
-                    phi_239_ = _e101;
+                    phi_227_ = _e92;
                 }
-                let _e109 = phi_239_;
-                if (_e80 >= 16u) {
-                    let _e115 = params.member.member_4[1u][0u];
-                    phi_260_ = _e115;
+                let _e100 = phi_227_;
+                if (_e71 >= 16u) {
+                    let _e106 = params.member.member_4[1u][0u];
+                    phi_248_ = _e106;
                 } else {
-                    phi_260_ = _e109;
+                    phi_248_ = _e100;
                 }
-                let _e117 = phi_260_;
-                if (_e80 >= 25u) {
-                    let _e123 = params.member.member_4[1u][1u];
-                    phi_281_ = _e123;
+                let _e108 = phi_248_;
+                if (_e71 >= 25u) {
+                    let _e114 = params.member.member_4[1u][1u];
+                    phi_269_ = _e114;
                 } else {
-                    phi_281_ = _e117;
+                    phi_269_ = _e108;
                 }
-                let _e125 = phi_281_;
-                if (_e80 >= 36u) {
-                    let _e131 = params.member.member_4[1u][2u];
-                    phi_302_ = _e131;
+                let _e116 = phi_269_;
+                if (_e71 >= 36u) {
+                    let _e122 = params.member.member_4[1u][2u];
+                    phi_290_ = _e122;
                 } else {
-                    phi_302_ = _e125;
+                    phi_290_ = _e116;
                 }
-                let _e133 = phi_302_;
-                if (_e80 >= 49u) {
-                    let _e139 = params.member.member_4[1u][3u];
-                    phi_323_ = _e139;
+                let _e124 = phi_290_;
+                if (_e71 >= 49u) {
+                    let _e130 = params.member.member_4[1u][3u];
+                    phi_311_ = _e130;
                 } else {
-                    phi_323_ = _e133;
+                    phi_311_ = _e124;
                 }
-                let _e141 = phi_323_;
-                if (_e80 >= 64u) {
-                    let _e147 = params.member.member_4[2u][0u];
-                    phi_344_ = _e147;
+                let _e132 = phi_311_;
+                if (_e71 >= 64u) {
+                    let _e138 = params.member.member_4[2u][0u];
+                    phi_332_ = _e138;
                 } else {
-                    phi_344_ = _e141;
+                    phi_332_ = _e132;
                 }
-                let _e149 = phi_344_;
-                if (_e80 >= 81u) {
-                    let _e155 = params.member.member_4[2u][1u];
-                    phi_365_ = _e155;
+                let _e140 = phi_332_;
+                if (_e71 >= 81u) {
+                    let _e146 = params.member.member_4[2u][1u];
+                    phi_353_ = _e146;
                 } else {
-                    phi_365_ = _e149;
+                    phi_353_ = _e140;
                 }
-                let _e157 = phi_365_;
-                let _e160 = coefs.member[_e65];
-                let _e166 = coefs.member[((_e78 * 256u) + _e65)];
-                let _e172 = coefs.member[((_e78 * 512u) + _e65)];
-                let _e174 = (_e80 + 1u);
-                if (_e174 >= 1u) {
-                    let _e180 = params.member.member_4[0u][1u];
-                    phi_402_ = _e180;
+                let _e148 = phi_353_;
+                let _e151 = coefs.member[_e56];
+                let _e157 = coefs.member[((_e69 * 256u) + _e56)];
+                let _e163 = coefs.member[((_e69 * 512u) + _e56)];
+                let _e165 = (_e71 + 1u);
+                if (_e165 >= 1u) {
+                    let _e171 = params.member.member_4[0u][1u];
+                    phi_390_ = _e171;
                 } else {
-                    phi_402_ = _e85;
+                    phi_390_ = _e76;
                 }
-                let _e182 = phi_402_;
-                if (_e174 >= 4u) {
-                    let _e188 = params.member.member_4[0u][2u];
-                    phi_419_ = _e188;
+                let _e173 = phi_390_;
+                if (_e165 >= 4u) {
+                    let _e179 = params.member.member_4[0u][2u];
+                    phi_407_ = _e179;
                 } else {
-                    phi_419_ = _e182;
+                    phi_407_ = _e173;
                 }
-                let _e190 = phi_419_;
-                if (_e174 >= 9u) {
-                    let _e196 = params.member.member_4[0u][3u];
-                    phi_436_ = _e196;
+                let _e181 = phi_407_;
+                if (_e165 >= 9u) {
+                    let _e187 = params.member.member_4[0u][3u];
+                    phi_424_ = _e187;
                 } else {
-                    phi_436_ = _e190;
+                    phi_424_ = _e181;
                 }
-                let _e198 = phi_436_;
-                if (_e174 >= 16u) {
-                    let _e204 = params.member.member_4[1u][0u];
-                    phi_457_ = _e204;
+                let _e189 = phi_424_;
+                if (_e165 >= 16u) {
+                    let _e195 = params.member.member_4[1u][0u];
+                    phi_445_ = _e195;
                 } else {
-                    phi_457_ = _e198;
+                    phi_445_ = _e189;
                 }
-                let _e206 = phi_457_;
-                if (_e174 >= 25u) {
-                    let _e212 = params.member.member_4[1u][1u];
-                    phi_478_ = _e212;
+                let _e197 = phi_445_;
+                if (_e165 >= 25u) {
+                    let _e203 = params.member.member_4[1u][1u];
+                    phi_466_ = _e203;
                 } else {
-                    phi_478_ = _e206;
+                    phi_466_ = _e197;
                 }
-                let _e214 = phi_478_;
-                if (_e174 >= 36u) {
-                    let _e220 = params.member.member_4[1u][2u];
-                    phi_499_ = _e220;
+                let _e205 = phi_466_;
+                if (_e165 >= 36u) {
+                    let _e211 = params.member.member_4[1u][2u];
+                    phi_487_ = _e211;
                 } else {
-                    phi_499_ = _e214;
+                    phi_487_ = _e205;
                 }
-                let _e222 = phi_499_;
-                if (_e174 >= 49u) {
-                    let _e228 = params.member.member_4[1u][3u];
-                    phi_520_ = _e228;
+                let _e213 = phi_487_;
+                if (_e165 >= 49u) {
+                    let _e219 = params.member.member_4[1u][3u];
+                    phi_508_ = _e219;
                 } else {
-                    phi_520_ = _e222;
+                    phi_508_ = _e213;
                 }
-                let _e230 = phi_520_;
-                if (_e174 >= 64u) {
-                    let _e236 = params.member.member_4[2u][0u];
-                    phi_541_ = _e236;
+                let _e221 = phi_508_;
+                if (_e165 >= 64u) {
+                    let _e227 = params.member.member_4[2u][0u];
+                    phi_529_ = _e227;
                 } else {
-                    phi_541_ = _e230;
+                    phi_529_ = _e221;
                 }
-                let _e238 = phi_541_;
-                if (_e174 >= 81u) {
-                    let _e244 = params.member.member_4[2u][1u];
-                    phi_562_ = _e244;
+                let _e229 = phi_529_;
+                if (_e165 >= 81u) {
+                    let _e235 = params.member.member_4[2u][1u];
+                    phi_550_ = _e235;
                 } else {
-                    phi_562_ = _e238;
+                    phi_550_ = _e229;
                 }
-                let _e246 = phi_562_;
-                let _e250 = coefs.member[((_e78 * 64u) + _e65)];
-                let _e256 = coefs.member[((_e78 * 320u) + _e65)];
-                let _e262 = coefs.member[((_e78 * 576u) + _e65)];
-                let _e264 = (_e80 + 2u);
-                if (_e264 >= 1u) {
-                    let _e270 = params.member.member_4[0u][1u];
-                    phi_599_ = _e270;
+                let _e237 = phi_550_;
+                let _e241 = coefs.member[((_e69 * 64u) + _e56)];
+                let _e247 = coefs.member[((_e69 * 320u) + _e56)];
+                let _e253 = coefs.member[((_e69 * 576u) + _e56)];
+                let _e255 = (_e71 + 2u);
+                if (_e255 >= 1u) {
+                    let _e261 = params.member.member_4[0u][1u];
+                    phi_587_ = _e261;
                 } else {
-                    phi_599_ = _e85;
+                    phi_587_ = _e76;
                 }
-                let _e272 = phi_599_;
-                if (_e264 >= 4u) {
-                    let _e278 = params.member.member_4[0u][2u];
-                    phi_616_ = _e278;
+                let _e263 = phi_587_;
+                if (_e255 >= 4u) {
+                    let _e269 = params.member.member_4[0u][2u];
+                    phi_604_ = _e269;
                 } else {
-                    phi_616_ = _e272;
+                    phi_604_ = _e263;
                 }
-                let _e280 = phi_616_;
-                if (_e264 >= 9u) {
-                    let _e286 = params.member.member_4[0u][3u];
-                    phi_633_ = _e286;
+                let _e271 = phi_604_;
+                if (_e255 >= 9u) {
+                    let _e277 = params.member.member_4[0u][3u];
+                    phi_621_ = _e277;
                 } else {
-                    phi_633_ = _e280;
+                    phi_621_ = _e271;
                 }
-                let _e288 = phi_633_;
-                if (_e264 >= 16u) {
-                    let _e294 = params.member.member_4[1u][0u];
-                    phi_654_ = _e294;
+                let _e279 = phi_621_;
+                if (_e255 >= 16u) {
+                    let _e285 = params.member.member_4[1u][0u];
+                    phi_642_ = _e285;
                 } else {
-                    phi_654_ = _e288;
+                    phi_642_ = _e279;
                 }
-                let _e296 = phi_654_;
-                if (_e264 >= 25u) {
-                    let _e302 = params.member.member_4[1u][1u];
-                    phi_675_ = _e302;
+                let _e287 = phi_642_;
+                if (_e255 >= 25u) {
+                    let _e293 = params.member.member_4[1u][1u];
+                    phi_663_ = _e293;
                 } else {
-                    phi_675_ = _e296;
+                    phi_663_ = _e287;
                 }
-                let _e304 = phi_675_;
-                if (_e264 >= 36u) {
-                    let _e310 = params.member.member_4[1u][2u];
-                    phi_696_ = _e310;
+                let _e295 = phi_663_;
+                if (_e255 >= 36u) {
+                    let _e301 = params.member.member_4[1u][2u];
+                    phi_684_ = _e301;
                 } else {
-                    phi_696_ = _e304;
+                    phi_684_ = _e295;
                 }
-                let _e312 = phi_696_;
-                if (_e264 >= 49u) {
-                    let _e318 = params.member.member_4[1u][3u];
-                    phi_717_ = _e318;
+                let _e303 = phi_684_;
+                if (_e255 >= 49u) {
+                    let _e309 = params.member.member_4[1u][3u];
+                    phi_705_ = _e309;
                 } else {
-                    phi_717_ = _e312;
+                    phi_705_ = _e303;
                 }
-                let _e320 = phi_717_;
-                if (_e264 >= 64u) {
-                    let _e326 = params.member.member_4[2u][0u];
-                    phi_738_ = _e326;
+                let _e311 = phi_705_;
+                if (_e255 >= 64u) {
+                    let _e317 = params.member.member_4[2u][0u];
+                    phi_726_ = _e317;
                 } else {
-                    phi_738_ = _e320;
+                    phi_726_ = _e311;
                 }
-                let _e328 = phi_738_;
-                if (_e264 >= 81u) {
-                    let _e334 = params.member.member_4[2u][1u];
-                    phi_759_ = _e334;
+                let _e319 = phi_726_;
+                if (_e255 >= 81u) {
+                    let _e325 = params.member.member_4[2u][1u];
+                    phi_747_ = _e325;
                 } else {
-                    phi_759_ = _e328;
+                    phi_747_ = _e319;
                 }
-                let _e336 = phi_759_;
-                let _e341 = coefs.member[((_e78 * 128u) + _e65)];
-                let _e347 = coefs.member[((_e78 * 384u) + _e65)];
-                let _e353 = coefs.member[((_e78 * 640u) + _e65)];
-                let _e355 = (_e80 + 3u);
-                if (_e355 >= 1u) {
-                    let _e361 = params.member.member_4[0u][1u];
-                    phi_796_ = _e361;
+                let _e327 = phi_747_;
+                let _e332 = coefs.member[((_e69 * 128u) + _e56)];
+                let _e338 = coefs.member[((_e69 * 384u) + _e56)];
+                let _e344 = coefs.member[((_e69 * 640u) + _e56)];
+                let _e346 = (_e71 + 3u);
+                if (_e346 >= 1u) {
+                    let _e352 = params.member.member_4[0u][1u];
+                    phi_784_ = _e352;
                 } else {
-                    phi_796_ = _e85;
+                    phi_784_ = _e76;
                 }
-                let _e363 = phi_796_;
-                if (_e355 >= 4u) {
-                    let _e369 = params.member.member_4[0u][2u];
-                    phi_813_ = _e369;
+                let _e354 = phi_784_;
+                if (_e346 >= 4u) {
+                    let _e360 = params.member.member_4[0u][2u];
+                    phi_801_ = _e360;
                 } else {
-                    phi_813_ = _e363;
+                    phi_801_ = _e354;
                 }
-                let _e371 = phi_813_;
-                if (_e355 >= 9u) {
-                    let _e377 = params.member.member_4[0u][3u];
-                    phi_830_ = _e377;
+                let _e362 = phi_801_;
+                if (_e346 >= 9u) {
+                    let _e368 = params.member.member_4[0u][3u];
+                    phi_818_ = _e368;
                 } else {
-                    phi_830_ = _e371;
+                    phi_818_ = _e362;
                 }
-                let _e379 = phi_830_;
-                if (_e355 >= 16u) {
-                    let _e385 = params.member.member_4[1u][0u];
-                    phi_851_ = _e385;
+                let _e370 = phi_818_;
+                if (_e346 >= 16u) {
+                    let _e376 = params.member.member_4[1u][0u];
+                    phi_839_ = _e376;
                 } else {
-                    phi_851_ = _e379;
+                    phi_839_ = _e370;
                 }
-                let _e387 = phi_851_;
-                if (_e355 >= 25u) {
-                    let _e393 = params.member.member_4[1u][1u];
-                    phi_872_ = _e393;
+                let _e378 = phi_839_;
+                if (_e346 >= 25u) {
+                    let _e384 = params.member.member_4[1u][1u];
+                    phi_860_ = _e384;
                 } else {
-                    phi_872_ = _e387;
+                    phi_860_ = _e378;
                 }
-                let _e395 = phi_872_;
-                if (_e355 >= 36u) {
-                    let _e401 = params.member.member_4[1u][2u];
-                    phi_893_ = _e401;
+                let _e386 = phi_860_;
+                if (_e346 >= 36u) {
+                    let _e392 = params.member.member_4[1u][2u];
+                    phi_881_ = _e392;
                 } else {
-                    phi_893_ = _e395;
+                    phi_881_ = _e386;
                 }
-                let _e403 = phi_893_;
-                if (_e355 >= 49u) {
-                    let _e409 = params.member.member_4[1u][3u];
-                    phi_914_ = _e409;
+                let _e394 = phi_881_;
+                if (_e346 >= 49u) {
+                    let _e400 = params.member.member_4[1u][3u];
+                    phi_902_ = _e400;
                 } else {
-                    phi_914_ = _e403;
+                    phi_902_ = _e394;
                 }
-                let _e411 = phi_914_;
-                if (_e355 >= 64u) {
-                    let _e417 = params.member.member_4[2u][0u];
-                    phi_935_ = _e417;
+                let _e402 = phi_902_;
+                if (_e346 >= 64u) {
+                    let _e408 = params.member.member_4[2u][0u];
+                    phi_923_ = _e408;
                 } else {
-                    phi_935_ = _e411;
+                    phi_923_ = _e402;
                 }
-                let _e419 = phi_935_;
-                if (_e355 >= 81u) {
-                    let _e425 = params.member.member_4[2u][1u];
-                    phi_956_ = _e425;
+                let _e410 = phi_923_;
+                if (_e346 >= 81u) {
+                    let _e416 = params.member.member_4[2u][1u];
+                    phi_944_ = _e416;
                 } else {
-                    phi_956_ = _e419;
+                    phi_944_ = _e410;
                 }
-                let _e427 = phi_956_;
-                let _e432 = coefs.member[((_e78 * 192u) + _e65)];
-                let _e438 = coefs.member[((_e78 * 448u) + _e65)];
-                let _e444 = coefs.member[((_e78 * 704u) + _e65)];
-                local = array<f32, 12>((_e160 * _e157), (_e250 * _e246), (_e341 * _e336), (_e432 * _e427), (_e166 * _e157), (_e256 * _e246), (_e347 * _e336), (_e438 * _e427), (_e172 * _e157), (_e262 * _e246), (_e353 * _e336), (_e444 * _e427));
-                phi_988_ = type_12(0u, 12u);
-                loop {
-                    let _e448 = phi_988_;
-                    if (_e448.member < _e448.member_1) {
-                        phi_989_ = type_12((_e448.member + 1u), _e448.member_1);
-                        phi_1012_ = type_12(1u, _e448.member);
-                    } else {
-                        phi_989_ = _e448;
-                        phi_1012_ = type_12(0u, type_12().member_1);
-                    }
-                    let _e461 = phi_989_;
-                    let _e463 = phi_1012_;
-                    let _e467 = (bitcast<i32>(_e463.member) != 0i);
-                    if _e467 {
-                        if (_e463.member_1 < 12u) {
-                        } else {
-                            phi_1042_ = true;
-                            break;
-                        }
-                        let _e470 = local[_e463.member_1];
-                        let _e472 = ((_e463.member_1 * _e61) + _e65);
-                        if (_e472 < arrayLength((&out.member))) {
-                        } else {
-                            phi_1042_ = true;
-                            break;
-                        }
-                        out.member[_e472] = _e470;
-                    }
-                    continue;
-                    continuing {
-                        phi_988_ = _e461;
-                        phi_1042_ = false;
-                        break if !(_e467);
-                    }
-                }
-                let _e478 = phi_1042_;
-                if _e478 {
-                    break;
-                }
+                let _e418 = phi_944_;
+                let _e423 = coefs.member[((_e69 * 192u) + _e56)];
+                let _e429 = coefs.member[((_e69 * 448u) + _e56)];
+                let _e435 = coefs.member[((_e69 * 704u) + _e56)];
+                out.member[_e56] = (_e151 * _e148);
+                out.member[(_e52 + _e56)] = (_e241 * _e237);
+                out.member[((_e51 * 128u) + _e56)] = (_e332 * _e327);
+                out.member[((_e51 * 192u) + _e56)] = (_e423 * _e418);
+                out.member[((_e51 * 256u) + _e56)] = (_e157 * _e148);
+                out.member[((_e51 * 320u) + _e56)] = (_e247 * _e237);
+                out.member[((_e51 * 384u) + _e56)] = (_e338 * _e327);
+                out.member[((_e51 * 448u) + _e56)] = (_e429 * _e418);
+                out.member[((_e51 * 512u) + _e56)] = (_e163 * _e148);
+                out.member[((_e51 * 576u) + _e56)] = (_e253 * _e237);
+                out.member[((_e51 * 640u) + _e56)] = (_e344 * _e327);
+                out.member[((_e51 * 704u) + _e56)] = (_e435 * _e418);
             }
             break;
         }

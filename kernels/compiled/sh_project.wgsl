@@ -7,20 +7,20 @@ struct type_12 {
     member_1: u32,
 }
 
-struct type_15 {
+struct type_14 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: f32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_15 {
+    member: type_14,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_16;
+var<uniform> params: type_15;
 @group(0) @binding(2) 
 var<storage> radiance: type_5;
 @group(0) @binding(3) 
@@ -29,7 +29,6 @@ var<storage, read_write> coefs: type_5;
 var<storage> table: type_5;
 
 fn function_() {
-    var local: array<f32, 12>;
     var phi_79_: u32;
     var phi_98_: u32;
     var phi_162_: u32;
@@ -38,7 +37,7 @@ fn function_() {
     var phi_188_: type_12;
     var phi_213_: type_12;
     var phi_191_: array<f32, 12>;
-    var phi_429_: bool;
+    var local: array<f32, 12>;
     var local_1: array<f32, 12>;
     var local_2: array<f32, 12>;
     var local_3: array<f32, 12>;
@@ -50,16 +49,10 @@ fn function_() {
     var local_9: array<f32, 12>;
     var local_10: array<f32, 12>;
     var local_11: array<f32, 12>;
-    var local_12: array<f32, 12>;
-    var phi_373_: type_12;
-    var phi_374_: type_12;
-    var phi_397_: type_12;
-    var phi_438_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e26 = gid_1;
-            let _e28 = arrayLength((&table.member));
+            let _e30 = gid_1;
             let _e33 = params.member.member;
             let _e36 = params.member.member_2;
             let _e39 = (_e33 / 64u);
@@ -79,8 +72,9 @@ fn function_() {
                 phi_98_ = _e47;
             }
             let _e52 = phi_98_;
-            let _e54 = ((_e44 * _e52) * 64u);
-            let _e58 = (_e26.x + (_e26.y * 2097152u));
+            let _e53 = (_e44 * _e52);
+            let _e54 = (_e53 * 64u);
+            let _e58 = (_e30.x + (_e30.y * 2097152u));
             if (_e58 < _e54) {
                 let _e60 = (_e58 / 64u);
                 if _e49 {
@@ -102,6 +96,7 @@ fn function_() {
                 loop {
                     let _e84 = phi_187_;
                     let _e86 = phi_190_;
+                    local = _e86;
                     local_1 = _e86;
                     local_2 = _e86;
                     local_3 = _e86;
@@ -113,7 +108,6 @@ fn function_() {
                     local_9 = _e86;
                     local_10 = _e86;
                     local_11 = _e86;
-                    local_12 = _e86;
                     if (_e84.member < _e84.member_1) {
                         phi_188_ = type_12((_e84.member + 1u), _e84.member_1);
                         phi_213_ = type_12(1u, _e84.member);
@@ -129,104 +123,47 @@ fn function_() {
                         let _e110 = radiance.member[_e107];
                         let _e114 = radiance.member[(_e107 + 64u)];
                         let _e118 = radiance.member[(_e107 + 128u)];
-                        let _e119 = (_e80 + _e101.member_1);
-                        if (_e119 < _e28) {
-                        } else {
-                            phi_429_ = true;
-                            break;
-                        }
-                        let _e123 = table.member[_e119];
-                        let _e134 = ((_e81 + _e80) + _e101.member_1);
-                        if (_e134 < _e28) {
-                        } else {
-                            phi_429_ = true;
-                            break;
-                        }
-                        let _e138 = table.member[_e134];
-                        let _e150 = (((2u * _e81) + _e80) + _e101.member_1);
-                        if (_e150 < _e28) {
-                        } else {
-                            phi_429_ = true;
-                            break;
-                        }
-                        let _e154 = table.member[_e150];
-                        let _e166 = (((3u * _e81) + _e80) + _e101.member_1);
-                        if (_e166 < _e28) {
-                        } else {
-                            phi_429_ = true;
-                            break;
-                        }
-                        let _e170 = table.member[_e166];
-                        phi_191_ = array<f32, 12>((_e86[0] + (_e110 * _e123)), (_e86[1] + (_e110 * _e138)), (_e86[2] + (_e110 * _e154)), (_e86[3] + (_e110 * _e170)), (_e86[4] + (_e114 * _e123)), (_e86[5] + (_e114 * _e138)), (_e86[6] + (_e114 * _e154)), (_e86[7] + (_e114 * _e170)), (_e86[8] + (_e118 * _e123)), (_e86[9] + (_e118 * _e138)), (_e86[10] + (_e118 * _e154)), (_e86[11] + (_e118 * _e170)));
+                        let _e122 = table.member[(_e80 + _e101.member_1)];
+                        let _e136 = table.member[((_e81 + _e80) + _e101.member_1)];
+                        let _e151 = table.member[(((2u * _e81) + _e80) + _e101.member_1)];
+                        let _e166 = table.member[(((3u * _e81) + _e80) + _e101.member_1)];
+                        phi_191_ = array<f32, 12>((_e86[0] + (_e110 * _e122)), (_e86[1] + (_e110 * _e136)), (_e86[2] + (_e110 * _e151)), (_e86[3] + (_e110 * _e166)), (_e86[4] + (_e114 * _e122)), (_e86[5] + (_e114 * _e136)), (_e86[6] + (_e114 * _e151)), (_e86[7] + (_e114 * _e166)), (_e86[8] + (_e118 * _e122)), (_e86[9] + (_e118 * _e136)), (_e86[10] + (_e118 * _e151)), (_e86[11] + (_e118 * _e166)));
                     } else {
                         phi_191_ = array<f32, 12>();
                     }
-                    let _e182 = phi_191_;
+                    let _e178 = phi_191_;
                     continue;
                     continuing {
                         phi_187_ = _e99;
-                        phi_190_ = _e182;
-                        phi_429_ = false;
+                        phi_190_ = _e178;
                         break if !(_e105);
                     }
                 }
-                let _e185 = phi_429_;
-                if _e185 {
-                    break;
-                }
-                let _e188 = params.member.member_3;
-                let _e190 = local_1;
-                let _e194 = local_2;
-                let _e198 = local_3;
-                let _e202 = local_4;
-                let _e206 = local_5;
-                let _e210 = local_6;
-                let _e214 = local_7;
-                let _e218 = local_8;
-                let _e222 = local_9;
-                let _e226 = local_10;
-                let _e230 = local_11;
-                let _e234 = local_12;
-                local = array<f32, 12>((_e190[0] * _e188), (_e194[1] * _e188), (_e198[2] * _e188), (_e202[3] * _e188), (_e206[4] * _e188), (_e210[5] * _e188), (_e214[6] * _e188), (_e218[7] * _e188), (_e222[8] * _e188), (_e226[9] * _e188), (_e230[10] * _e188), (_e234[11] * _e188));
-                phi_373_ = type_12(0u, 12u);
-                loop {
-                    let _e239 = phi_373_;
-                    if (_e239.member < _e239.member_1) {
-                        phi_374_ = type_12((_e239.member + 1u), _e239.member_1);
-                        phi_397_ = type_12(1u, _e239.member);
-                    } else {
-                        phi_374_ = _e239;
-                        phi_397_ = type_12(0u, type_12().member_1);
-                    }
-                    let _e252 = phi_374_;
-                    let _e254 = phi_397_;
-                    let _e258 = (bitcast<i32>(_e254.member) != 0i);
-                    if _e258 {
-                        if (_e254.member_1 < 12u) {
-                        } else {
-                            phi_438_ = true;
-                            break;
-                        }
-                        let _e261 = local[_e254.member_1];
-                        let _e263 = ((_e254.member_1 * _e54) + _e58);
-                        if (_e263 < arrayLength((&coefs.member))) {
-                        } else {
-                            phi_438_ = true;
-                            break;
-                        }
-                        coefs.member[_e263] = _e261;
-                    }
-                    continue;
-                    continuing {
-                        phi_373_ = _e252;
-                        phi_438_ = _e185;
-                        break if !(_e258);
-                    }
-                }
-                let _e269 = phi_438_;
-                if _e269 {
-                    break;
-                }
+                let _e182 = params.member.member_3;
+                let _e184 = local;
+                let _e188 = local_1;
+                let _e192 = local_2;
+                let _e196 = local_3;
+                let _e200 = local_4;
+                let _e204 = local_5;
+                let _e208 = local_6;
+                let _e212 = local_7;
+                let _e216 = local_8;
+                let _e220 = local_9;
+                let _e224 = local_10;
+                let _e228 = local_11;
+                coefs.member[_e58] = (_e184[0] * _e182);
+                coefs.member[(_e54 + _e58)] = (_e188[1] * _e182);
+                coefs.member[((_e53 * 128u) + _e58)] = (_e192[2] * _e182);
+                coefs.member[((_e53 * 192u) + _e58)] = (_e196[3] * _e182);
+                coefs.member[((_e53 * 256u) + _e58)] = (_e200[4] * _e182);
+                coefs.member[((_e53 * 320u) + _e58)] = (_e204[5] * _e182);
+                coefs.member[((_e53 * 384u) + _e58)] = (_e208[6] * _e182);
+                coefs.member[((_e53 * 448u) + _e58)] = (_e212[7] * _e182);
+                coefs.member[((_e53 * 512u) + _e58)] = (_e216[8] * _e182);
+                coefs.member[((_e53 * 576u) + _e58)] = (_e220[9] * _e182);
+                coefs.member[((_e53 * 640u) + _e58)] = (_e224[10] * _e182);
+                coefs.member[((_e53 * 704u) + _e58)] = (_e228[11] * _e182);
             }
             break;
         }

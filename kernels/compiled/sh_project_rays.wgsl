@@ -7,20 +7,20 @@ struct type_12 {
     member_1: u32,
 }
 
-struct type_15 {
+struct type_14 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: f32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_15 {
+    member: type_14,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_16;
+var<uniform> params: type_15;
 @group(0) @binding(1) 
 var<storage> directions: type_5;
 @group(0) @binding(2) 
@@ -29,183 +29,183 @@ var<storage> radiance: type_5;
 var<storage, read_write> coefs: type_5;
 
 fn function_() {
-    var local: array<f32, 12>;
-    var phi_86_: u32;
-    var phi_105_: u32;
-    var phi_169_: u32;
-    var phi_193_: u32;
+    var phi_87_: u32;
+    var phi_106_: u32;
+    var phi_170_: u32;
     var phi_194_: u32;
-    var phi_211_: bool;
+    var phi_195_: u32;
+    var phi_212_: bool;
+    var local: u32;
     var local_1: u32;
+    var phi_225_: u32;
     var local_2: u32;
-    var phi_224_: u32;
     var local_3: u32;
-    var local_4: u32;
-    var phi_243_: type_12;
-    var phi_246_: f32;
     var phi_244_: type_12;
-    var phi_269_: type_12;
-    var local_5: u32;
     var phi_247_: f32;
-    var local_6: u32;
-    var phi_293_: type_12;
-    var phi_296_: f32;
+    var phi_245_: type_12;
+    var phi_270_: type_12;
+    var local_4: u32;
+    var phi_248_: f32;
+    var local_5: u32;
     var phi_294_: type_12;
-    var phi_319_: type_12;
     var phi_297_: f32;
+    var phi_295_: type_12;
+    var phi_320_: type_12;
+    var phi_298_: f32;
+    var local_6: f32;
     var local_7: f32;
-    var local_8: f32;
-    var phi_331_: f32;
-    var phi_334_: u32;
+    var phi_332_: f32;
     var phi_335_: u32;
-    var phi_352_: bool;
+    var phi_336_: u32;
+    var phi_353_: bool;
+    var local_8: u32;
     var local_9: u32;
+    var phi_366_: u32;
     var local_10: u32;
-    var phi_365_: u32;
     var local_11: u32;
-    var local_12: u32;
-    var phi_384_: type_12;
-    var phi_387_: f32;
     var phi_385_: type_12;
-    var phi_410_: type_12;
-    var local_13: u32;
     var phi_388_: f32;
-    var local_14: u32;
-    var phi_434_: type_12;
-    var phi_437_: f32;
+    var phi_386_: type_12;
+    var phi_411_: type_12;
+    var local_12: u32;
+    var phi_389_: f32;
+    var local_13: u32;
     var phi_435_: type_12;
-    var phi_460_: type_12;
     var phi_438_: f32;
+    var phi_436_: type_12;
+    var phi_461_: type_12;
+    var phi_439_: f32;
+    var local_14: f32;
     var local_15: f32;
-    var local_16: f32;
-    var phi_472_: f32;
-    var phi_475_: u32;
+    var phi_473_: f32;
     var phi_476_: u32;
-    var phi_493_: bool;
+    var phi_477_: u32;
+    var phi_494_: bool;
+    var local_16: u32;
     var local_17: u32;
+    var phi_507_: u32;
     var local_18: u32;
-    var phi_506_: u32;
     var local_19: u32;
-    var local_20: u32;
-    var phi_525_: type_12;
-    var phi_528_: f32;
     var phi_526_: type_12;
-    var phi_551_: type_12;
-    var local_21: u32;
     var phi_529_: f32;
-    var local_22: u32;
-    var phi_575_: type_12;
-    var phi_578_: f32;
+    var phi_527_: type_12;
+    var phi_552_: type_12;
+    var local_20: u32;
+    var phi_530_: f32;
+    var local_21: u32;
     var phi_576_: type_12;
-    var phi_601_: type_12;
     var phi_579_: f32;
+    var phi_577_: type_12;
+    var phi_602_: type_12;
+    var phi_580_: f32;
+    var local_22: f32;
     var local_23: f32;
-    var local_24: f32;
-    var phi_613_: f32;
-    var phi_616_: u32;
+    var phi_614_: f32;
     var phi_617_: u32;
-    var phi_634_: bool;
+    var phi_618_: u32;
+    var phi_635_: bool;
+    var local_24: u32;
     var local_25: u32;
+    var phi_648_: u32;
     var local_26: u32;
-    var phi_647_: u32;
     var local_27: u32;
-    var local_28: u32;
-    var phi_666_: type_12;
-    var phi_669_: f32;
     var phi_667_: type_12;
-    var phi_692_: type_12;
-    var local_29: u32;
     var phi_670_: f32;
-    var local_30: u32;
-    var phi_716_: type_12;
-    var phi_719_: f32;
+    var phi_668_: type_12;
+    var phi_693_: type_12;
+    var local_28: u32;
+    var phi_671_: f32;
+    var local_29: u32;
     var phi_717_: type_12;
-    var phi_742_: type_12;
     var phi_720_: f32;
+    var phi_718_: type_12;
+    var phi_743_: type_12;
+    var phi_721_: f32;
+    var local_30: f32;
     var local_31: f32;
-    var local_32: f32;
-    var phi_754_: f32;
-    var phi_760_: type_12;
-    var phi_763_: array<f32, 12>;
+    var phi_755_: f32;
     var phi_761_: type_12;
-    var phi_786_: type_12;
-    var phi_825_: f32;
-    var phi_832_: type_12;
-    var phi_835_: f32;
-    var phi_837_: f32;
+    var phi_764_: array<f32, 12>;
+    var phi_762_: type_12;
+    var phi_787_: type_12;
+    var phi_826_: f32;
     var phi_833_: type_12;
-    var phi_859_: type_12;
     var phi_836_: f32;
-    var local_33: u32;
-    var phi_874_: type_12;
-    var phi_877_: f32;
-    var phi_879_: f32;
-    var phi_881_: f32;
-    var phi_883_: f32;
+    var phi_838_: f32;
+    var phi_834_: type_12;
+    var phi_860_: type_12;
+    var phi_837_: f32;
+    var local_32: u32;
     var phi_875_: type_12;
-    var phi_905_: type_12;
     var phi_878_: f32;
     var phi_880_: f32;
     var phi_882_: f32;
-    var local_34: f32;
-    var phi_943_: f32;
-    var phi_950_: type_12;
-    var phi_953_: f32;
-    var phi_955_: f32;
+    var phi_884_: f32;
+    var phi_876_: type_12;
+    var phi_906_: type_12;
+    var phi_879_: f32;
+    var phi_881_: f32;
+    var phi_883_: f32;
+    var local_33: f32;
+    var phi_944_: f32;
     var phi_951_: type_12;
-    var phi_977_: type_12;
     var phi_954_: f32;
-    var local_35: u32;
-    var phi_992_: type_12;
-    var phi_995_: f32;
-    var phi_997_: f32;
-    var phi_999_: f32;
-    var phi_1001_: f32;
+    var phi_956_: f32;
+    var phi_952_: type_12;
+    var phi_978_: type_12;
+    var phi_955_: f32;
+    var local_34: u32;
     var phi_993_: type_12;
-    var phi_1023_: type_12;
     var phi_996_: f32;
     var phi_998_: f32;
     var phi_1000_: f32;
-    var local_36: f32;
-    var phi_1061_: f32;
-    var phi_1068_: type_12;
-    var phi_1071_: f32;
-    var phi_1073_: f32;
+    var phi_1002_: f32;
+    var phi_994_: type_12;
+    var phi_1024_: type_12;
+    var phi_997_: f32;
+    var phi_999_: f32;
+    var phi_1001_: f32;
+    var local_35: f32;
+    var phi_1062_: f32;
     var phi_1069_: type_12;
-    var phi_1095_: type_12;
     var phi_1072_: f32;
-    var local_37: u32;
-    var phi_1110_: type_12;
-    var phi_1113_: f32;
-    var phi_1115_: f32;
-    var phi_1117_: f32;
-    var phi_1119_: f32;
+    var phi_1074_: f32;
+    var phi_1070_: type_12;
+    var phi_1096_: type_12;
+    var phi_1073_: f32;
+    var local_36: u32;
     var phi_1111_: type_12;
-    var phi_1141_: type_12;
     var phi_1114_: f32;
     var phi_1116_: f32;
     var phi_1118_: f32;
-    var local_38: f32;
-    var phi_1179_: f32;
-    var phi_1186_: type_12;
-    var phi_1189_: f32;
-    var phi_1191_: f32;
+    var phi_1120_: f32;
+    var phi_1112_: type_12;
+    var phi_1142_: type_12;
+    var phi_1115_: f32;
+    var phi_1117_: f32;
+    var phi_1119_: f32;
+    var local_37: f32;
+    var phi_1180_: f32;
     var phi_1187_: type_12;
-    var phi_1213_: type_12;
     var phi_1190_: f32;
-    var local_39: u32;
-    var phi_1228_: type_12;
-    var phi_1231_: f32;
-    var phi_1233_: f32;
-    var phi_1235_: f32;
-    var phi_1237_: f32;
+    var phi_1192_: f32;
+    var phi_1188_: type_12;
+    var phi_1214_: type_12;
+    var phi_1191_: f32;
+    var local_38: u32;
     var phi_1229_: type_12;
-    var phi_1259_: type_12;
     var phi_1232_: f32;
     var phi_1234_: f32;
     var phi_1236_: f32;
-    var local_40: f32;
-    var phi_764_: array<f32, 12>;
+    var phi_1238_: f32;
+    var phi_1230_: type_12;
+    var phi_1260_: type_12;
+    var phi_1233_: f32;
+    var phi_1235_: f32;
+    var phi_1237_: f32;
+    var local_39: f32;
+    var phi_765_: array<f32, 12>;
+    var local_40: array<f32, 12>;
     var local_41: array<f32, 12>;
     var local_42: array<f32, 12>;
     var local_43: array<f32, 12>;
@@ -217,11 +217,7 @@ fn function_() {
     var local_49: array<f32, 12>;
     var local_50: array<f32, 12>;
     var local_51: array<f32, 12>;
-    var local_52: array<f32, 12>;
-    var phi_1338_: type_12;
-    var phi_1339_: type_12;
-    var phi_1362_: type_12;
-    var phi_1391_: bool;
+    var local_52: f32;
     var local_53: f32;
     var local_54: f32;
     var local_55: f32;
@@ -229,950 +225,922 @@ fn function_() {
     var local_57: f32;
     var local_58: f32;
     var local_59: f32;
-    var local_60: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = gid_1;
-            let _e37 = params.member.member;
-            let _e40 = params.member.member_2;
-            let _e43 = (_e37 / 64u);
-            if ((_e37 % 64u) > 0u) {
-                phi_86_ = (_e43 + 1u);
+            let _e37 = gid_1;
+            let _e40 = params.member.member;
+            let _e43 = params.member.member_2;
+            let _e46 = (_e40 / 64u);
+            if ((_e40 % 64u) > 0u) {
+                phi_87_ = (_e46 + 1u);
             } else {
-                phi_86_ = _e43;
+                phi_87_ = _e46;
             }
-            let _e48 = phi_86_;
-            let _e49 = (select(_e40, 9u, (_e40 > 9u)) + 1u);
-            let _e50 = (_e49 * _e49);
-            let _e51 = (_e50 / 4u);
-            let _e53 = ((_e50 % 4u) > 0u);
-            if _e53 {
-                phi_105_ = (_e51 + 1u);
+            let _e51 = phi_87_;
+            let _e52 = (select(_e43, 9u, (_e43 > 9u)) + 1u);
+            let _e53 = (_e52 * _e52);
+            let _e54 = (_e53 / 4u);
+            let _e56 = ((_e53 % 4u) > 0u);
+            if _e56 {
+                phi_106_ = (_e54 + 1u);
             } else {
-                phi_105_ = _e51;
+                phi_106_ = _e54;
             }
-            let _e56 = phi_105_;
-            let _e58 = ((_e48 * _e56) * 64u);
-            let _e62 = (_e32.x + (_e32.y * 2097152u));
-            if (_e62 < _e58) {
-                let _e64 = (_e62 / 64u);
-                if _e53 {
-                    phi_169_ = (_e51 + 1u);
+            let _e59 = phi_106_;
+            let _e60 = (_e51 * _e59);
+            let _e61 = (_e60 * 64u);
+            let _e65 = (_e37.x + (_e37.y * 2097152u));
+            if (_e65 < _e61) {
+                let _e67 = (_e65 / 64u);
+                if _e56 {
+                    phi_170_ = (_e54 + 1u);
                 } else {
-                    phi_169_ = _e51;
+                    phi_170_ = _e54;
                 }
-                let _e69 = phi_169_;
-                if (_e69 == 0u) {
+                let _e72 = phi_170_;
+                if (_e72 == 0u) {
                     break;
                 }
-                let _e71 = (_e64 / _e69);
-                let _e74 = (_e71 * 64u);
-                let _e77 = params.member.member_1;
-                let _e84 = ((_e64 - (_e71 * _e69)) * 4u);
-                phi_193_ = 0u;
+                let _e74 = (_e67 / _e72);
+                let _e77 = (_e74 * 64u);
+                let _e80 = params.member.member_1;
+                let _e87 = ((_e67 - (_e74 * _e72)) * 4u);
+                phi_194_ = 0u;
                 loop {
-                    let _e86 = phi_193_;
-                    local_1 = _e86;
-                    local_3 = _e86;
-                    local_4 = _e86;
-                    local_5 = _e86;
-                    local_6 = _e86;
-                    local_33 = _e86;
-                    let _e87 = (_e86 + 1u);
-                    local_2 = _e87;
-                    if ((_e87 * _e87) <= _e84) {
-                        let _e90 = (_e86 < 9u);
-                        phi_194_ = select(u32(), _e87, _e90);
-                        phi_211_ = _e90;
+                    let _e89 = phi_194_;
+                    local = _e89;
+                    local_2 = _e89;
+                    local_3 = _e89;
+                    local_4 = _e89;
+                    local_5 = _e89;
+                    local_32 = _e89;
+                    let _e90 = (_e89 + 1u);
+                    local_1 = _e90;
+                    if ((_e90 * _e90) <= _e87) {
+                        let _e93 = (_e89 < 9u);
+                        phi_195_ = select(u32(), _e90, _e93);
+                        phi_212_ = _e93;
                     } else {
-                        phi_194_ = u32();
-                        phi_211_ = false;
+                        phi_195_ = u32();
+                        phi_212_ = false;
                     }
-                    let _e93 = phi_194_;
-                    let _e95 = phi_211_;
+                    let _e96 = phi_195_;
+                    let _e98 = phi_212_;
                     continue;
                     continuing {
-                        phi_193_ = _e93;
-                        break if !(_e95);
+                        phi_194_ = _e96;
+                        break if !(_e98);
                     }
                 }
-                let _e98 = local_1;
-                let _e100 = local_2;
-                let _e101 = (_e98 * _e100);
-                let _e102 = (_e84 < _e101);
-                if _e102 {
-                    phi_224_ = (_e101 - _e84);
+                let _e101 = local;
+                let _e103 = local_1;
+                let _e104 = (_e101 * _e103);
+                let _e105 = (_e87 < _e104);
+                if _e105 {
+                    phi_225_ = (_e104 - _e87);
                 } else {
-                    phi_224_ = (_e84 - _e101);
+                    phi_225_ = (_e87 - _e104);
                 }
-                let _e106 = phi_224_;
-                let _e108 = local_3;
-                if (_e108 <= _e40) {
-                    let _e111 = local_4;
-                    phi_243_ = type_12(1u, (_e106 + 1u));
-                    phi_246_ = (f32(((2u * _e111) + 1u)) / select(6.2831855f, 12.566371f, (_e106 == 0u)));
+                let _e109 = phi_225_;
+                let _e111 = local_2;
+                if (_e111 <= _e43) {
+                    let _e114 = local_3;
+                    phi_244_ = type_12(1u, (_e109 + 1u));
+                    phi_247_ = (f32(((2u * _e114) + 1u)) / select(6.2831855f, 12.566371f, (_e109 == 0u)));
                     loop {
-                        let _e121 = phi_243_;
-                        let _e123 = phi_246_;
-                        local_7 = _e123;
-                        if (_e121.member < _e121.member_1) {
-                            phi_244_ = type_12((_e121.member + 1u), _e121.member_1);
-                            phi_269_ = type_12(1u, _e121.member);
+                        let _e124 = phi_244_;
+                        let _e126 = phi_247_;
+                        local_6 = _e126;
+                        if (_e124.member < _e124.member_1) {
+                            phi_245_ = type_12((_e124.member + 1u), _e124.member_1);
+                            phi_270_ = type_12(1u, _e124.member);
                         } else {
-                            phi_244_ = _e121;
-                            phi_269_ = type_12(0u, type_12().member_1);
+                            phi_245_ = _e124;
+                            phi_270_ = type_12(0u, type_12().member_1);
                         }
-                        let _e136 = phi_244_;
-                        let _e138 = phi_269_;
-                        let _e142 = (bitcast<i32>(_e138.member) != 0i);
-                        if _e142 {
-                            let _e143 = (2u * _e138.member_1);
-                            let _e145 = f32((_e143 - 1u));
-                            let _e147 = local_5;
-                            let _e150 = f32(((_e147 - _e106) + _e143));
-                            phi_247_ = (_e123 * ((_e145 * _e145) / (_e150 * (_e150 - 1f))));
+                        let _e139 = phi_245_;
+                        let _e141 = phi_270_;
+                        let _e145 = (bitcast<i32>(_e141.member) != 0i);
+                        if _e145 {
+                            let _e146 = (2u * _e141.member_1);
+                            let _e148 = f32((_e146 - 1u));
+                            let _e150 = local_4;
+                            let _e153 = f32(((_e150 - _e109) + _e146));
+                            phi_248_ = (_e126 * ((_e148 * _e148) / (_e153 * (_e153 - 1f))));
                         } else {
-                            phi_247_ = f32();
+                            phi_248_ = f32();
                         }
-                        let _e157 = phi_247_;
+                        let _e160 = phi_248_;
                         continue;
                         continuing {
-                            phi_243_ = _e136;
-                            phi_246_ = _e157;
-                            break if !(_e142);
+                            phi_244_ = _e139;
+                            phi_247_ = _e160;
+                            break if !(_e145);
                         }
                     }
-                    let _e160 = local_6;
-                    phi_293_ = type_12(1u, ((_e160 - _e106) + 1u));
-                    phi_296_ = 1f;
+                    let _e163 = local_5;
+                    phi_294_ = type_12(1u, ((_e163 - _e109) + 1u));
+                    phi_297_ = 1f;
                     loop {
-                        let _e165 = phi_293_;
-                        let _e167 = phi_296_;
-                        local_8 = _e167;
-                        if (_e165.member < _e165.member_1) {
-                            phi_294_ = type_12((_e165.member + 1u), _e165.member_1);
-                            phi_319_ = type_12(1u, _e165.member);
+                        let _e168 = phi_294_;
+                        let _e170 = phi_297_;
+                        local_7 = _e170;
+                        if (_e168.member < _e168.member_1) {
+                            phi_295_ = type_12((_e168.member + 1u), _e168.member_1);
+                            phi_320_ = type_12(1u, _e168.member);
                         } else {
-                            phi_294_ = _e165;
-                            phi_319_ = type_12(0u, type_12().member_1);
+                            phi_295_ = _e168;
+                            phi_320_ = type_12(0u, type_12().member_1);
                         }
-                        let _e180 = phi_294_;
-                        let _e182 = phi_319_;
-                        let _e186 = (bitcast<i32>(_e182.member) != 0i);
-                        if _e186 {
-                            phi_297_ = (_e167 * f32(_e182.member_1));
+                        let _e183 = phi_295_;
+                        let _e185 = phi_320_;
+                        let _e189 = (bitcast<i32>(_e185.member) != 0i);
+                        if _e189 {
+                            phi_298_ = (_e170 * f32(_e185.member_1));
                         } else {
-                            phi_297_ = f32();
+                            phi_298_ = f32();
                         }
-                        let _e190 = phi_297_;
+                        let _e193 = phi_298_;
                         continue;
                         continuing {
-                            phi_293_ = _e180;
-                            phi_296_ = _e190;
-                            break if !(_e186);
+                            phi_294_ = _e183;
+                            phi_297_ = _e193;
+                            break if !(_e189);
                         }
                     }
-                    let _e193 = local_7;
-                    let _e196 = local_8;
-                    phi_331_ = (sqrt(_e193) / _e196);
+                    let _e196 = local_6;
+                    let _e199 = local_7;
+                    phi_332_ = (sqrt(_e196) / _e199);
                 } else {
-                    phi_331_ = 0f;
+                    phi_332_ = 0f;
                 }
-                let _e199 = phi_331_;
-                let _e200 = (_e84 + 1u);
-                phi_334_ = 0u;
+                let _e202 = phi_332_;
+                let _e203 = (_e87 + 1u);
+                phi_335_ = 0u;
                 loop {
-                    let _e202 = phi_334_;
-                    local_9 = _e202;
-                    local_11 = _e202;
-                    local_12 = _e202;
-                    local_13 = _e202;
-                    local_14 = _e202;
-                    local_35 = _e202;
-                    let _e203 = (_e202 + 1u);
-                    local_10 = _e203;
-                    if ((_e203 * _e203) <= _e200) {
-                        let _e206 = (_e202 < 9u);
-                        phi_335_ = select(u32(), _e203, _e206);
-                        phi_352_ = _e206;
+                    let _e205 = phi_335_;
+                    local_8 = _e205;
+                    local_10 = _e205;
+                    local_11 = _e205;
+                    local_12 = _e205;
+                    local_13 = _e205;
+                    local_34 = _e205;
+                    let _e206 = (_e205 + 1u);
+                    local_9 = _e206;
+                    if ((_e206 * _e206) <= _e203) {
+                        let _e209 = (_e205 < 9u);
+                        phi_336_ = select(u32(), _e206, _e209);
+                        phi_353_ = _e209;
                     } else {
-                        phi_335_ = u32();
-                        phi_352_ = false;
+                        phi_336_ = u32();
+                        phi_353_ = false;
                     }
-                    let _e209 = phi_335_;
-                    let _e211 = phi_352_;
+                    let _e212 = phi_336_;
+                    let _e214 = phi_353_;
                     continue;
                     continuing {
-                        phi_334_ = _e209;
-                        break if !(_e211);
+                        phi_335_ = _e212;
+                        break if !(_e214);
                     }
                 }
-                let _e214 = local_9;
-                let _e216 = local_10;
-                let _e217 = (_e214 * _e216);
-                let _e218 = (_e200 < _e217);
-                if _e218 {
-                    phi_365_ = (_e217 - _e200);
+                let _e217 = local_8;
+                let _e219 = local_9;
+                let _e220 = (_e217 * _e219);
+                let _e221 = (_e203 < _e220);
+                if _e221 {
+                    phi_366_ = (_e220 - _e203);
                 } else {
-                    phi_365_ = (_e200 - _e217);
+                    phi_366_ = (_e203 - _e220);
                 }
-                let _e222 = phi_365_;
-                let _e224 = local_11;
-                if (_e224 <= _e40) {
-                    let _e227 = local_12;
-                    phi_384_ = type_12(1u, (_e222 + 1u));
-                    phi_387_ = (f32(((2u * _e227) + 1u)) / select(6.2831855f, 12.566371f, (_e222 == 0u)));
+                let _e225 = phi_366_;
+                let _e227 = local_10;
+                if (_e227 <= _e43) {
+                    let _e230 = local_11;
+                    phi_385_ = type_12(1u, (_e225 + 1u));
+                    phi_388_ = (f32(((2u * _e230) + 1u)) / select(6.2831855f, 12.566371f, (_e225 == 0u)));
                     loop {
-                        let _e237 = phi_384_;
-                        let _e239 = phi_387_;
-                        local_15 = _e239;
-                        if (_e237.member < _e237.member_1) {
-                            phi_385_ = type_12((_e237.member + 1u), _e237.member_1);
-                            phi_410_ = type_12(1u, _e237.member);
+                        let _e240 = phi_385_;
+                        let _e242 = phi_388_;
+                        local_14 = _e242;
+                        if (_e240.member < _e240.member_1) {
+                            phi_386_ = type_12((_e240.member + 1u), _e240.member_1);
+                            phi_411_ = type_12(1u, _e240.member);
                         } else {
-                            phi_385_ = _e237;
-                            phi_410_ = type_12(0u, type_12().member_1);
+                            phi_386_ = _e240;
+                            phi_411_ = type_12(0u, type_12().member_1);
                         }
-                        let _e252 = phi_385_;
-                        let _e254 = phi_410_;
-                        let _e258 = (bitcast<i32>(_e254.member) != 0i);
-                        if _e258 {
-                            let _e259 = (2u * _e254.member_1);
-                            let _e261 = f32((_e259 - 1u));
-                            let _e263 = local_13;
-                            let _e266 = f32(((_e263 - _e222) + _e259));
-                            phi_388_ = (_e239 * ((_e261 * _e261) / (_e266 * (_e266 - 1f))));
+                        let _e255 = phi_386_;
+                        let _e257 = phi_411_;
+                        let _e261 = (bitcast<i32>(_e257.member) != 0i);
+                        if _e261 {
+                            let _e262 = (2u * _e257.member_1);
+                            let _e264 = f32((_e262 - 1u));
+                            let _e266 = local_12;
+                            let _e269 = f32(((_e266 - _e225) + _e262));
+                            phi_389_ = (_e242 * ((_e264 * _e264) / (_e269 * (_e269 - 1f))));
                         } else {
-                            phi_388_ = f32();
+                            phi_389_ = f32();
                         }
-                        let _e273 = phi_388_;
+                        let _e276 = phi_389_;
                         continue;
                         continuing {
-                            phi_384_ = _e252;
-                            phi_387_ = _e273;
-                            break if !(_e258);
+                            phi_385_ = _e255;
+                            phi_388_ = _e276;
+                            break if !(_e261);
                         }
                     }
-                    let _e276 = local_14;
-                    phi_434_ = type_12(1u, ((_e276 - _e222) + 1u));
-                    phi_437_ = 1f;
+                    let _e279 = local_13;
+                    phi_435_ = type_12(1u, ((_e279 - _e225) + 1u));
+                    phi_438_ = 1f;
                     loop {
-                        let _e281 = phi_434_;
-                        let _e283 = phi_437_;
-                        local_16 = _e283;
-                        if (_e281.member < _e281.member_1) {
-                            phi_435_ = type_12((_e281.member + 1u), _e281.member_1);
-                            phi_460_ = type_12(1u, _e281.member);
+                        let _e284 = phi_435_;
+                        let _e286 = phi_438_;
+                        local_15 = _e286;
+                        if (_e284.member < _e284.member_1) {
+                            phi_436_ = type_12((_e284.member + 1u), _e284.member_1);
+                            phi_461_ = type_12(1u, _e284.member);
                         } else {
-                            phi_435_ = _e281;
-                            phi_460_ = type_12(0u, type_12().member_1);
+                            phi_436_ = _e284;
+                            phi_461_ = type_12(0u, type_12().member_1);
                         }
-                        let _e296 = phi_435_;
-                        let _e298 = phi_460_;
-                        let _e302 = (bitcast<i32>(_e298.member) != 0i);
-                        if _e302 {
-                            phi_438_ = (_e283 * f32(_e298.member_1));
+                        let _e299 = phi_436_;
+                        let _e301 = phi_461_;
+                        let _e305 = (bitcast<i32>(_e301.member) != 0i);
+                        if _e305 {
+                            phi_439_ = (_e286 * f32(_e301.member_1));
                         } else {
-                            phi_438_ = f32();
+                            phi_439_ = f32();
                         }
-                        let _e306 = phi_438_;
+                        let _e309 = phi_439_;
                         continue;
                         continuing {
-                            phi_434_ = _e296;
-                            phi_437_ = _e306;
-                            break if !(_e302);
+                            phi_435_ = _e299;
+                            phi_438_ = _e309;
+                            break if !(_e305);
                         }
                     }
-                    let _e309 = local_15;
-                    let _e312 = local_16;
-                    phi_472_ = (sqrt(_e309) / _e312);
+                    let _e312 = local_14;
+                    let _e315 = local_15;
+                    phi_473_ = (sqrt(_e312) / _e315);
                 } else {
-                    phi_472_ = 0f;
+                    phi_473_ = 0f;
                 }
-                let _e315 = phi_472_;
-                let _e316 = (_e84 + 2u);
-                phi_475_ = 0u;
+                let _e318 = phi_473_;
+                let _e319 = (_e87 + 2u);
+                phi_476_ = 0u;
                 loop {
-                    let _e318 = phi_475_;
-                    local_17 = _e318;
-                    local_19 = _e318;
-                    local_20 = _e318;
-                    local_21 = _e318;
-                    local_22 = _e318;
-                    local_37 = _e318;
-                    let _e319 = (_e318 + 1u);
-                    local_18 = _e319;
-                    if ((_e319 * _e319) <= _e316) {
-                        let _e322 = (_e318 < 9u);
-                        phi_476_ = select(u32(), _e319, _e322);
-                        phi_493_ = _e322;
+                    let _e321 = phi_476_;
+                    local_16 = _e321;
+                    local_18 = _e321;
+                    local_19 = _e321;
+                    local_20 = _e321;
+                    local_21 = _e321;
+                    local_36 = _e321;
+                    let _e322 = (_e321 + 1u);
+                    local_17 = _e322;
+                    if ((_e322 * _e322) <= _e319) {
+                        let _e325 = (_e321 < 9u);
+                        phi_477_ = select(u32(), _e322, _e325);
+                        phi_494_ = _e325;
                     } else {
-                        phi_476_ = u32();
-                        phi_493_ = false;
+                        phi_477_ = u32();
+                        phi_494_ = false;
                     }
-                    let _e325 = phi_476_;
-                    let _e327 = phi_493_;
+                    let _e328 = phi_477_;
+                    let _e330 = phi_494_;
                     continue;
                     continuing {
-                        phi_475_ = _e325;
-                        break if !(_e327);
+                        phi_476_ = _e328;
+                        break if !(_e330);
                     }
                 }
-                let _e330 = local_17;
-                let _e332 = local_18;
-                let _e333 = (_e330 * _e332);
-                let _e334 = (_e316 < _e333);
-                if _e334 {
-                    phi_506_ = (_e333 - _e316);
+                let _e333 = local_16;
+                let _e335 = local_17;
+                let _e336 = (_e333 * _e335);
+                let _e337 = (_e319 < _e336);
+                if _e337 {
+                    phi_507_ = (_e336 - _e319);
                 } else {
-                    phi_506_ = (_e316 - _e333);
+                    phi_507_ = (_e319 - _e336);
                 }
-                let _e338 = phi_506_;
-                let _e340 = local_19;
-                if (_e340 <= _e40) {
-                    let _e343 = local_20;
-                    phi_525_ = type_12(1u, (_e338 + 1u));
-                    phi_528_ = (f32(((2u * _e343) + 1u)) / select(6.2831855f, 12.566371f, (_e338 == 0u)));
+                let _e341 = phi_507_;
+                let _e343 = local_18;
+                if (_e343 <= _e43) {
+                    let _e346 = local_19;
+                    phi_526_ = type_12(1u, (_e341 + 1u));
+                    phi_529_ = (f32(((2u * _e346) + 1u)) / select(6.2831855f, 12.566371f, (_e341 == 0u)));
                     loop {
-                        let _e353 = phi_525_;
-                        let _e355 = phi_528_;
-                        local_23 = _e355;
-                        if (_e353.member < _e353.member_1) {
-                            phi_526_ = type_12((_e353.member + 1u), _e353.member_1);
-                            phi_551_ = type_12(1u, _e353.member);
+                        let _e356 = phi_526_;
+                        let _e358 = phi_529_;
+                        local_22 = _e358;
+                        if (_e356.member < _e356.member_1) {
+                            phi_527_ = type_12((_e356.member + 1u), _e356.member_1);
+                            phi_552_ = type_12(1u, _e356.member);
                         } else {
-                            phi_526_ = _e353;
-                            phi_551_ = type_12(0u, type_12().member_1);
+                            phi_527_ = _e356;
+                            phi_552_ = type_12(0u, type_12().member_1);
                         }
-                        let _e368 = phi_526_;
-                        let _e370 = phi_551_;
-                        let _e374 = (bitcast<i32>(_e370.member) != 0i);
-                        if _e374 {
-                            let _e375 = (2u * _e370.member_1);
-                            let _e377 = f32((_e375 - 1u));
-                            let _e379 = local_21;
-                            let _e382 = f32(((_e379 - _e338) + _e375));
-                            phi_529_ = (_e355 * ((_e377 * _e377) / (_e382 * (_e382 - 1f))));
+                        let _e371 = phi_527_;
+                        let _e373 = phi_552_;
+                        let _e377 = (bitcast<i32>(_e373.member) != 0i);
+                        if _e377 {
+                            let _e378 = (2u * _e373.member_1);
+                            let _e380 = f32((_e378 - 1u));
+                            let _e382 = local_20;
+                            let _e385 = f32(((_e382 - _e341) + _e378));
+                            phi_530_ = (_e358 * ((_e380 * _e380) / (_e385 * (_e385 - 1f))));
                         } else {
-                            phi_529_ = f32();
+                            phi_530_ = f32();
                         }
-                        let _e389 = phi_529_;
+                        let _e392 = phi_530_;
                         continue;
                         continuing {
-                            phi_525_ = _e368;
-                            phi_528_ = _e389;
-                            break if !(_e374);
+                            phi_526_ = _e371;
+                            phi_529_ = _e392;
+                            break if !(_e377);
                         }
                     }
-                    let _e392 = local_22;
-                    phi_575_ = type_12(1u, ((_e392 - _e338) + 1u));
-                    phi_578_ = 1f;
+                    let _e395 = local_21;
+                    phi_576_ = type_12(1u, ((_e395 - _e341) + 1u));
+                    phi_579_ = 1f;
                     loop {
-                        let _e397 = phi_575_;
-                        let _e399 = phi_578_;
-                        local_24 = _e399;
-                        if (_e397.member < _e397.member_1) {
-                            phi_576_ = type_12((_e397.member + 1u), _e397.member_1);
-                            phi_601_ = type_12(1u, _e397.member);
+                        let _e400 = phi_576_;
+                        let _e402 = phi_579_;
+                        local_23 = _e402;
+                        if (_e400.member < _e400.member_1) {
+                            phi_577_ = type_12((_e400.member + 1u), _e400.member_1);
+                            phi_602_ = type_12(1u, _e400.member);
                         } else {
-                            phi_576_ = _e397;
-                            phi_601_ = type_12(0u, type_12().member_1);
+                            phi_577_ = _e400;
+                            phi_602_ = type_12(0u, type_12().member_1);
                         }
-                        let _e412 = phi_576_;
-                        let _e414 = phi_601_;
-                        let _e418 = (bitcast<i32>(_e414.member) != 0i);
-                        if _e418 {
-                            phi_579_ = (_e399 * f32(_e414.member_1));
+                        let _e415 = phi_577_;
+                        let _e417 = phi_602_;
+                        let _e421 = (bitcast<i32>(_e417.member) != 0i);
+                        if _e421 {
+                            phi_580_ = (_e402 * f32(_e417.member_1));
                         } else {
-                            phi_579_ = f32();
+                            phi_580_ = f32();
                         }
-                        let _e422 = phi_579_;
+                        let _e425 = phi_580_;
                         continue;
                         continuing {
-                            phi_575_ = _e412;
-                            phi_578_ = _e422;
-                            break if !(_e418);
+                            phi_576_ = _e415;
+                            phi_579_ = _e425;
+                            break if !(_e421);
                         }
                     }
-                    let _e425 = local_23;
-                    let _e428 = local_24;
-                    phi_613_ = (sqrt(_e425) / _e428);
+                    let _e428 = local_22;
+                    let _e431 = local_23;
+                    phi_614_ = (sqrt(_e428) / _e431);
                 } else {
-                    phi_613_ = 0f;
+                    phi_614_ = 0f;
                 }
-                let _e431 = phi_613_;
-                let _e432 = (_e84 + 3u);
-                phi_616_ = 0u;
+                let _e434 = phi_614_;
+                let _e435 = (_e87 + 3u);
+                phi_617_ = 0u;
                 loop {
-                    let _e434 = phi_616_;
-                    local_25 = _e434;
-                    local_27 = _e434;
-                    local_28 = _e434;
-                    local_29 = _e434;
-                    local_30 = _e434;
-                    local_39 = _e434;
-                    let _e435 = (_e434 + 1u);
-                    local_26 = _e435;
-                    if ((_e435 * _e435) <= _e432) {
-                        let _e438 = (_e434 < 9u);
-                        phi_617_ = select(u32(), _e435, _e438);
-                        phi_634_ = _e438;
+                    let _e437 = phi_617_;
+                    local_24 = _e437;
+                    local_26 = _e437;
+                    local_27 = _e437;
+                    local_28 = _e437;
+                    local_29 = _e437;
+                    local_38 = _e437;
+                    let _e438 = (_e437 + 1u);
+                    local_25 = _e438;
+                    if ((_e438 * _e438) <= _e435) {
+                        let _e441 = (_e437 < 9u);
+                        phi_618_ = select(u32(), _e438, _e441);
+                        phi_635_ = _e441;
                     } else {
-                        phi_617_ = u32();
-                        phi_634_ = false;
+                        phi_618_ = u32();
+                        phi_635_ = false;
                     }
-                    let _e441 = phi_617_;
-                    let _e443 = phi_634_;
+                    let _e444 = phi_618_;
+                    let _e446 = phi_635_;
                     continue;
                     continuing {
-                        phi_616_ = _e441;
-                        break if !(_e443);
+                        phi_617_ = _e444;
+                        break if !(_e446);
                     }
                 }
-                let _e446 = local_25;
-                let _e448 = local_26;
-                let _e449 = (_e446 * _e448);
-                let _e450 = (_e432 < _e449);
-                if _e450 {
-                    phi_647_ = (_e449 - _e432);
+                let _e449 = local_24;
+                let _e451 = local_25;
+                let _e452 = (_e449 * _e451);
+                let _e453 = (_e435 < _e452);
+                if _e453 {
+                    phi_648_ = (_e452 - _e435);
                 } else {
-                    phi_647_ = (_e432 - _e449);
+                    phi_648_ = (_e435 - _e452);
                 }
-                let _e454 = phi_647_;
-                let _e456 = local_27;
-                if (_e456 <= _e40) {
-                    let _e459 = local_28;
-                    phi_666_ = type_12(1u, (_e454 + 1u));
-                    phi_669_ = (f32(((2u * _e459) + 1u)) / select(6.2831855f, 12.566371f, (_e454 == 0u)));
+                let _e457 = phi_648_;
+                let _e459 = local_26;
+                if (_e459 <= _e43) {
+                    let _e462 = local_27;
+                    phi_667_ = type_12(1u, (_e457 + 1u));
+                    phi_670_ = (f32(((2u * _e462) + 1u)) / select(6.2831855f, 12.566371f, (_e457 == 0u)));
                     loop {
-                        let _e469 = phi_666_;
-                        let _e471 = phi_669_;
-                        local_31 = _e471;
-                        if (_e469.member < _e469.member_1) {
-                            phi_667_ = type_12((_e469.member + 1u), _e469.member_1);
-                            phi_692_ = type_12(1u, _e469.member);
+                        let _e472 = phi_667_;
+                        let _e474 = phi_670_;
+                        local_30 = _e474;
+                        if (_e472.member < _e472.member_1) {
+                            phi_668_ = type_12((_e472.member + 1u), _e472.member_1);
+                            phi_693_ = type_12(1u, _e472.member);
                         } else {
-                            phi_667_ = _e469;
-                            phi_692_ = type_12(0u, type_12().member_1);
+                            phi_668_ = _e472;
+                            phi_693_ = type_12(0u, type_12().member_1);
                         }
-                        let _e484 = phi_667_;
-                        let _e486 = phi_692_;
-                        let _e490 = (bitcast<i32>(_e486.member) != 0i);
-                        if _e490 {
-                            let _e491 = (2u * _e486.member_1);
-                            let _e493 = f32((_e491 - 1u));
-                            let _e495 = local_29;
-                            let _e498 = f32(((_e495 - _e454) + _e491));
-                            phi_670_ = (_e471 * ((_e493 * _e493) / (_e498 * (_e498 - 1f))));
+                        let _e487 = phi_668_;
+                        let _e489 = phi_693_;
+                        let _e493 = (bitcast<i32>(_e489.member) != 0i);
+                        if _e493 {
+                            let _e494 = (2u * _e489.member_1);
+                            let _e496 = f32((_e494 - 1u));
+                            let _e498 = local_28;
+                            let _e501 = f32(((_e498 - _e457) + _e494));
+                            phi_671_ = (_e474 * ((_e496 * _e496) / (_e501 * (_e501 - 1f))));
                         } else {
-                            phi_670_ = f32();
+                            phi_671_ = f32();
                         }
-                        let _e505 = phi_670_;
+                        let _e508 = phi_671_;
                         continue;
                         continuing {
-                            phi_666_ = _e484;
-                            phi_669_ = _e505;
-                            break if !(_e490);
+                            phi_667_ = _e487;
+                            phi_670_ = _e508;
+                            break if !(_e493);
                         }
                     }
-                    let _e508 = local_30;
-                    phi_716_ = type_12(1u, ((_e508 - _e454) + 1u));
-                    phi_719_ = 1f;
+                    let _e511 = local_29;
+                    phi_717_ = type_12(1u, ((_e511 - _e457) + 1u));
+                    phi_720_ = 1f;
                     loop {
-                        let _e513 = phi_716_;
-                        let _e515 = phi_719_;
-                        local_32 = _e515;
-                        if (_e513.member < _e513.member_1) {
-                            phi_717_ = type_12((_e513.member + 1u), _e513.member_1);
-                            phi_742_ = type_12(1u, _e513.member);
+                        let _e516 = phi_717_;
+                        let _e518 = phi_720_;
+                        local_31 = _e518;
+                        if (_e516.member < _e516.member_1) {
+                            phi_718_ = type_12((_e516.member + 1u), _e516.member_1);
+                            phi_743_ = type_12(1u, _e516.member);
                         } else {
-                            phi_717_ = _e513;
-                            phi_742_ = type_12(0u, type_12().member_1);
+                            phi_718_ = _e516;
+                            phi_743_ = type_12(0u, type_12().member_1);
                         }
-                        let _e528 = phi_717_;
-                        let _e530 = phi_742_;
-                        let _e534 = (bitcast<i32>(_e530.member) != 0i);
-                        if _e534 {
-                            phi_720_ = (_e515 * f32(_e530.member_1));
+                        let _e531 = phi_718_;
+                        let _e533 = phi_743_;
+                        let _e537 = (bitcast<i32>(_e533.member) != 0i);
+                        if _e537 {
+                            phi_721_ = (_e518 * f32(_e533.member_1));
                         } else {
-                            phi_720_ = f32();
+                            phi_721_ = f32();
                         }
-                        let _e538 = phi_720_;
+                        let _e541 = phi_721_;
                         continue;
                         continuing {
-                            phi_716_ = _e528;
-                            phi_719_ = _e538;
-                            break if !(_e534);
+                            phi_717_ = _e531;
+                            phi_720_ = _e541;
+                            break if !(_e537);
                         }
                     }
-                    let _e541 = local_31;
-                    let _e544 = local_32;
-                    phi_754_ = (sqrt(_e541) / _e544);
+                    let _e544 = local_30;
+                    let _e547 = local_31;
+                    phi_755_ = (sqrt(_e544) / _e547);
                 } else {
-                    phi_754_ = 0f;
+                    phi_755_ = 0f;
                 }
-                let _e547 = phi_754_;
-                phi_760_ = type_12(0u, _e77);
-                phi_763_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e550 = phi_755_;
+                phi_761_ = type_12(0u, _e80);
+                phi_764_ = array<f32, 12>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e550 = phi_760_;
-                    let _e552 = phi_763_;
-                    local_41 = _e552;
-                    local_42 = _e552;
-                    local_43 = _e552;
-                    local_44 = _e552;
-                    local_45 = _e552;
-                    local_46 = _e552;
-                    local_47 = _e552;
-                    local_48 = _e552;
-                    local_49 = _e552;
-                    local_50 = _e552;
-                    local_51 = _e552;
-                    local_52 = _e552;
-                    if (_e550.member < _e550.member_1) {
-                        phi_761_ = type_12((_e550.member + 1u), _e550.member_1);
-                        phi_786_ = type_12(1u, _e550.member);
+                    let _e553 = phi_761_;
+                    let _e555 = phi_764_;
+                    local_40 = _e555;
+                    local_41 = _e555;
+                    local_42 = _e555;
+                    local_43 = _e555;
+                    local_44 = _e555;
+                    local_45 = _e555;
+                    local_46 = _e555;
+                    local_47 = _e555;
+                    local_48 = _e555;
+                    local_49 = _e555;
+                    local_50 = _e555;
+                    local_51 = _e555;
+                    if (_e553.member < _e553.member_1) {
+                        phi_762_ = type_12((_e553.member + 1u), _e553.member_1);
+                        phi_787_ = type_12(1u, _e553.member);
                     } else {
-                        phi_761_ = _e550;
-                        phi_786_ = type_12(0u, type_12().member_1);
+                        phi_762_ = _e553;
+                        phi_787_ = type_12(0u, type_12().member_1);
                     }
-                    let _e565 = phi_761_;
-                    let _e567 = phi_786_;
-                    let _e571 = (bitcast<i32>(_e567.member) != 0i);
-                    if _e571 {
-                        let _e573 = ((((((_e74 / 64u) * _e77) * 192u) + (_e74 % 64u)) + (_e62 - (_e64 * 64u))) + (_e567.member_1 * 192u));
-                        let _e576 = directions.member[_e573];
-                        let _e577 = (_e573 + 64u);
-                        let _e580 = directions.member[_e577];
-                        let _e581 = (_e573 + 128u);
-                        let _e584 = directions.member[_e581];
-                        let _e587 = radiance.member[_e573];
-                        let _e590 = radiance.member[_e577];
-                        let _e593 = radiance.member[_e581];
-                        let _e594 = select(1f, 0f, _e102);
-                        if (_e106 == 0u) {
-                            phi_825_ = _e594;
+                    let _e568 = phi_762_;
+                    let _e570 = phi_787_;
+                    let _e574 = (bitcast<i32>(_e570.member) != 0i);
+                    if _e574 {
+                        let _e576 = ((((((_e77 / 64u) * _e80) * 192u) + (_e77 % 64u)) + (_e65 - (_e67 * 64u))) + (_e570.member_1 * 192u));
+                        let _e579 = directions.member[_e576];
+                        let _e580 = (_e576 + 64u);
+                        let _e583 = directions.member[_e580];
+                        let _e584 = (_e576 + 128u);
+                        let _e587 = directions.member[_e584];
+                        let _e590 = radiance.member[_e576];
+                        let _e593 = radiance.member[_e580];
+                        let _e596 = radiance.member[_e584];
+                        let _e597 = select(1f, 0f, _e105);
+                        if (_e109 == 0u) {
+                            phi_826_ = _e597;
                         } else {
-                            phi_825_ = select(_e576, _e580, _e102);
+                            phi_826_ = select(_e579, _e583, _e105);
                         }
-                        let _e598 = phi_825_;
-                        let _e599 = (_e576 + _e576);
-                        let _e602 = ((_e576 * _e576) + (_e580 * _e580));
-                        phi_832_ = type_12(1u, _e106);
-                        phi_835_ = _e598;
-                        phi_837_ = _e594;
+                        let _e601 = phi_826_;
+                        let _e602 = (_e579 + _e579);
+                        let _e605 = ((_e579 * _e579) + (_e583 * _e583));
+                        phi_833_ = type_12(1u, _e109);
+                        phi_836_ = _e601;
+                        phi_838_ = _e597;
                         loop {
-                            let _e605 = phi_832_;
-                            let _e607 = phi_835_;
-                            let _e609 = phi_837_;
-                            local_53 = _e607;
-                            local_54 = _e609;
-                            if (_e605.member < _e605.member_1) {
-                                phi_833_ = type_12((_e605.member + 1u), _e605.member_1);
-                                phi_859_ = type_12(1u, _e605.member);
+                            let _e608 = phi_833_;
+                            let _e610 = phi_836_;
+                            let _e612 = phi_838_;
+                            local_52 = _e610;
+                            local_53 = _e612;
+                            if (_e608.member < _e608.member_1) {
+                                phi_834_ = type_12((_e608.member + 1u), _e608.member_1);
+                                phi_860_ = type_12(1u, _e608.member);
                             } else {
-                                phi_833_ = _e605;
-                                phi_859_ = type_12(0u, type_12().member_1);
+                                phi_834_ = _e608;
+                                phi_860_ = type_12(0u, type_12().member_1);
                             }
-                            let _e622 = phi_833_;
-                            let _e624 = phi_859_;
-                            let _e627 = (bitcast<i32>(_e624.member) != 0i);
-                            if _e627 {
-                                phi_836_ = ((_e599 * _e607) - (_e602 * _e609));
+                            let _e625 = phi_834_;
+                            let _e627 = phi_860_;
+                            let _e630 = (bitcast<i32>(_e627.member) != 0i);
+                            if _e630 {
+                                phi_837_ = ((_e602 * _e610) - (_e605 * _e612));
                             } else {
-                                phi_836_ = f32();
+                                phi_837_ = f32();
                             }
-                            let _e632 = phi_836_;
+                            let _e635 = phi_837_;
                             continue;
                             continuing {
-                                phi_832_ = _e622;
-                                phi_835_ = _e632;
-                                phi_837_ = _e607;
-                                break if !(_e627);
+                                phi_833_ = _e625;
+                                phi_836_ = _e635;
+                                phi_838_ = _e610;
+                                break if !(_e630);
                             }
                         }
-                        let _e638 = local_33;
-                        phi_874_ = type_12(_e106, _e638);
-                        let _e1176 = local_53;
-                        phi_877_ = _e1176;
-                        phi_879_ = f32(((2u * _e106) + 1u));
-                        phi_881_ = 0f;
-                        let _e1181 = local_54;
-                        phi_883_ = _e1181;
+                        let _e641 = local_32;
+                        phi_875_ = type_12(_e109, _e641);
+                        let _e1191 = local_52;
+                        phi_878_ = _e1191;
+                        phi_880_ = f32(((2u * _e109) + 1u));
+                        phi_882_ = 0f;
+                        let _e1196 = local_53;
+                        phi_884_ = _e1196;
                         loop {
-                            let _e641 = phi_874_;
-                            let _e643 = phi_877_;
-                            let _e645 = phi_879_;
-                            let _e647 = phi_881_;
-                            let _e649 = phi_883_;
-                            local_34 = _e643;
-                            if (_e641.member < _e641.member_1) {
-                                phi_875_ = type_12((_e641.member + 1u), _e641.member_1);
-                                phi_905_ = type_12(1u, _e641.member);
+                            let _e644 = phi_875_;
+                            let _e646 = phi_878_;
+                            let _e648 = phi_880_;
+                            let _e650 = phi_882_;
+                            let _e652 = phi_884_;
+                            local_33 = _e646;
+                            if (_e644.member < _e644.member_1) {
+                                phi_876_ = type_12((_e644.member + 1u), _e644.member_1);
+                                phi_906_ = type_12(1u, _e644.member);
                             } else {
-                                phi_875_ = _e641;
-                                phi_905_ = type_12(0u, type_12().member_1);
+                                phi_876_ = _e644;
+                                phi_906_ = type_12(0u, type_12().member_1);
                             }
-                            let _e662 = phi_875_;
-                            let _e664 = phi_905_;
-                            let _e667 = (bitcast<i32>(_e664.member) != 0i);
-                            if _e667 {
-                                phi_878_ = (((_e584 * _e645) * _e643) - (_e647 * _e649));
-                                phi_880_ = (_e645 + 2f);
-                                phi_882_ = (_e647 + _e645);
+                            let _e665 = phi_876_;
+                            let _e667 = phi_906_;
+                            let _e670 = (bitcast<i32>(_e667.member) != 0i);
+                            if _e670 {
+                                phi_879_ = (((_e587 * _e648) * _e646) - (_e650 * _e652));
+                                phi_881_ = (_e648 + 2f);
+                                phi_883_ = (_e650 + _e648);
                             } else {
-                                phi_878_ = f32();
-                                phi_880_ = f32();
-                                phi_882_ = f32();
+                                phi_879_ = f32();
+                                phi_881_ = f32();
+                                phi_883_ = f32();
                             }
-                            let _e675 = phi_878_;
-                            let _e677 = phi_880_;
-                            let _e679 = phi_882_;
+                            let _e678 = phi_879_;
+                            let _e680 = phi_881_;
+                            let _e682 = phi_883_;
                             continue;
                             continuing {
-                                phi_874_ = _e662;
-                                phi_877_ = _e675;
-                                phi_879_ = _e677;
-                                phi_881_ = _e679;
-                                phi_883_ = _e643;
-                                break if !(_e667);
+                                phi_875_ = _e665;
+                                phi_878_ = _e678;
+                                phi_880_ = _e680;
+                                phi_882_ = _e682;
+                                phi_884_ = _e646;
+                                break if !(_e670);
                             }
                         }
-                        let _e682 = local_34;
-                        let _e683 = (_e682 * _e199);
-                        let _e693 = select(1f, 0f, _e218);
-                        if (_e222 == 0u) {
-                            phi_943_ = _e693;
+                        let _e685 = local_33;
+                        let _e686 = (_e685 * _e202);
+                        let _e696 = select(1f, 0f, _e221);
+                        if (_e225 == 0u) {
+                            phi_944_ = _e696;
                         } else {
-                            phi_943_ = select(_e576, _e580, _e218);
+                            phi_944_ = select(_e579, _e583, _e221);
                         }
-                        let _e697 = phi_943_;
-                        phi_950_ = type_12(1u, _e222);
-                        phi_953_ = _e697;
-                        phi_955_ = _e693;
+                        let _e700 = phi_944_;
+                        phi_951_ = type_12(1u, _e225);
+                        phi_954_ = _e700;
+                        phi_956_ = _e696;
                         loop {
-                            let _e700 = phi_950_;
-                            let _e702 = phi_953_;
-                            let _e704 = phi_955_;
-                            local_55 = _e702;
-                            local_56 = _e704;
-                            if (_e700.member < _e700.member_1) {
-                                phi_951_ = type_12((_e700.member + 1u), _e700.member_1);
-                                phi_977_ = type_12(1u, _e700.member);
+                            let _e703 = phi_951_;
+                            let _e705 = phi_954_;
+                            let _e707 = phi_956_;
+                            local_54 = _e705;
+                            local_55 = _e707;
+                            if (_e703.member < _e703.member_1) {
+                                phi_952_ = type_12((_e703.member + 1u), _e703.member_1);
+                                phi_978_ = type_12(1u, _e703.member);
                             } else {
-                                phi_951_ = _e700;
-                                phi_977_ = type_12(0u, type_12().member_1);
+                                phi_952_ = _e703;
+                                phi_978_ = type_12(0u, type_12().member_1);
                             }
-                            let _e717 = phi_951_;
-                            let _e719 = phi_977_;
-                            let _e722 = (bitcast<i32>(_e719.member) != 0i);
-                            if _e722 {
-                                phi_954_ = ((_e599 * _e702) - (_e602 * _e704));
+                            let _e720 = phi_952_;
+                            let _e722 = phi_978_;
+                            let _e725 = (bitcast<i32>(_e722.member) != 0i);
+                            if _e725 {
+                                phi_955_ = ((_e602 * _e705) - (_e605 * _e707));
                             } else {
-                                phi_954_ = f32();
+                                phi_955_ = f32();
                             }
-                            let _e727 = phi_954_;
+                            let _e730 = phi_955_;
                             continue;
                             continuing {
-                                phi_950_ = _e717;
-                                phi_953_ = _e727;
-                                phi_955_ = _e702;
-                                break if !(_e722);
+                                phi_951_ = _e720;
+                                phi_954_ = _e730;
+                                phi_956_ = _e705;
+                                break if !(_e725);
                             }
                         }
-                        let _e733 = local_35;
-                        phi_992_ = type_12(_e222, _e733);
-                        let _e1199 = local_55;
-                        phi_995_ = _e1199;
-                        phi_997_ = f32(((2u * _e222) + 1u));
-                        phi_999_ = 0f;
-                        let _e1204 = local_56;
-                        phi_1001_ = _e1204;
+                        let _e736 = local_34;
+                        phi_993_ = type_12(_e225, _e736);
+                        let _e1214 = local_54;
+                        phi_996_ = _e1214;
+                        phi_998_ = f32(((2u * _e225) + 1u));
+                        phi_1000_ = 0f;
+                        let _e1219 = local_55;
+                        phi_1002_ = _e1219;
                         loop {
-                            let _e736 = phi_992_;
-                            let _e738 = phi_995_;
-                            let _e740 = phi_997_;
-                            let _e742 = phi_999_;
-                            let _e744 = phi_1001_;
-                            local_36 = _e738;
-                            if (_e736.member < _e736.member_1) {
-                                phi_993_ = type_12((_e736.member + 1u), _e736.member_1);
-                                phi_1023_ = type_12(1u, _e736.member);
+                            let _e739 = phi_993_;
+                            let _e741 = phi_996_;
+                            let _e743 = phi_998_;
+                            let _e745 = phi_1000_;
+                            let _e747 = phi_1002_;
+                            local_35 = _e741;
+                            if (_e739.member < _e739.member_1) {
+                                phi_994_ = type_12((_e739.member + 1u), _e739.member_1);
+                                phi_1024_ = type_12(1u, _e739.member);
                             } else {
-                                phi_993_ = _e736;
-                                phi_1023_ = type_12(0u, type_12().member_1);
+                                phi_994_ = _e739;
+                                phi_1024_ = type_12(0u, type_12().member_1);
                             }
-                            let _e757 = phi_993_;
-                            let _e759 = phi_1023_;
-                            let _e762 = (bitcast<i32>(_e759.member) != 0i);
-                            if _e762 {
-                                phi_996_ = (((_e584 * _e740) * _e738) - (_e742 * _e744));
-                                phi_998_ = (_e740 + 2f);
-                                phi_1000_ = (_e742 + _e740);
+                            let _e760 = phi_994_;
+                            let _e762 = phi_1024_;
+                            let _e765 = (bitcast<i32>(_e762.member) != 0i);
+                            if _e765 {
+                                phi_997_ = (((_e587 * _e743) * _e741) - (_e745 * _e747));
+                                phi_999_ = (_e743 + 2f);
+                                phi_1001_ = (_e745 + _e743);
                             } else {
-                                phi_996_ = f32();
-                                phi_998_ = f32();
-                                phi_1000_ = f32();
+                                phi_997_ = f32();
+                                phi_999_ = f32();
+                                phi_1001_ = f32();
                             }
-                            let _e770 = phi_996_;
-                            let _e772 = phi_998_;
-                            let _e774 = phi_1000_;
+                            let _e773 = phi_997_;
+                            let _e775 = phi_999_;
+                            let _e777 = phi_1001_;
                             continue;
                             continuing {
-                                phi_992_ = _e757;
-                                phi_995_ = _e770;
-                                phi_997_ = _e772;
-                                phi_999_ = _e774;
-                                phi_1001_ = _e738;
-                                break if !(_e762);
+                                phi_993_ = _e760;
+                                phi_996_ = _e773;
+                                phi_998_ = _e775;
+                                phi_1000_ = _e777;
+                                phi_1002_ = _e741;
+                                break if !(_e765);
                             }
                         }
-                        let _e777 = local_36;
-                        let _e778 = (_e777 * _e315);
-                        let _e788 = select(1f, 0f, _e334);
-                        if (_e338 == 0u) {
-                            phi_1061_ = _e788;
+                        let _e780 = local_35;
+                        let _e781 = (_e780 * _e318);
+                        let _e791 = select(1f, 0f, _e337);
+                        if (_e341 == 0u) {
+                            phi_1062_ = _e791;
                         } else {
-                            phi_1061_ = select(_e576, _e580, _e334);
+                            phi_1062_ = select(_e579, _e583, _e337);
                         }
-                        let _e792 = phi_1061_;
-                        phi_1068_ = type_12(1u, _e338);
-                        phi_1071_ = _e792;
-                        phi_1073_ = _e788;
+                        let _e795 = phi_1062_;
+                        phi_1069_ = type_12(1u, _e341);
+                        phi_1072_ = _e795;
+                        phi_1074_ = _e791;
                         loop {
-                            let _e795 = phi_1068_;
-                            let _e797 = phi_1071_;
-                            let _e799 = phi_1073_;
-                            local_57 = _e797;
-                            local_58 = _e799;
-                            if (_e795.member < _e795.member_1) {
-                                phi_1069_ = type_12((_e795.member + 1u), _e795.member_1);
-                                phi_1095_ = type_12(1u, _e795.member);
+                            let _e798 = phi_1069_;
+                            let _e800 = phi_1072_;
+                            let _e802 = phi_1074_;
+                            local_56 = _e800;
+                            local_57 = _e802;
+                            if (_e798.member < _e798.member_1) {
+                                phi_1070_ = type_12((_e798.member + 1u), _e798.member_1);
+                                phi_1096_ = type_12(1u, _e798.member);
                             } else {
-                                phi_1069_ = _e795;
-                                phi_1095_ = type_12(0u, type_12().member_1);
+                                phi_1070_ = _e798;
+                                phi_1096_ = type_12(0u, type_12().member_1);
                             }
-                            let _e812 = phi_1069_;
-                            let _e814 = phi_1095_;
-                            let _e817 = (bitcast<i32>(_e814.member) != 0i);
-                            if _e817 {
-                                phi_1072_ = ((_e599 * _e797) - (_e602 * _e799));
+                            let _e815 = phi_1070_;
+                            let _e817 = phi_1096_;
+                            let _e820 = (bitcast<i32>(_e817.member) != 0i);
+                            if _e820 {
+                                phi_1073_ = ((_e602 * _e800) - (_e605 * _e802));
                             } else {
-                                phi_1072_ = f32();
+                                phi_1073_ = f32();
                             }
-                            let _e822 = phi_1072_;
+                            let _e825 = phi_1073_;
                             continue;
                             continuing {
-                                phi_1068_ = _e812;
-                                phi_1071_ = _e822;
-                                phi_1073_ = _e797;
-                                break if !(_e817);
+                                phi_1069_ = _e815;
+                                phi_1072_ = _e825;
+                                phi_1074_ = _e800;
+                                break if !(_e820);
                             }
                         }
-                        let _e828 = local_37;
-                        phi_1110_ = type_12(_e338, _e828);
-                        let _e1222 = local_57;
-                        phi_1113_ = _e1222;
-                        phi_1115_ = f32(((2u * _e338) + 1u));
-                        phi_1117_ = 0f;
-                        let _e1227 = local_58;
-                        phi_1119_ = _e1227;
+                        let _e831 = local_36;
+                        phi_1111_ = type_12(_e341, _e831);
+                        let _e1237 = local_56;
+                        phi_1114_ = _e1237;
+                        phi_1116_ = f32(((2u * _e341) + 1u));
+                        phi_1118_ = 0f;
+                        let _e1242 = local_57;
+                        phi_1120_ = _e1242;
                         loop {
-                            let _e831 = phi_1110_;
-                            let _e833 = phi_1113_;
-                            let _e835 = phi_1115_;
-                            let _e837 = phi_1117_;
-                            let _e839 = phi_1119_;
-                            local_38 = _e833;
-                            if (_e831.member < _e831.member_1) {
-                                phi_1111_ = type_12((_e831.member + 1u), _e831.member_1);
-                                phi_1141_ = type_12(1u, _e831.member);
+                            let _e834 = phi_1111_;
+                            let _e836 = phi_1114_;
+                            let _e838 = phi_1116_;
+                            let _e840 = phi_1118_;
+                            let _e842 = phi_1120_;
+                            local_37 = _e836;
+                            if (_e834.member < _e834.member_1) {
+                                phi_1112_ = type_12((_e834.member + 1u), _e834.member_1);
+                                phi_1142_ = type_12(1u, _e834.member);
                             } else {
-                                phi_1111_ = _e831;
-                                phi_1141_ = type_12(0u, type_12().member_1);
+                                phi_1112_ = _e834;
+                                phi_1142_ = type_12(0u, type_12().member_1);
                             }
-                            let _e852 = phi_1111_;
-                            let _e854 = phi_1141_;
-                            let _e857 = (bitcast<i32>(_e854.member) != 0i);
-                            if _e857 {
-                                phi_1114_ = (((_e584 * _e835) * _e833) - (_e837 * _e839));
-                                phi_1116_ = (_e835 + 2f);
-                                phi_1118_ = (_e837 + _e835);
+                            let _e855 = phi_1112_;
+                            let _e857 = phi_1142_;
+                            let _e860 = (bitcast<i32>(_e857.member) != 0i);
+                            if _e860 {
+                                phi_1115_ = (((_e587 * _e838) * _e836) - (_e840 * _e842));
+                                phi_1117_ = (_e838 + 2f);
+                                phi_1119_ = (_e840 + _e838);
                             } else {
-                                phi_1114_ = f32();
-                                phi_1116_ = f32();
-                                phi_1118_ = f32();
+                                phi_1115_ = f32();
+                                phi_1117_ = f32();
+                                phi_1119_ = f32();
                             }
-                            let _e865 = phi_1114_;
-                            let _e867 = phi_1116_;
-                            let _e869 = phi_1118_;
+                            let _e868 = phi_1115_;
+                            let _e870 = phi_1117_;
+                            let _e872 = phi_1119_;
                             continue;
                             continuing {
-                                phi_1110_ = _e852;
-                                phi_1113_ = _e865;
-                                phi_1115_ = _e867;
-                                phi_1117_ = _e869;
-                                phi_1119_ = _e833;
-                                break if !(_e857);
+                                phi_1111_ = _e855;
+                                phi_1114_ = _e868;
+                                phi_1116_ = _e870;
+                                phi_1118_ = _e872;
+                                phi_1120_ = _e836;
+                                break if !(_e860);
                             }
                         }
-                        let _e872 = local_38;
-                        let _e873 = (_e872 * _e431);
-                        let _e883 = select(1f, 0f, _e450);
-                        if (_e454 == 0u) {
-                            phi_1179_ = _e883;
+                        let _e875 = local_37;
+                        let _e876 = (_e875 * _e434);
+                        let _e886 = select(1f, 0f, _e453);
+                        if (_e457 == 0u) {
+                            phi_1180_ = _e886;
                         } else {
-                            phi_1179_ = select(_e576, _e580, _e450);
+                            phi_1180_ = select(_e579, _e583, _e453);
                         }
-                        let _e887 = phi_1179_;
-                        phi_1186_ = type_12(1u, _e454);
-                        phi_1189_ = _e887;
-                        phi_1191_ = _e883;
+                        let _e890 = phi_1180_;
+                        phi_1187_ = type_12(1u, _e457);
+                        phi_1190_ = _e890;
+                        phi_1192_ = _e886;
                         loop {
-                            let _e890 = phi_1186_;
-                            let _e892 = phi_1189_;
-                            let _e894 = phi_1191_;
-                            local_59 = _e892;
-                            local_60 = _e894;
-                            if (_e890.member < _e890.member_1) {
-                                phi_1187_ = type_12((_e890.member + 1u), _e890.member_1);
-                                phi_1213_ = type_12(1u, _e890.member);
+                            let _e893 = phi_1187_;
+                            let _e895 = phi_1190_;
+                            let _e897 = phi_1192_;
+                            local_58 = _e895;
+                            local_59 = _e897;
+                            if (_e893.member < _e893.member_1) {
+                                phi_1188_ = type_12((_e893.member + 1u), _e893.member_1);
+                                phi_1214_ = type_12(1u, _e893.member);
                             } else {
-                                phi_1187_ = _e890;
-                                phi_1213_ = type_12(0u, type_12().member_1);
+                                phi_1188_ = _e893;
+                                phi_1214_ = type_12(0u, type_12().member_1);
                             }
-                            let _e907 = phi_1187_;
-                            let _e909 = phi_1213_;
-                            let _e912 = (bitcast<i32>(_e909.member) != 0i);
-                            if _e912 {
-                                phi_1190_ = ((_e599 * _e892) - (_e602 * _e894));
+                            let _e910 = phi_1188_;
+                            let _e912 = phi_1214_;
+                            let _e915 = (bitcast<i32>(_e912.member) != 0i);
+                            if _e915 {
+                                phi_1191_ = ((_e602 * _e895) - (_e605 * _e897));
                             } else {
-                                phi_1190_ = f32();
+                                phi_1191_ = f32();
                             }
-                            let _e917 = phi_1190_;
+                            let _e920 = phi_1191_;
                             continue;
                             continuing {
-                                phi_1186_ = _e907;
-                                phi_1189_ = _e917;
-                                phi_1191_ = _e892;
-                                break if !(_e912);
+                                phi_1187_ = _e910;
+                                phi_1190_ = _e920;
+                                phi_1192_ = _e895;
+                                break if !(_e915);
                             }
                         }
-                        let _e923 = local_39;
-                        phi_1228_ = type_12(_e454, _e923);
-                        let _e1245 = local_59;
-                        phi_1231_ = _e1245;
-                        phi_1233_ = f32(((2u * _e454) + 1u));
-                        phi_1235_ = 0f;
-                        let _e1250 = local_60;
-                        phi_1237_ = _e1250;
+                        let _e926 = local_38;
+                        phi_1229_ = type_12(_e457, _e926);
+                        let _e1260 = local_58;
+                        phi_1232_ = _e1260;
+                        phi_1234_ = f32(((2u * _e457) + 1u));
+                        phi_1236_ = 0f;
+                        let _e1265 = local_59;
+                        phi_1238_ = _e1265;
                         loop {
-                            let _e926 = phi_1228_;
-                            let _e928 = phi_1231_;
-                            let _e930 = phi_1233_;
-                            let _e932 = phi_1235_;
-                            let _e934 = phi_1237_;
-                            local_40 = _e928;
-                            if (_e926.member < _e926.member_1) {
-                                phi_1229_ = type_12((_e926.member + 1u), _e926.member_1);
-                                phi_1259_ = type_12(1u, _e926.member);
+                            let _e929 = phi_1229_;
+                            let _e931 = phi_1232_;
+                            let _e933 = phi_1234_;
+                            let _e935 = phi_1236_;
+                            let _e937 = phi_1238_;
+                            local_39 = _e931;
+                            if (_e929.member < _e929.member_1) {
+                                phi_1230_ = type_12((_e929.member + 1u), _e929.member_1);
+                                phi_1260_ = type_12(1u, _e929.member);
                             } else {
-                                phi_1229_ = _e926;
-                                phi_1259_ = type_12(0u, type_12().member_1);
+                                phi_1230_ = _e929;
+                                phi_1260_ = type_12(0u, type_12().member_1);
                             }
-                            let _e947 = phi_1229_;
-                            let _e949 = phi_1259_;
-                            let _e952 = (bitcast<i32>(_e949.member) != 0i);
-                            if _e952 {
-                                phi_1232_ = (((_e584 * _e930) * _e928) - (_e932 * _e934));
-                                phi_1234_ = (_e930 + 2f);
-                                phi_1236_ = (_e932 + _e930);
+                            let _e950 = phi_1230_;
+                            let _e952 = phi_1260_;
+                            let _e955 = (bitcast<i32>(_e952.member) != 0i);
+                            if _e955 {
+                                phi_1233_ = (((_e587 * _e933) * _e931) - (_e935 * _e937));
+                                phi_1235_ = (_e933 + 2f);
+                                phi_1237_ = (_e935 + _e933);
                             } else {
-                                phi_1232_ = f32();
-                                phi_1234_ = f32();
-                                phi_1236_ = f32();
+                                phi_1233_ = f32();
+                                phi_1235_ = f32();
+                                phi_1237_ = f32();
                             }
-                            let _e960 = phi_1232_;
-                            let _e962 = phi_1234_;
-                            let _e964 = phi_1236_;
+                            let _e963 = phi_1233_;
+                            let _e965 = phi_1235_;
+                            let _e967 = phi_1237_;
                             continue;
                             continuing {
-                                phi_1228_ = _e947;
-                                phi_1231_ = _e960;
-                                phi_1233_ = _e962;
-                                phi_1235_ = _e964;
-                                phi_1237_ = _e928;
-                                break if !(_e952);
+                                phi_1229_ = _e950;
+                                phi_1232_ = _e963;
+                                phi_1234_ = _e965;
+                                phi_1236_ = _e967;
+                                phi_1238_ = _e931;
+                                break if !(_e955);
                             }
                         }
-                        let _e967 = local_40;
-                        let _e968 = (_e967 * _e547);
-                        phi_764_ = array<f32, 12>((_e552[0] + (_e587 * _e683)), (_e552[1] + (_e587 * _e778)), (_e552[2] + (_e587 * _e873)), (_e552[3] + (_e587 * _e968)), (_e552[4] + (_e590 * _e683)), (_e552[5] + (_e590 * _e778)), (_e552[6] + (_e590 * _e873)), (_e552[7] + (_e590 * _e968)), (_e552[8] + (_e593 * _e683)), (_e552[9] + (_e593 * _e778)), (_e552[10] + (_e593 * _e873)), (_e552[11] + (_e593 * _e968)));
+                        let _e970 = local_39;
+                        let _e971 = (_e970 * _e550);
+                        phi_765_ = array<f32, 12>((_e555[0] + (_e590 * _e686)), (_e555[1] + (_e590 * _e781)), (_e555[2] + (_e590 * _e876)), (_e555[3] + (_e590 * _e971)), (_e555[4] + (_e593 * _e686)), (_e555[5] + (_e593 * _e781)), (_e555[6] + (_e593 * _e876)), (_e555[7] + (_e593 * _e971)), (_e555[8] + (_e596 * _e686)), (_e555[9] + (_e596 * _e781)), (_e555[10] + (_e596 * _e876)), (_e555[11] + (_e596 * _e971)));
                     } else {
-                        phi_764_ = array<f32, 12>();
+                        phi_765_ = array<f32, 12>();
                     }
-                    let _e980 = phi_764_;
+                    let _e983 = phi_765_;
                     continue;
                     continuing {
-                        phi_760_ = _e565;
-                        phi_763_ = _e980;
-                        break if !(_e571);
+                        phi_761_ = _e568;
+                        phi_764_ = _e983;
+                        break if !(_e574);
                     }
                 }
-                let _e984 = params.member.member_3;
-                let _e986 = local_41;
-                let _e990 = local_42;
-                let _e994 = local_43;
-                let _e998 = local_44;
-                let _e1002 = local_45;
-                let _e1006 = local_46;
-                let _e1010 = local_47;
-                let _e1014 = local_48;
-                let _e1018 = local_49;
-                let _e1022 = local_50;
-                let _e1026 = local_51;
-                let _e1030 = local_52;
-                local = array<f32, 12>((_e986[0] * _e984), (_e990[1] * _e984), (_e994[2] * _e984), (_e998[3] * _e984), (_e1002[4] * _e984), (_e1006[5] * _e984), (_e1010[6] * _e984), (_e1014[7] * _e984), (_e1018[8] * _e984), (_e1022[9] * _e984), (_e1026[10] * _e984), (_e1030[11] * _e984));
-                phi_1338_ = type_12(0u, 12u);
-                loop {
-                    let _e1035 = phi_1338_;
-                    if (_e1035.member < _e1035.member_1) {
-                        phi_1339_ = type_12((_e1035.member + 1u), _e1035.member_1);
-                        phi_1362_ = type_12(1u, _e1035.member);
-                    } else {
-                        phi_1339_ = _e1035;
-                        phi_1362_ = type_12(0u, type_12().member_1);
-                    }
-                    let _e1048 = phi_1339_;
-                    let _e1050 = phi_1362_;
-                    let _e1054 = (bitcast<i32>(_e1050.member) != 0i);
-                    if _e1054 {
-                        if (_e1050.member_1 < 12u) {
-                        } else {
-                            phi_1391_ = true;
-                            break;
-                        }
-                        let _e1057 = local[_e1050.member_1];
-                        let _e1059 = ((_e1050.member_1 * _e58) + _e62);
-                        if (_e1059 < arrayLength((&coefs.member))) {
-                        } else {
-                            phi_1391_ = true;
-                            break;
-                        }
-                        coefs.member[_e1059] = _e1057;
-                    }
-                    continue;
-                    continuing {
-                        phi_1338_ = _e1048;
-                        phi_1391_ = false;
-                        break if !(_e1054);
-                    }
-                }
-                let _e1065 = phi_1391_;
-                if _e1065 {
-                    break;
-                }
+                let _e987 = params.member.member_3;
+                let _e989 = local_40;
+                let _e993 = local_41;
+                let _e997 = local_42;
+                let _e1001 = local_43;
+                let _e1005 = local_44;
+                let _e1009 = local_45;
+                let _e1013 = local_46;
+                let _e1017 = local_47;
+                let _e1021 = local_48;
+                let _e1025 = local_49;
+                let _e1029 = local_50;
+                let _e1033 = local_51;
+                coefs.member[_e65] = (_e989[0] * _e987);
+                coefs.member[(_e61 + _e65)] = (_e993[1] * _e987);
+                coefs.member[((_e60 * 128u) + _e65)] = (_e997[2] * _e987);
+                coefs.member[((_e60 * 192u) + _e65)] = (_e1001[3] * _e987);
+                coefs.member[((_e60 * 256u) + _e65)] = (_e1005[4] * _e987);
+                coefs.member[((_e60 * 320u) + _e65)] = (_e1009[5] * _e987);
+                coefs.member[((_e60 * 384u) + _e65)] = (_e1013[6] * _e987);
+                coefs.member[((_e60 * 448u) + _e65)] = (_e1017[7] * _e987);
+                coefs.member[((_e60 * 512u) + _e65)] = (_e1021[8] * _e987);
+                coefs.member[((_e60 * 576u) + _e65)] = (_e1025[9] * _e987);
+                coefs.member[((_e60 * 640u) + _e65)] = (_e1029[10] * _e987);
+                coefs.member[((_e60 * 704u) + _e65)] = (_e1033[11] * _e987);
             }
             break;
         }

@@ -13,7 +13,7 @@ struct type_8 {
     member: array<f32>,
 }
 
-struct type_17 {
+struct type_15 {
     member: u32,
     member_1: u32,
 }
@@ -27,14 +27,13 @@ var<storage> x: type_8;
 var<storage, read_write> out: type_8;
 
 fn function_() {
-    var local: array<f32, 1>;
-    var phi_75_: u32;
-    var phi_93_: u32;
-    var phi_146_: type_17;
-    var phi_149_: array<f32, 12>;
-    var phi_147_: type_17;
-    var phi_172_: type_17;
-    var phi_150_: array<f32, 12>;
+    var phi_70_: u32;
+    var phi_141_: type_15;
+    var phi_144_: array<f32, 12>;
+    var phi_142_: type_15;
+    var phi_167_: type_15;
+    var phi_145_: array<f32, 12>;
+    var local: array<f32, 12>;
     var local_1: array<f32, 12>;
     var local_2: array<f32, 12>;
     var local_3: array<f32, 12>;
@@ -46,129 +45,73 @@ fn function_() {
     var local_9: array<f32, 12>;
     var local_10: array<f32, 12>;
     var local_11: array<f32, 12>;
-    var local_12: array<f32, 12>;
-    var phi_254_: type_17;
-    var phi_255_: type_17;
-    var phi_278_: type_17;
-    var phi_308_: bool;
 
-    switch bitcast<i32>(0u) {
-        default: {
-            let _e31 = gid_1;
-            let _e36 = params.member.member;
-            let _e37 = (_e36 / 256u);
-            let _e39 = ((_e36 % 256u) > 0u);
-            if _e39 {
-                phi_75_ = (_e37 + 1u);
+    let _e26 = gid_1;
+    let _e29 = params.member.member;
+    let _e30 = (_e29 / 256u);
+    if ((_e29 % 256u) > 0u) {
+        phi_70_ = (_e30 + 1u);
+    } else {
+        phi_70_ = _e30;
+    }
+    let _e35 = phi_70_;
+    let _e39 = (_e26.x + (_e26.y * 2097152u));
+    if (_e39 < (_e35 * 256u)) {
+        let _e44 = x.member[_e39];
+        let _e47 = params.member.member_2;
+        phi_141_ = type_15(0u, 64u);
+        phi_144_ = array<f32, 12>(0f, _e44, (_e44 * 2f), (_e44 * 3f), (_e44 * 4f), (_e44 * 5f), (_e44 * 6f), (_e44 * 7f), (_e44 * 8f), (_e44 * 9f), (_e44 * 10f), (_e44 * 11f));
+        loop {
+            let _e60 = phi_141_;
+            let _e62 = phi_144_;
+            local = _e62;
+            local_1 = _e62;
+            local_2 = _e62;
+            local_3 = _e62;
+            local_4 = _e62;
+            local_5 = _e62;
+            local_6 = _e62;
+            local_7 = _e62;
+            local_8 = _e62;
+            local_9 = _e62;
+            local_10 = _e62;
+            local_11 = _e62;
+            if (_e60.member < _e60.member_1) {
+                phi_142_ = type_15((_e60.member + 1u), _e60.member_1);
+                phi_167_ = type_15(1u, _e60.member);
             } else {
-                phi_75_ = _e37;
+                phi_142_ = _e60;
+                phi_167_ = type_15(0u, type_15().member_1);
             }
-            let _e42 = phi_75_;
-            if _e39 {
-                phi_93_ = (_e37 + 1u);
+            let _e75 = phi_142_;
+            let _e77 = phi_167_;
+            let _e80 = (bitcast<i32>(_e77.member) != 0i);
+            if _e80 {
+                phi_145_ = array<f32, 12>(((_e62[0] * _e47) + _e44), ((_e62[1] * _e47) + _e44), ((_e62[2] * _e47) + _e44), ((_e62[3] * _e47) + _e44), ((_e62[4] * _e47) + _e44), ((_e62[5] * _e47) + _e44), ((_e62[6] * _e47) + _e44), ((_e62[7] * _e47) + _e44), ((_e62[8] * _e47) + _e44), ((_e62[9] * _e47) + _e44), ((_e62[10] * _e47) + _e44), ((_e62[11] * _e47) + _e44));
             } else {
-                phi_93_ = _e37;
+                phi_145_ = array<f32, 12>();
             }
-            let _e45 = phi_93_;
-            let _e50 = (_e31.x + (_e31.y * 2097152u));
-            if (_e50 < (_e42 * 256u)) {
-                let _e55 = x.member[_e50];
-                let _e58 = params.member.member_2;
-                phi_146_ = type_17(0u, 64u);
-                phi_149_ = array<f32, 12>(0f, _e55, (_e55 * 2f), (_e55 * 3f), (_e55 * 4f), (_e55 * 5f), (_e55 * 6f), (_e55 * 7f), (_e55 * 8f), (_e55 * 9f), (_e55 * 10f), (_e55 * 11f));
-                loop {
-                    let _e71 = phi_146_;
-                    let _e73 = phi_149_;
-                    local_1 = _e73;
-                    local_2 = _e73;
-                    local_3 = _e73;
-                    local_4 = _e73;
-                    local_5 = _e73;
-                    local_6 = _e73;
-                    local_7 = _e73;
-                    local_8 = _e73;
-                    local_9 = _e73;
-                    local_10 = _e73;
-                    local_11 = _e73;
-                    local_12 = _e73;
-                    if (_e71.member < _e71.member_1) {
-                        phi_147_ = type_17((_e71.member + 1u), _e71.member_1);
-                        phi_172_ = type_17(1u, _e71.member);
-                    } else {
-                        phi_147_ = _e71;
-                        phi_172_ = type_17(0u, type_17().member_1);
-                    }
-                    let _e86 = phi_147_;
-                    let _e88 = phi_172_;
-                    let _e91 = (bitcast<i32>(_e88.member) != 0i);
-                    if _e91 {
-                        phi_150_ = array<f32, 12>(((_e73[0] * _e58) + _e55), ((_e73[1] * _e58) + _e55), ((_e73[2] * _e58) + _e55), ((_e73[3] * _e58) + _e55), ((_e73[4] * _e58) + _e55), ((_e73[5] * _e58) + _e55), ((_e73[6] * _e58) + _e55), ((_e73[7] * _e58) + _e55), ((_e73[8] * _e58) + _e55), ((_e73[9] * _e58) + _e55), ((_e73[10] * _e58) + _e55), ((_e73[11] * _e58) + _e55));
-                    } else {
-                        phi_150_ = array<f32, 12>();
-                    }
-                    let _e130 = phi_150_;
-                    continue;
-                    continuing {
-                        phi_146_ = _e86;
-                        phi_149_ = _e130;
-                        break if !(_e91);
-                    }
-                }
-                let _e133 = local_1;
-                let _e136 = local_2;
-                let _e140 = local_3;
-                let _e144 = local_4;
-                let _e148 = local_5;
-                let _e152 = local_6;
-                let _e156 = local_7;
-                let _e160 = local_8;
-                let _e164 = local_9;
-                let _e168 = local_10;
-                let _e172 = local_11;
-                let _e176 = local_12;
-                local[0u] = (((((((((((_e133[0] + _e136[1]) + _e140[2]) + _e144[3]) + _e148[4]) + _e152[5]) + _e156[6]) + _e160[7]) + _e164[8]) + _e168[9]) + _e172[10]) + _e176[11]);
-                phi_254_ = type_17(0u, 1u);
-                loop {
-                    let _e181 = phi_254_;
-                    if (_e181.member < _e181.member_1) {
-                        phi_255_ = type_17((_e181.member + 1u), _e181.member_1);
-                        phi_278_ = type_17(1u, _e181.member);
-                    } else {
-                        phi_255_ = _e181;
-                        phi_278_ = type_17(0u, type_17().member_1);
-                    }
-                    let _e194 = phi_255_;
-                    let _e196 = phi_278_;
-                    let _e200 = (bitcast<i32>(_e196.member) != 0i);
-                    if _e200 {
-                        if (_e196.member_1 < 1u) {
-                        } else {
-                            phi_308_ = true;
-                            break;
-                        }
-                        let _e203 = local[_e196.member_1];
-                        let _e205 = ((_e196.member_1 * (_e45 * 256u)) + _e50);
-                        if (_e205 < arrayLength((&out.member))) {
-                        } else {
-                            phi_308_ = true;
-                            break;
-                        }
-                        out.member[_e205] = _e203;
-                    }
-                    continue;
-                    continuing {
-                        phi_254_ = _e194;
-                        phi_308_ = false;
-                        break if !(_e200);
-                    }
-                }
-                let _e211 = phi_308_;
-                if _e211 {
-                    break;
-                }
+            let _e119 = phi_145_;
+            continue;
+            continuing {
+                phi_141_ = _e75;
+                phi_144_ = _e119;
+                break if !(_e80);
             }
-            break;
         }
+        let _e122 = local;
+        let _e125 = local_1;
+        let _e129 = local_2;
+        let _e133 = local_3;
+        let _e137 = local_4;
+        let _e141 = local_5;
+        let _e145 = local_6;
+        let _e149 = local_7;
+        let _e153 = local_8;
+        let _e157 = local_9;
+        let _e161 = local_10;
+        let _e165 = local_11;
+        out.member[_e39] = (((((((((((_e122[0] + _e125[1]) + _e129[2]) + _e133[3]) + _e137[4]) + _e141[5]) + _e145[6]) + _e149[7]) + _e153[8]) + _e157[9]) + _e161[10]) + _e165[11]);
     }
     return;
 }

@@ -6,7 +6,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_19 {
+struct type_18 {
     member: array<vec4<f32>>,
 }
 
@@ -40,7 +40,7 @@ var<storage> blends: type_26;
 @group(0) @binding(3) 
 var<storage> irradiance: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> texels: type_19;
+var<storage, read_write> texels: type_18;
 
 fn function_() {
     var phi_325_: vec4<f32>;

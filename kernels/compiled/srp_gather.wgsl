@@ -3,15 +3,10 @@ struct type_5 {
 }
 
 struct type_11 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_14 {
     member: array<u32>,
 }
 
-struct type_19 {
+struct type_14 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,112 +17,70 @@ struct type_19 {
     member_7: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_15 {
+    member: type_14,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
 var<storage> radiance: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_20;
+var<uniform> params: type_15;
 @group(0) @binding(1) 
-var<storage> hits: type_14;
+var<storage> hits: type_11;
 @group(0) @binding(3) 
 var<storage, read_write> light: type_5;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var phi_88_: u32;
-    var phi_177_: u32;
-    var phi_230_: type_11;
-    var phi_231_: type_11;
-    var phi_254_: type_11;
-    var phi_284_: bool;
+    var phi_77_: u32;
+    var phi_166_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e22 = gid_1;
-            let _e27 = params.member.member_3;
-            let _e29 = select(_e27, 16u, (_e27 == 0u));
-            let _e32 = params.member.member;
-            let _e33 = (_e32 / 16u);
-            let _e35 = ((_e32 % 16u) > 0u);
-            if _e35 {
-                phi_88_ = (_e33 + 1u);
+            let _e16 = gid_1;
+            let _e19 = params.member.member_3;
+            let _e21 = select(_e19, 16u, (_e19 == 0u));
+            let _e24 = params.member.member;
+            let _e25 = (_e24 / 16u);
+            let _e27 = ((_e24 % 16u) > 0u);
+            if _e27 {
+                phi_77_ = (_e25 + 1u);
             } else {
-                phi_88_ = _e33;
+                phi_77_ = _e25;
             }
-            let _e38 = phi_88_;
-            let _e39 = (_e29 == 0u);
-            if _e39 {
+            let _e30 = phi_77_;
+            let _e31 = (_e21 == 0u);
+            if _e31 {
                 break;
             }
-            if _e39 {
+            if _e31 {
                 break;
             }
-            let _e44 = params.member.member_6;
-            let _e45 = (((_e38 * _e29) * 16u) * _e44);
-            let _e50 = (_e22.x + (_e22.y * 2097152u));
-            if (_e50 < ((_e45 / 256u) * 256u)) {
-                let _e55 = params.member.member_5;
-                if _e35 {
-                    phi_177_ = (_e33 + 1u);
+            let _e36 = params.member.member_6;
+            let _e37 = (((_e30 * _e21) * 16u) * _e36);
+            let _e42 = (_e16.x + (_e16.y * 2097152u));
+            if (_e42 < ((_e37 / 256u) * 256u)) {
+                let _e47 = params.member.member_5;
+                if _e27 {
+                    phi_166_ = (_e25 + 1u);
                 } else {
-                    phi_177_ = _e33;
+                    phi_166_ = _e25;
                 }
-                let _e58 = phi_177_;
-                if _e39 {
+                let _e50 = phi_166_;
+                if _e31 {
                     break;
                 }
-                if _e39 {
+                if _e31 {
                     break;
                 }
-                let _e65 = hits.member[((_e55 * ((_e58 * _e29) * 16u)) + _e50)];
-                let _e66 = (4u * _e65);
-                let _e69 = radiance.member[_e66];
-                let _e73 = radiance.member[(_e66 + 1u)];
-                let _e77 = radiance.member[(_e66 + 2u)];
-                local = array<f32, 3>(_e69, _e73, _e77);
-                phi_230_ = type_11(0u, 3u);
-                loop {
-                    let _e80 = phi_230_;
-                    if (_e80.member < _e80.member_1) {
-                        phi_231_ = type_11((_e80.member + 1u), _e80.member_1);
-                        phi_254_ = type_11(1u, _e80.member);
-                    } else {
-                        phi_231_ = _e80;
-                        phi_254_ = type_11(0u, type_11().member_1);
-                    }
-                    let _e93 = phi_231_;
-                    let _e95 = phi_254_;
-                    let _e99 = (bitcast<i32>(_e95.member) != 0i);
-                    if _e99 {
-                        if (_e95.member_1 < 3u) {
-                        } else {
-                            phi_284_ = true;
-                            break;
-                        }
-                        let _e102 = local[_e95.member_1];
-                        let _e104 = ((_e95.member_1 * _e45) + _e50);
-                        if (_e104 < arrayLength((&light.member))) {
-                        } else {
-                            phi_284_ = true;
-                            break;
-                        }
-                        light.member[_e104] = _e102;
-                    }
-                    continue;
-                    continuing {
-                        phi_230_ = _e93;
-                        phi_284_ = false;
-                        break if !(_e99);
-                    }
-                }
-                let _e110 = phi_284_;
-                if _e110 {
-                    break;
-                }
+                let _e57 = hits.member[((_e47 * ((_e50 * _e21) * 16u)) + _e42)];
+                let _e58 = (4u * _e57);
+                let _e61 = radiance.member[_e58];
+                let _e65 = radiance.member[(_e58 + 1u)];
+                let _e69 = radiance.member[(_e58 + 2u)];
+                light.member[_e42] = _e61;
+                light.member[(_e37 + _e42)] = _e65;
+                light.member[((2u * _e37) + _e42)] = _e69;
             }
             break;
         }

@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_17 {
+struct type_16 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -15,12 +15,12 @@ struct type_17 {
     member_9: f32,
 }
 
-struct type_19 {
+struct type_18 {
     member: array<vec4<f32>>,
 }
 
-struct type_22 {
-    member: array<type_17>,
+struct type_21 {
+    member: array<type_16>,
 }
 
 struct type_24 {
@@ -60,13 +60,13 @@ var<storage> radiance: type_5;
 @group(0) @binding(0) 
 var<uniform> params: type_25;
 @group(0) @binding(3) 
-var<storage> surfels: type_22;
+var<storage> surfels: type_21;
 @group(0) @binding(1) 
 var<storage> blends: type_29;
 @group(0) @binding(4) 
 var<storage> gloss: type_33;
 @group(0) @binding(5) 
-var<storage, read_write> reflected: type_19;
+var<storage, read_write> reflected: type_18;
 
 fn function_() {
     var phi_789_: vec3<f32>;

@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_16 {
+struct type_15 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -15,12 +15,12 @@ struct type_16 {
     member_9: f32,
 }
 
-struct type_18 {
+struct type_17 {
     member: array<vec4<f32>>,
 }
 
-struct type_21 {
-    member: array<type_16>,
+struct type_20 {
+    member: array<type_15>,
 }
 
 struct type_23 {
@@ -49,9 +49,9 @@ var<storage> radiance: type_5;
 @group(0) @binding(0) 
 var<uniform> params: type_24;
 @group(0) @binding(3) 
-var<storage> surfels: type_21;
+var<storage> surfels: type_20;
 @group(0) @binding(4) 
-var<storage, read_write> irradiance: type_18;
+var<storage, read_write> irradiance: type_17;
 @group(0) @binding(1) 
 var<storage> blends: type_28;
 

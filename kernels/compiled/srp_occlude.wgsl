@@ -2,13 +2,13 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_10 {
-    member: u32,
-    member_1: u32,
+struct type_11 {
+    member: array<u32>,
 }
 
-struct type_13 {
-    member: array<u32>,
+struct type_14 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_20 {
@@ -45,7 +45,7 @@ struct type_27 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> hits: type_13;
+var<storage> hits: type_11;
 @group(0) @binding(0) 
 var<uniform> params: type_23;
 @group(0) @binding(2) 
@@ -55,15 +55,15 @@ var<storage> rays: type_20;
 @group(0) @binding(4) 
 var<storage> occluders: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> seen: type_13;
+var<storage, read_write> seen: type_11;
 
 fn function_() {
     var phi_110_: u32;
-    var phi_191_: type_10;
+    var phi_191_: type_14;
     var phi_194_: f32;
     var phi_196_: u32;
-    var phi_192_: type_10;
-    var phi_219_: type_10;
+    var phi_192_: type_14;
+    var phi_219_: type_14;
     var phi_458_: bool;
     var phi_463_: bool;
     var phi_472_: f32;
@@ -131,7 +131,7 @@ fn function_() {
                         }
                         let _e98 = rays.member[_e94];
                         let _e104 = params.member.member_4;
-                        phi_191_ = type_10(0u, _e104);
+                        phi_191_ = type_14(0u, _e104);
                         phi_194_ = _e81;
                         phi_196_ = _e77;
                         loop {
@@ -140,11 +140,11 @@ fn function_() {
                             let _e111 = phi_196_;
                             local = _e111;
                             if (_e107.member < _e107.member_1) {
-                                phi_192_ = type_10((_e107.member + 1u), _e107.member_1);
-                                phi_219_ = type_10(1u, _e107.member);
+                                phi_192_ = type_14((_e107.member + 1u), _e107.member_1);
+                                phi_219_ = type_14(1u, _e107.member);
                             } else {
                                 phi_192_ = _e107;
-                                phi_219_ = type_10(0u, type_10().member_1);
+                                phi_219_ = type_14(0u, type_14().member_1);
                             }
                             let _e124 = phi_192_;
                             let _e126 = phi_219_;

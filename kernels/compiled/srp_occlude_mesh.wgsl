@@ -3,15 +3,15 @@ struct type_5 {
 }
 
 struct type_11 {
+    member: array<u32>,
+}
+
+struct type_15 {
     member: u32,
     member_1: u32,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_24 {
+struct type_22 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -22,11 +22,11 @@ struct type_24 {
     member_7: vec4<f32>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_28 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -35,18 +35,18 @@ struct type_28 {
     member_5: u32,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_28 {
+    member: array<type_26>,
 }
 
-struct type_34 {
+struct type_32 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_36 {
-    member: array<type_34>,
+struct type_34 {
+    member: array<type_32>,
 }
 
 struct type_44 {
@@ -78,7 +78,7 @@ struct type_50 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> hits: type_14;
+var<storage> hits: type_11;
 @group(0) @binding(0) 
 var<uniform> params: type_50;
 @group(0) @binding(2) 
@@ -86,15 +86,15 @@ var<storage> distances: type_5;
 @group(0) @binding(3) 
 var<storage> rays: type_47;
 @group(0) @binding(4) 
-var<storage> nodes: type_26;
+var<storage> nodes: type_24;
 @group(0) @binding(5) 
-var<storage> triangles: type_30;
+var<storage> triangles: type_28;
 @group(0) @binding(6) 
-var<storage> attributes: type_36;
+var<storage> attributes: type_34;
 @group(0) @binding(7) 
-var<storage> surfaces: type_14;
+var<storage> surfaces: type_11;
 @group(0) @binding(8) 
-var<storage, read_write> seen: type_14;
+var<storage, read_write> seen: type_11;
 
 fn function_() {
     var local: array<u32, 64>;
@@ -111,9 +111,9 @@ fn function_() {
     var phi_1995_: bool;
     var phi_567_: u32;
     var phi_570_: u32;
-    var phi_995_: type_11;
-    var phi_996_: type_11;
-    var phi_1019_: type_11;
+    var phi_995_: type_15;
+    var phi_996_: type_15;
+    var phi_1019_: type_15;
     var phi_1135_: f32;
     var phi_1146_: f32;
     var phi_1157_: f32;
@@ -505,15 +505,15 @@ fn function_() {
                                 phi_1683_ = _e1186;
                                 phi_1684_ = true;
                             } else {
-                                phi_995_ = type_11(_e325, (_e325 + _e323));
+                                phi_995_ = type_15(_e325, (_e325 + _e323));
                                 loop {
                                     let _e330 = phi_995_;
                                     if (_e330.member < _e330.member_1) {
-                                        phi_996_ = type_11((_e330.member + 1u), _e330.member_1);
-                                        phi_1019_ = type_11(1u, _e330.member);
+                                        phi_996_ = type_15((_e330.member + 1u), _e330.member_1);
+                                        phi_1019_ = type_15(1u, _e330.member);
                                     } else {
                                         phi_996_ = _e330;
-                                        phi_1019_ = type_11(0u, type_11().member_1);
+                                        phi_1019_ = type_15(0u, type_15().member_1);
                                     }
                                     let _e343 = phi_996_;
                                     let _e345 = phi_1019_;

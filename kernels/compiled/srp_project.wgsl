@@ -2,12 +2,12 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_11 {
+struct type_10 {
     member: u32,
     member_1: u32,
 }
 
-struct type_13 {
+struct type_12 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -18,38 +18,37 @@ struct type_13 {
     member_7: u32,
 }
 
-struct type_14 {
-    member: type_13,
+struct type_13 {
+    member: type_12,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> table: type_5;
 @group(0) @binding(0) 
-var<uniform> params: type_14;
+var<uniform> params: type_13;
 @group(0) @binding(2) 
 var<storage> light: type_5;
 @group(0) @binding(3) 
 var<storage, read_write> partial: type_5;
 
 fn function_() {
+    var phi_96_: u32;
+    var phi_114_: u32;
+    var phi_132_: u32;
+    var phi_194_: u32;
+    var phi_212_: u32;
+    var phi_230_: u32;
+    var phi_266_: type_10;
+    var phi_269_: u32;
+    var phi_271_: u32;
+    var phi_273_: array<f32, 24>;
+    var phi_267_: type_10;
+    var phi_296_: type_10;
+    var phi_270_: u32;
+    var phi_272_: u32;
+    var phi_274_: array<f32, 24>;
     var local: array<f32, 24>;
-    var phi_88_: u32;
-    var phi_106_: u32;
-    var phi_124_: u32;
-    var phi_186_: u32;
-    var phi_204_: u32;
-    var phi_222_: u32;
-    var phi_258_: type_11;
-    var phi_261_: u32;
-    var phi_263_: u32;
-    var phi_265_: array<f32, 24>;
-    var phi_259_: type_11;
-    var phi_288_: type_11;
-    var phi_262_: u32;
-    var phi_264_: u32;
-    var phi_266_: array<f32, 24>;
-    var phi_549_: bool;
     var local_1: array<f32, 24>;
     var local_2: array<f32, 24>;
     var local_3: array<f32, 24>;
@@ -73,284 +72,212 @@ fn function_() {
     var local_21: array<f32, 24>;
     var local_22: array<f32, 24>;
     var local_23: array<f32, 24>;
-    var local_24: array<f32, 24>;
-    var phi_493_: type_11;
-    var phi_494_: type_11;
-    var phi_517_: type_11;
-    var phi_561_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e28 = gid_1;
-            let _e30 = arrayLength((&table.member));
-            let _e35 = params.member.member_3;
-            let _e37 = select(_e35, 16u, (_e35 == 0u));
-            let _e40 = params.member.member;
-            let _e41 = (_e40 / 16u);
-            let _e43 = ((_e40 % 16u) > 0u);
-            if _e43 {
-                phi_88_ = (_e41 + 1u);
+            let _e46 = gid_1;
+            let _e49 = params.member.member_3;
+            let _e51 = select(_e49, 16u, (_e49 == 0u));
+            let _e54 = params.member.member;
+            let _e55 = (_e54 / 16u);
+            let _e57 = ((_e54 % 16u) > 0u);
+            if _e57 {
+                phi_96_ = (_e55 + 1u);
             } else {
-                phi_88_ = _e41;
+                phi_96_ = _e55;
             }
-            let _e46 = phi_88_;
-            let _e49 = params.member.member_2;
-            let _e50 = (_e49 / 8u);
-            let _e52 = ((_e49 % 8u) > 0u);
-            if _e52 {
-                phi_106_ = (_e50 + 1u);
+            let _e60 = phi_96_;
+            let _e63 = params.member.member_2;
+            let _e64 = (_e63 / 8u);
+            let _e66 = ((_e63 % 8u) > 0u);
+            if _e66 {
+                phi_114_ = (_e64 + 1u);
             } else {
-                phi_106_ = _e50;
+                phi_114_ = _e64;
             }
-            let _e55 = phi_106_;
-            let _e58 = params.member.member_1;
-            let _e59 = (_e37 == 0u);
-            if _e59 {
+            let _e69 = phi_114_;
+            let _e72 = params.member.member_1;
+            let _e73 = (_e51 == 0u);
+            if _e73 {
                 break;
             }
-            let _e60 = (_e58 / _e37);
-            if _e59 {
+            let _e74 = (_e72 / _e51);
+            if _e73 {
                 break;
             }
-            let _e62 = ((_e58 % _e37) > 0u);
-            if _e62 {
-                phi_124_ = (_e60 + 1u);
+            let _e76 = ((_e72 % _e51) > 0u);
+            if _e76 {
+                phi_132_ = (_e74 + 1u);
             } else {
-                phi_124_ = _e60;
+                phi_132_ = _e74;
             }
-            let _e65 = phi_124_;
-            let _e66 = (_e46 * _e55);
-            let _e69 = params.member.member_6;
-            let _e73 = params.member.member_5;
-            let _e82 = (_e28.x + (_e28.y * 2097152u));
-            if (_e82 < ((_e69 * _e66) * 16u)) {
-                let _e85 = (_e82 / 16u);
-                let _e86 = (_e85 * 16u);
-                let _e87 = (_e82 - _e86);
-                if _e43 {
-                    phi_186_ = (_e41 + 1u);
+            let _e79 = phi_132_;
+            let _e80 = (_e60 * _e69);
+            let _e83 = params.member.member_6;
+            let _e87 = params.member.member_5;
+            let _e91 = ((_e79 * _e60) * _e69);
+            let _e96 = (_e46.x + (_e46.y * 2097152u));
+            if (_e96 < ((_e83 * _e80) * 16u)) {
+                let _e99 = (_e96 / 16u);
+                let _e100 = (_e99 * 16u);
+                let _e101 = (_e96 - _e100);
+                let _e103 = ((((_e87 * _e80) * 16u) + _e100) + _e101);
+                if _e57 {
+                    phi_194_ = (_e55 + 1u);
                 } else {
-                    phi_186_ = _e41;
+                    phi_194_ = _e55;
                 }
-                let _e92 = phi_186_;
-                if _e52 {
-                    phi_204_ = (_e50 + 1u);
+                let _e106 = phi_194_;
+                if _e66 {
+                    phi_212_ = (_e64 + 1u);
                 } else {
-                    phi_204_ = _e50;
+                    phi_212_ = _e64;
                 }
-                let _e95 = phi_204_;
-                if _e59 {
+                let _e109 = phi_212_;
+                if _e73 {
                     break;
                 }
-                if _e59 {
+                if _e73 {
                     break;
                 }
-                if _e62 {
-                    phi_222_ = (_e60 + 1u);
+                if _e76 {
+                    phi_230_ = (_e74 + 1u);
                 } else {
-                    phi_222_ = _e60;
+                    phi_230_ = _e74;
                 }
-                let _e98 = phi_222_;
-                if (_e95 == 0u) {
+                let _e112 = phi_230_;
+                if (_e109 == 0u) {
                     break;
                 }
-                let _e100 = (_e85 / _e95);
-                if (_e92 == 0u) {
+                let _e114 = (_e99 / _e109);
+                if (_e106 == 0u) {
                     break;
                 }
-                let _e107 = (((_e92 * _e37) * 16u) * _e69);
-                let _e111 = ((_e85 - (_e100 * _e95)) * 8u);
-                phi_258_ = type_11(0u, _e37);
-                phi_261_ = (((_e37 * (((_e111 / 8u) * _e98) + (_e73 + (_e100 / _e92)))) * 8u) + (_e111 % 8u));
-                phi_263_ = (((_e100 * _e37) * 16u) + _e87);
-                phi_265_ = array<f32, 24>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                let _e121 = (((_e106 * _e51) * 16u) * _e83);
+                let _e125 = ((_e99 - (_e114 * _e109)) * 8u);
+                phi_266_ = type_10(0u, _e51);
+                phi_269_ = (((_e51 * (((_e125 / 8u) * _e112) + (_e87 + (_e114 / _e106)))) * 8u) + (_e125 % 8u));
+                phi_271_ = (((_e114 * _e51) * 16u) + _e101);
+                phi_273_ = array<f32, 24>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                 loop {
-                    let _e122 = phi_258_;
-                    let _e124 = phi_261_;
-                    let _e126 = phi_263_;
-                    let _e128 = phi_265_;
-                    local_1 = _e128;
-                    local_2 = _e128;
-                    local_3 = _e128;
-                    local_4 = _e128;
-                    local_5 = _e128;
-                    local_6 = _e128;
-                    local_7 = _e128;
-                    local_8 = _e128;
-                    local_9 = _e128;
-                    local_10 = _e128;
-                    local_11 = _e128;
-                    local_12 = _e128;
-                    local_13 = _e128;
-                    local_14 = _e128;
-                    local_15 = _e128;
-                    local_16 = _e128;
-                    local_17 = _e128;
-                    local_18 = _e128;
-                    local_19 = _e128;
-                    local_20 = _e128;
-                    local_21 = _e128;
-                    local_22 = _e128;
-                    local_23 = _e128;
-                    local_24 = _e128;
-                    if (_e122.member < _e122.member_1) {
-                        phi_259_ = type_11((_e122.member + 1u), _e122.member_1);
-                        phi_288_ = type_11(1u, _e122.member);
+                    let _e136 = phi_266_;
+                    let _e138 = phi_269_;
+                    let _e140 = phi_271_;
+                    let _e142 = phi_273_;
+                    local = _e142;
+                    local_1 = _e142;
+                    local_2 = _e142;
+                    local_3 = _e142;
+                    local_4 = _e142;
+                    local_5 = _e142;
+                    local_6 = _e142;
+                    local_7 = _e142;
+                    local_8 = _e142;
+                    local_9 = _e142;
+                    local_10 = _e142;
+                    local_11 = _e142;
+                    local_12 = _e142;
+                    local_13 = _e142;
+                    local_14 = _e142;
+                    local_15 = _e142;
+                    local_16 = _e142;
+                    local_17 = _e142;
+                    local_18 = _e142;
+                    local_19 = _e142;
+                    local_20 = _e142;
+                    local_21 = _e142;
+                    local_22 = _e142;
+                    local_23 = _e142;
+                    if (_e136.member < _e136.member_1) {
+                        phi_267_ = type_10((_e136.member + 1u), _e136.member_1);
+                        phi_296_ = type_10(1u, _e136.member);
                     } else {
-                        phi_259_ = _e122;
-                        phi_288_ = type_11(0u, type_11().member_1);
+                        phi_267_ = _e136;
+                        phi_296_ = type_10(0u, type_10().member_1);
                     }
-                    let _e141 = phi_259_;
-                    let _e143 = phi_288_;
-                    let _e146 = (bitcast<i32>(_e143.member) != 0i);
-                    if _e146 {
-                        let _e149 = light.member[_e126];
-                        let _e153 = light.member[(_e107 + _e126)];
-                        let _e158 = light.member[((2u * _e107) + _e126)];
-                        if (_e124 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e162 = table.member[_e124];
-                        let _e172 = (_e124 + 1u);
-                        if (_e172 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e176 = table.member[_e172];
-                        let _e186 = (_e124 + 2u);
-                        if (_e186 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e190 = table.member[_e186];
-                        let _e200 = (_e124 + 3u);
-                        if (_e200 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e204 = table.member[_e200];
-                        let _e214 = (_e124 + 4u);
-                        if (_e214 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e218 = table.member[_e214];
-                        let _e228 = (_e124 + 5u);
-                        if (_e228 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e232 = table.member[_e228];
-                        let _e242 = (_e124 + 6u);
-                        if (_e242 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e246 = table.member[_e242];
-                        let _e256 = (_e124 + 7u);
-                        if (_e256 < _e30) {
-                        } else {
-                            phi_549_ = true;
-                            break;
-                        }
-                        let _e260 = table.member[_e256];
-                        phi_262_ = (_e124 + 8u);
-                        phi_264_ = (_e126 + 16u);
-                        phi_266_ = array<f32, 24>((_e128[0] + (_e149 * _e162)), (_e128[1] + (_e149 * _e176)), (_e128[2] + (_e149 * _e190)), (_e128[3] + (_e149 * _e204)), (_e128[4] + (_e149 * _e218)), (_e128[5] + (_e149 * _e232)), (_e128[6] + (_e149 * _e246)), (_e128[7] + (_e149 * _e260)), (_e128[8] + (_e153 * _e162)), (_e128[9] + (_e153 * _e176)), (_e128[10] + (_e153 * _e190)), (_e128[11] + (_e153 * _e204)), (_e128[12] + (_e153 * _e218)), (_e128[13] + (_e153 * _e232)), (_e128[14] + (_e153 * _e246)), (_e128[15] + (_e153 * _e260)), (_e128[16] + (_e158 * _e162)), (_e128[17] + (_e158 * _e176)), (_e128[18] + (_e158 * _e190)), (_e128[19] + (_e158 * _e204)), (_e128[20] + (_e158 * _e218)), (_e128[21] + (_e158 * _e232)), (_e128[22] + (_e158 * _e246)), (_e128[23] + (_e158 * _e260)));
+                    let _e155 = phi_267_;
+                    let _e157 = phi_296_;
+                    let _e160 = (bitcast<i32>(_e157.member) != 0i);
+                    if _e160 {
+                        let _e163 = light.member[_e140];
+                        let _e167 = light.member[(_e121 + _e140)];
+                        let _e172 = light.member[((2u * _e121) + _e140)];
+                        let _e175 = table.member[_e138];
+                        let _e188 = table.member[(_e138 + 1u)];
+                        let _e201 = table.member[(_e138 + 2u)];
+                        let _e214 = table.member[(_e138 + 3u)];
+                        let _e227 = table.member[(_e138 + 4u)];
+                        let _e240 = table.member[(_e138 + 5u)];
+                        let _e253 = table.member[(_e138 + 6u)];
+                        let _e266 = table.member[(_e138 + 7u)];
+                        phi_270_ = (_e138 + 8u);
+                        phi_272_ = (_e140 + 16u);
+                        phi_274_ = array<f32, 24>((_e142[0] + (_e163 * _e175)), (_e142[1] + (_e163 * _e188)), (_e142[2] + (_e163 * _e201)), (_e142[3] + (_e163 * _e214)), (_e142[4] + (_e163 * _e227)), (_e142[5] + (_e163 * _e240)), (_e142[6] + (_e163 * _e253)), (_e142[7] + (_e163 * _e266)), (_e142[8] + (_e167 * _e175)), (_e142[9] + (_e167 * _e188)), (_e142[10] + (_e167 * _e201)), (_e142[11] + (_e167 * _e214)), (_e142[12] + (_e167 * _e227)), (_e142[13] + (_e167 * _e240)), (_e142[14] + (_e167 * _e253)), (_e142[15] + (_e167 * _e266)), (_e142[16] + (_e172 * _e175)), (_e142[17] + (_e172 * _e188)), (_e142[18] + (_e172 * _e201)), (_e142[19] + (_e172 * _e214)), (_e142[20] + (_e172 * _e227)), (_e142[21] + (_e172 * _e240)), (_e142[22] + (_e172 * _e253)), (_e142[23] + (_e172 * _e266)));
                     } else {
-                        phi_262_ = u32();
-                        phi_264_ = u32();
-                        phi_266_ = array<f32, 24>();
+                        phi_270_ = u32();
+                        phi_272_ = u32();
+                        phi_274_ = array<f32, 24>();
                     }
-                    let _e274 = phi_262_;
-                    let _e276 = phi_264_;
-                    let _e278 = phi_266_;
+                    let _e280 = phi_270_;
+                    let _e282 = phi_272_;
+                    let _e284 = phi_274_;
                     continue;
                     continuing {
-                        phi_258_ = _e141;
-                        phi_261_ = _e274;
-                        phi_263_ = _e276;
-                        phi_265_ = _e278;
-                        phi_549_ = false;
-                        break if !(_e146);
+                        phi_266_ = _e155;
+                        phi_269_ = _e280;
+                        phi_271_ = _e282;
+                        phi_273_ = _e284;
+                        break if !(_e160);
                     }
                 }
-                let _e281 = phi_549_;
-                if _e281 {
-                    break;
-                }
-                let _e283 = local_1;
-                let _e286 = local_2;
-                let _e289 = local_3;
-                let _e292 = local_4;
-                let _e295 = local_5;
-                let _e298 = local_6;
-                let _e301 = local_7;
-                let _e304 = local_8;
-                let _e307 = local_9;
-                let _e310 = local_10;
-                let _e313 = local_11;
-                let _e316 = local_12;
-                let _e319 = local_13;
-                let _e322 = local_14;
-                let _e325 = local_15;
-                let _e328 = local_16;
-                let _e331 = local_17;
-                let _e334 = local_18;
-                let _e337 = local_19;
-                let _e340 = local_20;
-                let _e343 = local_21;
-                let _e346 = local_22;
-                let _e349 = local_23;
-                let _e352 = local_24;
-                local = array<f32, 24>(_e283[0], _e286[1], _e289[2], _e292[3], _e295[4], _e298[5], _e301[6], _e304[7], _e307[8], _e310[9], _e313[10], _e316[11], _e319[12], _e322[13], _e325[14], _e328[15], _e331[16], _e334[17], _e337[18], _e340[19], _e343[20], _e346[21], _e349[22], _e352[23]);
-                phi_493_ = type_11(0u, 24u);
-                loop {
-                    let _e356 = phi_493_;
-                    if (_e356.member < _e356.member_1) {
-                        phi_494_ = type_11((_e356.member + 1u), _e356.member_1);
-                        phi_517_ = type_11(1u, _e356.member);
-                    } else {
-                        phi_494_ = _e356;
-                        phi_517_ = type_11(0u, type_11().member_1);
-                    }
-                    let _e369 = phi_494_;
-                    let _e371 = phi_517_;
-                    let _e375 = (bitcast<i32>(_e371.member) != 0i);
-                    if _e375 {
-                        if (_e371.member_1 < 24u) {
-                        } else {
-                            phi_561_ = true;
-                            break;
-                        }
-                        let _e378 = local[_e371.member_1];
-                        let _e380 = ((_e371.member_1 * (((_e65 * _e46) * _e55) * 16u)) + ((((_e73 * _e66) * 16u) + _e86) + _e87));
-                        if (_e380 < arrayLength((&partial.member))) {
-                        } else {
-                            phi_561_ = true;
-                            break;
-                        }
-                        partial.member[_e380] = _e378;
-                    }
-                    continue;
-                    continuing {
-                        phi_493_ = _e369;
-                        phi_561_ = _e281;
-                        break if !(_e375);
-                    }
-                }
-                let _e386 = phi_561_;
-                if _e386 {
-                    break;
-                }
+                let _e287 = local;
+                partial.member[_e103] = _e287[0];
+                let _e293 = local_1;
+                partial.member[((_e91 * 16u) + _e103)] = _e293[1];
+                let _e300 = local_2;
+                partial.member[((_e91 * 32u) + _e103)] = _e300[2];
+                let _e307 = local_3;
+                partial.member[((_e91 * 48u) + _e103)] = _e307[3];
+                let _e314 = local_4;
+                partial.member[((_e91 * 64u) + _e103)] = _e314[4];
+                let _e321 = local_5;
+                partial.member[((_e91 * 80u) + _e103)] = _e321[5];
+                let _e328 = local_6;
+                partial.member[((_e91 * 96u) + _e103)] = _e328[6];
+                let _e335 = local_7;
+                partial.member[((_e91 * 112u) + _e103)] = _e335[7];
+                let _e342 = local_8;
+                partial.member[((_e91 * 128u) + _e103)] = _e342[8];
+                let _e349 = local_9;
+                partial.member[((_e91 * 144u) + _e103)] = _e349[9];
+                let _e356 = local_10;
+                partial.member[((_e91 * 160u) + _e103)] = _e356[10];
+                let _e363 = local_11;
+                partial.member[((_e91 * 176u) + _e103)] = _e363[11];
+                let _e370 = local_12;
+                partial.member[((_e91 * 192u) + _e103)] = _e370[12];
+                let _e377 = local_13;
+                partial.member[((_e91 * 208u) + _e103)] = _e377[13];
+                let _e384 = local_14;
+                partial.member[((_e91 * 224u) + _e103)] = _e384[14];
+                let _e391 = local_15;
+                partial.member[((_e91 * 240u) + _e103)] = _e391[15];
+                let _e398 = local_16;
+                partial.member[((_e91 * 256u) + _e103)] = _e398[16];
+                let _e405 = local_17;
+                partial.member[((_e91 * 272u) + _e103)] = _e405[17];
+                let _e412 = local_18;
+                partial.member[((_e91 * 288u) + _e103)] = _e412[18];
+                let _e419 = local_19;
+                partial.member[((_e91 * 304u) + _e103)] = _e419[19];
+                let _e426 = local_20;
+                partial.member[((_e91 * 320u) + _e103)] = _e426[20];
+                let _e433 = local_21;
+                partial.member[((_e91 * 336u) + _e103)] = _e433[21];
+                let _e440 = local_22;
+                partial.member[((_e91 * 352u) + _e103)] = _e440[22];
+                let _e447 = local_23;
+                partial.member[((_e91 * 368u) + _e103)] = _e447[23];
             }
             break;
         }

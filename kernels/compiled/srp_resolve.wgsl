@@ -2,7 +2,7 @@ struct type_5 {
     member: array<f32>,
 }
 
-struct type_15 {
+struct type_14 {
     member: array<vec4<f32>>,
 }
 
@@ -34,7 +34,7 @@ var<storage> blends: type_22;
 @group(0) @binding(2) 
 var<storage> irradiance: type_5;
 @group(0) @binding(3) 
-var<storage, read_write> points: type_15;
+var<storage, read_write> points: type_14;
 
 fn function_() {
     var phi_239_: vec4<f32>;

@@ -1,13 +1,13 @@
 struct type_8 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_19 {
+struct type_17 {
     member: vec4<f32>,
     member_1: u32,
     member_2: u32,
@@ -19,11 +19,11 @@ struct type_19 {
     member_8: u32,
 }
 
-struct type_20 {
-    member: type_19,
+struct type_18 {
+    member: type_17,
 }
 
-struct type_23 {
+struct type_21 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -34,11 +34,11 @@ struct type_23 {
     member_7: vec4<f32>,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_27 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -47,21 +47,21 @@ struct type_27 {
     member_5: u32,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_27 {
+    member: array<type_25>,
 }
 
-struct type_33 {
+struct type_31 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_33 {
+    member: array<type_31>,
 }
 
-struct type_37 {
+struct type_35 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -72,11 +72,11 @@ struct type_37 {
     member_7: f32,
 }
 
-struct type_39 {
-    member: array<type_37>,
+struct type_37 {
+    member: array<type_35>,
 }
 
-struct type_48 {
+struct type_47 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: f32,
@@ -119,17 +119,17 @@ struct type_61 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_20;
+var<uniform> params: type_18;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
+var<storage> nodes: type_23;
 @group(0) @binding(2) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_27;
 @group(0) @binding(3) 
-var<storage> attributes: type_35;
+var<storage> attributes: type_33;
 @group(0) @binding(4) 
-var<storage> surfaces: type_11;
+var<storage> surfaces: type_8;
 @group(0) @binding(5) 
-var<storage> lights: type_39;
+var<storage> lights: type_37;
 @group(0) @binding(6) 
 var<storage> surfels: type_58;
 @group(0) @binding(7) 
@@ -140,10 +140,10 @@ fn function_() {
     var local_1: array<f32, 3>;
     var local_2: array<f32, 3>;
     var phi_5091_: bool;
-    var phi_354_: type_8;
+    var phi_354_: type_12;
     var phi_357_: vec3<f32>;
-    var phi_355_: type_8;
-    var phi_380_: type_8;
+    var phi_355_: type_12;
+    var phi_380_: type_12;
     var phi_419_: u32;
     var phi_422_: u32;
     var phi_446_: u32;
@@ -154,27 +154,27 @@ fn function_() {
     var local_4: u32;
     var phi_463_: f32;
     var phi_5125_: bool;
-    var phi_473_: type_37;
+    var phi_473_: type_35;
     var phi_474_: u32;
     var phi_475_: f32;
     var phi_5124_: bool;
-    var phi_477_: type_37;
+    var phi_477_: type_35;
     var phi_478_: u32;
     var phi_479_: f32;
     var phi_480_: bool;
-    var phi_512_: type_37;
+    var phi_512_: type_35;
     var phi_513_: u32;
-    var phi_515_: type_37;
+    var phi_515_: type_35;
     var phi_516_: u32;
     var phi_517_: u32;
     var phi_533_: bool;
     var phi_5120_: bool;
-    var phi_540_: type_8;
+    var phi_540_: type_12;
     var phi_543_: f32;
     var phi_545_: f32;
     var phi_547_: f32;
-    var phi_541_: type_8;
-    var phi_570_: type_8;
+    var phi_541_: type_12;
+    var phi_570_: type_12;
     var phi_1142_: f32;
     var phi_3773_: f32;
     var phi_3781_: f32;
@@ -193,7 +193,7 @@ fn function_() {
     var phi_1147_: f32;
     var phi_1148_: bool;
     var phi_1165_: f32;
-    var phi_1174_: type_48;
+    var phi_1174_: type_47;
     var phi_649_: vec3<f32>;
     var phi_651_: vec3<f32>;
     var phi_652_: bool;
@@ -204,11 +204,11 @@ fn function_() {
     var phi_1177_: vec3<f32>;
     var phi_1178_: f32;
     var phi_1179_: vec3<f32>;
-    var phi_1180_: type_48;
+    var phi_1180_: type_47;
     var phi_1181_: f32;
     var phi_1182_: bool;
     var phi_1199_: f32;
-    var phi_1210_: type_48;
+    var phi_1210_: type_47;
     var phi_1243_: bool;
     var phi_1253_: u32;
     var phi_1256_: bool;
@@ -219,9 +219,9 @@ fn function_() {
     var phi_5098_: bool;
     var phi_1440_: u32;
     var phi_1443_: u32;
-    var phi_1870_: type_8;
-    var phi_1871_: type_8;
-    var phi_1894_: type_8;
+    var phi_1870_: type_12;
+    var phi_1871_: type_12;
+    var phi_1894_: type_12;
     var phi_2010_: f32;
     var phi_2021_: f32;
     var phi_2032_: f32;
@@ -419,7 +419,7 @@ fn function_() {
                     let _e216 = ((_e212 ^ (_e212 >> bitcast<u32>(15i))) * 2221713035u);
                     let _e219 = (_e216 ^ (_e216 >> bitcast<u32>(16i)));
                     phi_5091_ = false;
-                    phi_354_ = type_8(0u, (_e205 + select(0u, 1u, (_e177 > 0u))));
+                    phi_354_ = type_12(0u, (_e205 + select(0u, 1u, (_e177 > 0u))));
                     phi_357_ = vec3<f32>(0f, 0f, 0f);
                     loop {
                         let _e226 = phi_5091_;
@@ -429,11 +429,11 @@ fn function_() {
                         local_12 = _e230;
                         local_13 = _e230;
                         if (_e228.member < _e228.member_1) {
-                            phi_355_ = type_8((_e228.member + 1u), _e228.member_1);
-                            phi_380_ = type_8(1u, _e228.member);
+                            phi_355_ = type_12((_e228.member + 1u), _e228.member_1);
+                            phi_380_ = type_12(1u, _e228.member);
                         } else {
                             phi_355_ = _e228;
-                            phi_380_ = type_8(0u, type_8().member_1);
+                            phi_380_ = type_12(0u, type_12().member_1);
                         }
                         let _e243 = phi_355_;
                         let _e245 = phi_380_;
@@ -512,7 +512,7 @@ fn function_() {
                                     phi_475_ = _e306;
                                 } else {
                                     phi_5125_ = _e226;
-                                    phi_473_ = type_37();
+                                    phi_473_ = type_35();
                                     phi_474_ = u32();
                                     phi_475_ = f32();
                                 }
@@ -527,7 +527,7 @@ fn function_() {
                                 phi_480_ = select(true, false, _e204);
                             } else {
                                 phi_5124_ = _e226;
-                                phi_477_ = type_37();
+                                phi_477_ = type_35();
                                 phi_478_ = u32();
                                 phi_479_ = f32();
                                 phi_480_ = true;
@@ -553,7 +553,7 @@ fn function_() {
                                     phi_512_ = _e341;
                                     phi_513_ = (_e361 ^ (_e361 >> bitcast<u32>(16i)));
                                 } else {
-                                    phi_512_ = type_37(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e171.x, _e171.y, _e171.z), 1f);
+                                    phi_512_ = type_35(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e171.x, _e171.y, _e171.z), 1f);
                                     phi_513_ = (_e259 ^ (_e259 >> bitcast<u32>(16i)));
                                 }
                                 let _e366 = phi_512_;
@@ -580,7 +580,7 @@ fn function_() {
                                 let _e382 = phi_533_;
                                 let _e383 = select(1u, _e375, _e382);
                                 phi_5120_ = _e329;
-                                phi_540_ = type_8(0u, _e383);
+                                phi_540_ = type_12(0u, _e383);
                                 phi_543_ = 340282350000000000000000000000000000000f;
                                 phi_545_ = 0f;
                                 phi_547_ = 0f;
@@ -598,11 +598,11 @@ fn function_() {
                                     local_9 = _e394;
                                     local_10 = _e392;
                                     if (_e388.member < _e388.member_1) {
-                                        phi_541_ = type_8((_e388.member + 1u), _e388.member_1);
-                                        phi_570_ = type_8(1u, _e388.member);
+                                        phi_541_ = type_12((_e388.member + 1u), _e388.member_1);
+                                        phi_570_ = type_12(1u, _e388.member);
                                     } else {
                                         phi_541_ = _e388;
-                                        phi_570_ = type_8(0u, type_8().member_1);
+                                        phi_570_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e407 = phi_541_;
                                     let _e409 = phi_570_;
@@ -696,7 +696,7 @@ fn function_() {
                                             phi_1177_ = vec3<f32>((_e892 - _e143.member[0]), (_e893 - _e143.member[1]), (_e894 - _e143.member[2]));
                                             phi_1178_ = _e907;
                                             phi_1179_ = vec3<f32>(_e892, _e893, _e894);
-                                            phi_1180_ = type_48();
+                                            phi_1180_ = type_47();
                                             phi_1181_ = f32();
                                             phi_1182_ = true;
                                         } else {
@@ -842,9 +842,9 @@ fn function_() {
                                                     phi_1165_ = _e143.member_9;
                                                 }
                                                 let _e729 = phi_1165_;
-                                                phi_1174_ = type_48(vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e729)), (_e143.member[1] + (_e143.member_4[1] * _e729)), (_e143.member[2] + (_e143.member_4[2] * _e729))), _e713, 0f, 340282350000000000000000000000000000000f);
+                                                phi_1174_ = type_47(vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e729)), (_e143.member[1] + (_e143.member_4[1] * _e729)), (_e143.member[2] + (_e143.member_4[2] * _e729))), _e713, 0f, 340282350000000000000000000000000000000f);
                                             } else {
-                                                phi_1174_ = type_48();
+                                                phi_1174_ = type_47();
                                             }
                                             let _e739 = phi_1174_;
                                             phi_1176_ = _e715;
@@ -870,7 +870,7 @@ fn function_() {
                                             }
                                             let _e945 = phi_1199_;
                                             let _e952 = vec3<f32>((_e143.member[0] + (_e143.member_4[0] * _e945)), (_e143.member[1] + (_e143.member_4[1] * _e945)), (_e143.member[2] + (_e143.member_4[2] * _e945)));
-                                            phi_1210_ = type_48(_e952, (_e927 - _e952), 0f, 0.9999995f);
+                                            phi_1210_ = type_47(_e952, (_e927 - _e952), 0f, 0.9999995f);
                                         } else {
                                             phi_1210_ = _e929;
                                         }
@@ -1149,15 +1149,15 @@ fn function_() {
                                                     phi_2559_ = _e1961;
                                                     phi_2560_ = true;
                                                 } else {
-                                                    phi_1870_ = type_8(_e1097, (_e1097 + _e1095));
+                                                    phi_1870_ = type_12(_e1097, (_e1097 + _e1095));
                                                     loop {
                                                         let _e1102 = phi_1870_;
                                                         if (_e1102.member < _e1102.member_1) {
-                                                            phi_1871_ = type_8((_e1102.member + 1u), _e1102.member_1);
-                                                            phi_1894_ = type_8(1u, _e1102.member);
+                                                            phi_1871_ = type_12((_e1102.member + 1u), _e1102.member_1);
+                                                            phi_1894_ = type_12(1u, _e1102.member);
                                                         } else {
                                                             phi_1871_ = _e1102;
-                                                            phi_1894_ = type_8(0u, type_8().member_1);
+                                                            phi_1894_ = type_12(0u, type_12().member_1);
                                                         }
                                                         let _e1115 = phi_1871_;
                                                         let _e1117 = phi_1894_;

@@ -1,13 +1,13 @@
 struct type_8 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_20 {
+struct type_18 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -18,11 +18,11 @@ struct type_20 {
     member_7: vec4<f32>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_20 {
+    member: array<type_18>,
 }
 
-struct type_24 {
+struct type_22 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -31,18 +31,18 @@ struct type_24 {
     member_5: u32,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_30 {
+struct type_28 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_32 {
-    member: array<type_30>,
+struct type_30 {
+    member: array<type_28>,
 }
 
 struct type_44 {
@@ -99,13 +99,13 @@ struct type_54 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_22;
+var<storage> nodes: type_20;
 @group(0) @binding(2) 
-var<storage> triangles: type_26;
+var<storage> triangles: type_24;
 @group(0) @binding(3) 
-var<storage> attributes: type_32;
+var<storage> attributes: type_30;
 @group(0) @binding(4) 
-var<storage> surfaces: type_11;
+var<storage> surfaces: type_8;
 @group(0) @binding(0) 
 var<uniform> params: type_54;
 @group(0) @binding(5) 
@@ -130,10 +130,10 @@ fn function_() {
     var phi_516_: u32;
     var phi_519_: u32;
     var phi_521_: type_44;
-    var phi_1013_: type_8;
+    var phi_1013_: type_12;
     var phi_1016_: type_44;
-    var phi_1014_: type_8;
-    var phi_1039_: type_8;
+    var phi_1014_: type_12;
+    var phi_1039_: type_12;
     var phi_1155_: f32;
     var phi_1166_: f32;
     var phi_1177_: f32;
@@ -589,18 +589,18 @@ fn function_() {
                         phi_1694_ = _e1212;
                         phi_522_ = _e308;
                     } else {
-                        phi_1013_ = type_8(_e311, (_e311 + _e309));
+                        phi_1013_ = type_12(_e311, (_e311 + _e309));
                         phi_1016_ = _e308;
                         loop {
                             let _e316 = phi_1013_;
                             let _e318 = phi_1016_;
                             local_7 = _e318;
                             if (_e316.member < _e316.member_1) {
-                                phi_1014_ = type_8((_e316.member + 1u), _e316.member_1);
-                                phi_1039_ = type_8(1u, _e316.member);
+                                phi_1014_ = type_12((_e316.member + 1u), _e316.member_1);
+                                phi_1039_ = type_12(1u, _e316.member);
                             } else {
                                 phi_1014_ = _e316;
-                                phi_1039_ = type_8(0u, type_8().member_1);
+                                phi_1039_ = type_12(0u, type_12().member_1);
                             }
                             let _e331 = phi_1014_;
                             let _e333 = phi_1039_;

@@ -1,13 +1,13 @@
 struct type_8 {
+    member: array<u32>,
+}
+
+struct type_12 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_19 {
+struct type_17 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -18,11 +18,11 @@ struct type_19 {
     member_7: vec4<f32>,
 }
 
-struct type_21 {
-    member: array<type_19>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_23 {
+struct type_21 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -31,18 +31,18 @@ struct type_23 {
     member_5: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_29 {
+struct type_27 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_29 {
+    member: array<type_27>,
 }
 
 struct type_42 {
@@ -87,13 +87,13 @@ struct type_53 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_21;
+var<storage> nodes: type_19;
 @group(0) @binding(2) 
-var<storage> triangles: type_25;
+var<storage> triangles: type_23;
 @group(0) @binding(3) 
-var<storage> attributes: type_31;
+var<storage> attributes: type_29;
 @group(0) @binding(4) 
-var<storage> surfaces: type_11;
+var<storage> surfaces: type_8;
 @group(0) @binding(0) 
 var<uniform> params: type_46;
 @group(0) @binding(5) 
@@ -117,10 +117,10 @@ fn function_() {
     var phi_417_: u32;
     var phi_420_: u32;
     var phi_422_: type_42;
-    var phi_914_: type_8;
+    var phi_914_: type_12;
     var phi_917_: type_42;
-    var phi_915_: type_8;
-    var phi_940_: type_8;
+    var phi_915_: type_12;
+    var phi_940_: type_12;
     var phi_1056_: f32;
     var phi_1067_: f32;
     var phi_1078_: f32;
@@ -523,18 +523,18 @@ fn function_() {
                         phi_1595_ = _e1135;
                         phi_423_ = _e230;
                     } else {
-                        phi_914_ = type_8(_e233, (_e233 + _e231));
+                        phi_914_ = type_12(_e233, (_e233 + _e231));
                         phi_917_ = _e230;
                         loop {
                             let _e238 = phi_914_;
                             let _e240 = phi_917_;
                             local_7 = _e240;
                             if (_e238.member < _e238.member_1) {
-                                phi_915_ = type_8((_e238.member + 1u), _e238.member_1);
-                                phi_940_ = type_8(1u, _e238.member);
+                                phi_915_ = type_12((_e238.member + 1u), _e238.member_1);
+                                phi_940_ = type_12(1u, _e238.member);
                             } else {
                                 phi_915_ = _e238;
-                                phi_940_ = type_8(0u, type_8().member_1);
+                                phi_940_ = type_12(0u, type_12().member_1);
                             }
                             let _e253 = phi_915_;
                             let _e255 = phi_940_;

@@ -1,10 +1,10 @@
-struct type_8 {
-    member: u32,
-    member_1: u32,
+struct type_9 {
+    member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32>,
+struct type_12 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_17 {
@@ -109,13 +109,13 @@ var<storage> triangles: type_19;
 @group(0) @binding(2) 
 var<storage> attributes: type_25;
 @group(0) @binding(3) 
-var<storage> surfaces: type_11;
+var<storage> surfaces: type_9;
 @group(0) @binding(4) 
-var<storage> tile_first: type_11;
+var<storage> tile_first: type_9;
 @group(0) @binding(5) 
-var<storage> cells: type_11;
+var<storage> cells: type_9;
 @group(0) @binding(6) 
-var<storage> facet_bits: type_11;
+var<storage> facet_bits: type_9;
 @group(0) @binding(7) 
 var<storage, read_write> sums: type_48;
 
@@ -272,19 +272,19 @@ fn function_() {
     var phi_2224_: u32;
     var phi_2235_: vec3<f32>;
     var phi_2236_: vec3<f32>;
-    var phi_2294_: type_8;
+    var phi_2294_: type_12;
     var phi_2297_: f32;
-    var phi_2295_: type_8;
-    var phi_2320_: type_8;
+    var phi_2295_: type_12;
+    var phi_2320_: type_12;
     var phi_2298_: f32;
     var phi_5738_: bool;
     var local_19: f32;
-    var phi_2398_: type_8;
+    var phi_2398_: type_12;
     var phi_2401_: f32;
     var phi_2403_: vec3<f32>;
     var phi_2405_: u32;
-    var phi_2399_: type_8;
-    var phi_2428_: type_8;
+    var phi_2399_: type_12;
+    var phi_2428_: type_12;
     var phi_2488_: u32;
     var phi_2489_: u32;
     var phi_2505_: u32;
@@ -296,19 +296,19 @@ fn function_() {
     var local_20: u32;
     var phi_5961_: bool;
     var phi_5960_: bool;
-    var phi_2519_: type_8;
+    var phi_2519_: type_12;
     var phi_2522_: f32;
-    var phi_2520_: type_8;
-    var phi_2545_: type_8;
+    var phi_2520_: type_12;
+    var phi_2545_: type_12;
     var phi_2523_: f32;
     var phi_5956_: bool;
     var local_21: f32;
-    var phi_2617_: type_8;
+    var phi_2617_: type_12;
     var phi_2620_: f32;
     var phi_2622_: vec3<f32>;
     var phi_2624_: u32;
-    var phi_2618_: type_8;
-    var phi_2647_: type_8;
+    var phi_2618_: type_12;
+    var phi_2647_: type_12;
     var phi_2704_: u32;
     var phi_2705_: u32;
     var phi_2721_: u32;
@@ -320,19 +320,19 @@ fn function_() {
     var local_22: u32;
     var phi_5976_: bool;
     var phi_5975_: bool;
-    var phi_2729_: type_8;
+    var phi_2729_: type_12;
     var phi_2732_: f32;
-    var phi_2730_: type_8;
-    var phi_2755_: type_8;
+    var phi_2730_: type_12;
+    var phi_2755_: type_12;
     var phi_2733_: f32;
     var phi_5971_: bool;
     var local_23: f32;
-    var phi_2833_: type_8;
+    var phi_2833_: type_12;
     var phi_2836_: f32;
     var phi_2838_: vec3<f32>;
     var phi_2840_: u32;
-    var phi_2834_: type_8;
-    var phi_2863_: type_8;
+    var phi_2834_: type_12;
+    var phi_2863_: type_12;
     var phi_2923_: u32;
     var phi_2924_: u32;
     var phi_2940_: u32;
@@ -344,19 +344,19 @@ fn function_() {
     var local_24: u32;
     var phi_5991_: bool;
     var phi_5990_: bool;
-    var phi_2954_: type_8;
+    var phi_2954_: type_12;
     var phi_2957_: f32;
-    var phi_2955_: type_8;
-    var phi_2980_: type_8;
+    var phi_2955_: type_12;
+    var phi_2980_: type_12;
     var phi_2958_: f32;
     var phi_5986_: bool;
     var local_25: f32;
-    var phi_3052_: type_8;
+    var phi_3052_: type_12;
     var phi_3055_: f32;
     var phi_3057_: vec3<f32>;
     var phi_3059_: u32;
-    var phi_3053_: type_8;
-    var phi_3082_: type_8;
+    var phi_3053_: type_12;
+    var phi_3082_: type_12;
     var phi_3139_: u32;
     var phi_3140_: u32;
     var phi_3156_: u32;
@@ -368,19 +368,19 @@ fn function_() {
     var local_26: u32;
     var phi_6006_: bool;
     var phi_6005_: bool;
-    var phi_3164_: type_8;
+    var phi_3164_: type_12;
     var phi_3167_: f32;
-    var phi_3165_: type_8;
-    var phi_3190_: type_8;
+    var phi_3165_: type_12;
+    var phi_3190_: type_12;
     var phi_3168_: f32;
     var phi_6001_: bool;
     var local_27: f32;
-    var phi_3268_: type_8;
+    var phi_3268_: type_12;
     var phi_3271_: f32;
     var phi_3273_: vec3<f32>;
     var phi_3275_: u32;
-    var phi_3269_: type_8;
-    var phi_3298_: type_8;
+    var phi_3269_: type_12;
+    var phi_3298_: type_12;
     var phi_3358_: u32;
     var phi_3359_: u32;
     var phi_3375_: u32;
@@ -392,19 +392,19 @@ fn function_() {
     var local_28: u32;
     var phi_6021_: bool;
     var phi_6020_: bool;
-    var phi_3389_: type_8;
+    var phi_3389_: type_12;
     var phi_3392_: f32;
-    var phi_3390_: type_8;
-    var phi_3415_: type_8;
+    var phi_3390_: type_12;
+    var phi_3415_: type_12;
     var phi_3393_: f32;
     var phi_6016_: bool;
     var local_29: f32;
-    var phi_3487_: type_8;
+    var phi_3487_: type_12;
     var phi_3490_: f32;
     var phi_3492_: vec3<f32>;
     var phi_3494_: u32;
-    var phi_3488_: type_8;
-    var phi_3517_: type_8;
+    var phi_3488_: type_12;
+    var phi_3517_: type_12;
     var phi_3574_: u32;
     var phi_3575_: u32;
     var phi_3591_: u32;
@@ -416,14 +416,14 @@ fn function_() {
     var local_30: u32;
     var phi_6036_: bool;
     var phi_6035_: bool;
-    var phi_3604_: type_8;
+    var phi_3604_: type_12;
     var phi_3607_: vec3<f32>;
     var phi_3609_: f32;
     var phi_3611_: f32;
     var phi_3613_: f32;
     var phi_3615_: f32;
-    var phi_3605_: type_8;
-    var phi_3638_: type_8;
+    var phi_3605_: type_12;
+    var phi_3638_: type_12;
     var phi_3752_: vec3<f32>;
     var phi_3753_: f32;
     var phi_3608_: vec3<f32>;
@@ -465,10 +465,10 @@ fn function_() {
     var phi_4241_: u32;
     var phi_4252_: vec3<f32>;
     var phi_4253_: vec3<f32>;
-    var phi_4288_: type_8;
+    var phi_4288_: type_12;
     var phi_4291_: u32;
-    var phi_4289_: type_8;
-    var phi_4314_: type_8;
+    var phi_4289_: type_12;
+    var phi_4314_: type_12;
     var phi_4339_: u32;
     var phi_4292_: u32;
     var local_49: u32;
@@ -1574,18 +1574,18 @@ fn function_() {
                         local_6.member = array<vec3<f32>, 10>((_e246 - _e1437), (_e253 - _e1437), (_e260 - _e1437), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         local_6.member_1 = 3u;
                         let _e1474 = local_6.member_1;
-                        phi_2294_ = type_8(0u, _e1474);
+                        phi_2294_ = type_12(0u, _e1474);
                         phi_2297_ = 0f;
                         loop {
                             let _e1477 = phi_2294_;
                             let _e1479 = phi_2297_;
                             local_19 = _e1479;
                             if (_e1477.member < _e1477.member_1) {
-                                phi_2295_ = type_8((_e1477.member + 1u), _e1477.member_1);
-                                phi_2320_ = type_8(1u, _e1477.member);
+                                phi_2295_ = type_12((_e1477.member + 1u), _e1477.member_1);
+                                phi_2320_ = type_12(1u, _e1477.member);
                             } else {
                                 phi_2295_ = _e1477;
-                                phi_2320_ = type_8(0u, type_8().member_1);
+                                phi_2320_ = type_12(0u, type_12().member_1);
                             }
                             let _e1492 = phi_2295_;
                             let _e1494 = phi_2320_;
@@ -1642,7 +1642,7 @@ fn function_() {
                                 }
                                 let _e1531 = local_6.member[_e1527];
                                 let _e1533 = local_6.member_1;
-                                phi_2398_ = type_8(0u, _e1533);
+                                phi_2398_ = type_12(0u, _e1533);
                                 phi_2401_ = _e1531.x;
                                 phi_2403_ = _e1531;
                                 phi_2405_ = 0u;
@@ -1653,11 +1653,11 @@ fn function_() {
                                     let _e1542 = phi_2405_;
                                     local_20 = _e1542;
                                     if (_e1536.member < _e1536.member_1) {
-                                        phi_2399_ = type_8((_e1536.member + 1u), _e1536.member_1);
-                                        phi_2428_ = type_8(1u, _e1536.member);
+                                        phi_2399_ = type_12((_e1536.member + 1u), _e1536.member_1);
+                                        phi_2428_ = type_12(1u, _e1536.member);
                                     } else {
                                         phi_2399_ = _e1536;
-                                        phi_2428_ = type_8(0u, type_8().member_1);
+                                        phi_2428_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e1555 = phi_2399_;
                                     let _e1557 = phi_2428_;
@@ -1745,18 +1745,18 @@ fn function_() {
                         }
                         let _e1615 = phi_5960_;
                         let _e1616 = local_6.member_1;
-                        phi_2519_ = type_8(0u, _e1616);
+                        phi_2519_ = type_12(0u, _e1616);
                         phi_2522_ = 0f;
                         loop {
                             let _e1619 = phi_2519_;
                             let _e1621 = phi_2522_;
                             local_21 = _e1621;
                             if (_e1619.member < _e1619.member_1) {
-                                phi_2520_ = type_8((_e1619.member + 1u), _e1619.member_1);
-                                phi_2545_ = type_8(1u, _e1619.member);
+                                phi_2520_ = type_12((_e1619.member + 1u), _e1619.member_1);
+                                phi_2545_ = type_12(1u, _e1619.member);
                             } else {
                                 phi_2520_ = _e1619;
-                                phi_2545_ = type_8(0u, type_8().member_1);
+                                phi_2545_ = type_12(0u, type_12().member_1);
                             }
                             let _e1634 = phi_2520_;
                             let _e1636 = phi_2545_;
@@ -1814,7 +1814,7 @@ fn function_() {
                                 }
                                 let _e1675 = local_6.member[_e1671];
                                 let _e1679 = local_6.member_1;
-                                phi_2617_ = type_8(0u, _e1679);
+                                phi_2617_ = type_12(0u, _e1679);
                                 phi_2620_ = ((-1f * _e1675.x) + 1f);
                                 phi_2622_ = _e1675;
                                 phi_2624_ = 0u;
@@ -1825,11 +1825,11 @@ fn function_() {
                                     let _e1688 = phi_2624_;
                                     local_22 = _e1688;
                                     if (_e1682.member < _e1682.member_1) {
-                                        phi_2618_ = type_8((_e1682.member + 1u), _e1682.member_1);
-                                        phi_2647_ = type_8(1u, _e1682.member);
+                                        phi_2618_ = type_12((_e1682.member + 1u), _e1682.member_1);
+                                        phi_2647_ = type_12(1u, _e1682.member);
                                     } else {
                                         phi_2618_ = _e1682;
-                                        phi_2647_ = type_8(0u, type_8().member_1);
+                                        phi_2647_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e1701 = phi_2618_;
                                     let _e1703 = phi_2647_;
@@ -1918,18 +1918,18 @@ fn function_() {
                         }
                         let _e1763 = phi_5975_;
                         let _e1764 = local_6.member_1;
-                        phi_2729_ = type_8(0u, _e1764);
+                        phi_2729_ = type_12(0u, _e1764);
                         phi_2732_ = 0f;
                         loop {
                             let _e1767 = phi_2729_;
                             let _e1769 = phi_2732_;
                             local_23 = _e1769;
                             if (_e1767.member < _e1767.member_1) {
-                                phi_2730_ = type_8((_e1767.member + 1u), _e1767.member_1);
-                                phi_2755_ = type_8(1u, _e1767.member);
+                                phi_2730_ = type_12((_e1767.member + 1u), _e1767.member_1);
+                                phi_2755_ = type_12(1u, _e1767.member);
                             } else {
                                 phi_2730_ = _e1767;
-                                phi_2755_ = type_8(0u, type_8().member_1);
+                                phi_2755_ = type_12(0u, type_12().member_1);
                             }
                             let _e1782 = phi_2730_;
                             let _e1784 = phi_2755_;
@@ -1986,7 +1986,7 @@ fn function_() {
                                 }
                                 let _e1821 = local_6.member[_e1817];
                                 let _e1823 = local_6.member_1;
-                                phi_2833_ = type_8(0u, _e1823);
+                                phi_2833_ = type_12(0u, _e1823);
                                 phi_2836_ = _e1821.y;
                                 phi_2838_ = _e1821;
                                 phi_2840_ = 0u;
@@ -1997,11 +1997,11 @@ fn function_() {
                                     let _e1832 = phi_2840_;
                                     local_24 = _e1832;
                                     if (_e1826.member < _e1826.member_1) {
-                                        phi_2834_ = type_8((_e1826.member + 1u), _e1826.member_1);
-                                        phi_2863_ = type_8(1u, _e1826.member);
+                                        phi_2834_ = type_12((_e1826.member + 1u), _e1826.member_1);
+                                        phi_2863_ = type_12(1u, _e1826.member);
                                     } else {
                                         phi_2834_ = _e1826;
-                                        phi_2863_ = type_8(0u, type_8().member_1);
+                                        phi_2863_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e1845 = phi_2834_;
                                     let _e1847 = phi_2863_;
@@ -2089,18 +2089,18 @@ fn function_() {
                         }
                         let _e1905 = phi_5990_;
                         let _e1906 = local_6.member_1;
-                        phi_2954_ = type_8(0u, _e1906);
+                        phi_2954_ = type_12(0u, _e1906);
                         phi_2957_ = 0f;
                         loop {
                             let _e1909 = phi_2954_;
                             let _e1911 = phi_2957_;
                             local_25 = _e1911;
                             if (_e1909.member < _e1909.member_1) {
-                                phi_2955_ = type_8((_e1909.member + 1u), _e1909.member_1);
-                                phi_2980_ = type_8(1u, _e1909.member);
+                                phi_2955_ = type_12((_e1909.member + 1u), _e1909.member_1);
+                                phi_2980_ = type_12(1u, _e1909.member);
                             } else {
                                 phi_2955_ = _e1909;
-                                phi_2980_ = type_8(0u, type_8().member_1);
+                                phi_2980_ = type_12(0u, type_12().member_1);
                             }
                             let _e1924 = phi_2955_;
                             let _e1926 = phi_2980_;
@@ -2158,7 +2158,7 @@ fn function_() {
                                 }
                                 let _e1965 = local_6.member[_e1961];
                                 let _e1969 = local_6.member_1;
-                                phi_3052_ = type_8(0u, _e1969);
+                                phi_3052_ = type_12(0u, _e1969);
                                 phi_3055_ = ((-1f * _e1965.y) + 1f);
                                 phi_3057_ = _e1965;
                                 phi_3059_ = 0u;
@@ -2169,11 +2169,11 @@ fn function_() {
                                     let _e1978 = phi_3059_;
                                     local_26 = _e1978;
                                     if (_e1972.member < _e1972.member_1) {
-                                        phi_3053_ = type_8((_e1972.member + 1u), _e1972.member_1);
-                                        phi_3082_ = type_8(1u, _e1972.member);
+                                        phi_3053_ = type_12((_e1972.member + 1u), _e1972.member_1);
+                                        phi_3082_ = type_12(1u, _e1972.member);
                                     } else {
                                         phi_3053_ = _e1972;
-                                        phi_3082_ = type_8(0u, type_8().member_1);
+                                        phi_3082_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e1991 = phi_3053_;
                                     let _e1993 = phi_3082_;
@@ -2262,18 +2262,18 @@ fn function_() {
                         }
                         let _e2053 = phi_6005_;
                         let _e2054 = local_6.member_1;
-                        phi_3164_ = type_8(0u, _e2054);
+                        phi_3164_ = type_12(0u, _e2054);
                         phi_3167_ = 0f;
                         loop {
                             let _e2057 = phi_3164_;
                             let _e2059 = phi_3167_;
                             local_27 = _e2059;
                             if (_e2057.member < _e2057.member_1) {
-                                phi_3165_ = type_8((_e2057.member + 1u), _e2057.member_1);
-                                phi_3190_ = type_8(1u, _e2057.member);
+                                phi_3165_ = type_12((_e2057.member + 1u), _e2057.member_1);
+                                phi_3190_ = type_12(1u, _e2057.member);
                             } else {
                                 phi_3165_ = _e2057;
-                                phi_3190_ = type_8(0u, type_8().member_1);
+                                phi_3190_ = type_12(0u, type_12().member_1);
                             }
                             let _e2072 = phi_3165_;
                             let _e2074 = phi_3190_;
@@ -2330,7 +2330,7 @@ fn function_() {
                                 }
                                 let _e2111 = local_6.member[_e2107];
                                 let _e2113 = local_6.member_1;
-                                phi_3268_ = type_8(0u, _e2113);
+                                phi_3268_ = type_12(0u, _e2113);
                                 phi_3271_ = _e2111.z;
                                 phi_3273_ = _e2111;
                                 phi_3275_ = 0u;
@@ -2341,11 +2341,11 @@ fn function_() {
                                     let _e2122 = phi_3275_;
                                     local_28 = _e2122;
                                     if (_e2116.member < _e2116.member_1) {
-                                        phi_3269_ = type_8((_e2116.member + 1u), _e2116.member_1);
-                                        phi_3298_ = type_8(1u, _e2116.member);
+                                        phi_3269_ = type_12((_e2116.member + 1u), _e2116.member_1);
+                                        phi_3298_ = type_12(1u, _e2116.member);
                                     } else {
                                         phi_3269_ = _e2116;
-                                        phi_3298_ = type_8(0u, type_8().member_1);
+                                        phi_3298_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e2135 = phi_3269_;
                                     let _e2137 = phi_3298_;
@@ -2433,18 +2433,18 @@ fn function_() {
                         }
                         let _e2195 = phi_6020_;
                         let _e2196 = local_6.member_1;
-                        phi_3389_ = type_8(0u, _e2196);
+                        phi_3389_ = type_12(0u, _e2196);
                         phi_3392_ = 0f;
                         loop {
                             let _e2199 = phi_3389_;
                             let _e2201 = phi_3392_;
                             local_29 = _e2201;
                             if (_e2199.member < _e2199.member_1) {
-                                phi_3390_ = type_8((_e2199.member + 1u), _e2199.member_1);
-                                phi_3415_ = type_8(1u, _e2199.member);
+                                phi_3390_ = type_12((_e2199.member + 1u), _e2199.member_1);
+                                phi_3415_ = type_12(1u, _e2199.member);
                             } else {
                                 phi_3390_ = _e2199;
-                                phi_3415_ = type_8(0u, type_8().member_1);
+                                phi_3415_ = type_12(0u, type_12().member_1);
                             }
                             let _e2214 = phi_3390_;
                             let _e2216 = phi_3415_;
@@ -2502,7 +2502,7 @@ fn function_() {
                                 }
                                 let _e2255 = local_6.member[_e2251];
                                 let _e2259 = local_6.member_1;
-                                phi_3487_ = type_8(0u, _e2259);
+                                phi_3487_ = type_12(0u, _e2259);
                                 phi_3490_ = ((-1f * _e2255.z) + 1f);
                                 phi_3492_ = _e2255;
                                 phi_3494_ = 0u;
@@ -2513,11 +2513,11 @@ fn function_() {
                                     let _e2268 = phi_3494_;
                                     local_30 = _e2268;
                                     if (_e2262.member < _e2262.member_1) {
-                                        phi_3488_ = type_8((_e2262.member + 1u), _e2262.member_1);
-                                        phi_3517_ = type_8(1u, _e2262.member);
+                                        phi_3488_ = type_12((_e2262.member + 1u), _e2262.member_1);
+                                        phi_3517_ = type_12(1u, _e2262.member);
                                     } else {
                                         phi_3488_ = _e2262;
-                                        phi_3517_ = type_8(0u, type_8().member_1);
+                                        phi_3517_ = type_12(0u, type_12().member_1);
                                     }
                                     let _e2281 = phi_3488_;
                                     let _e2283 = phi_3517_;
@@ -2607,7 +2607,7 @@ fn function_() {
                         let _e2343 = phi_6035_;
                         let _e2346 = local_6.member[0u];
                         let _e2350 = local_6.member_1;
-                        phi_3604_ = type_8(1u, _e2350);
+                        phi_3604_ = type_12(1u, _e2350);
                         phi_3607_ = vec3<f32>(0f, 0f, 0f);
                         phi_3609_ = _e2346.z;
                         phi_3611_ = _e2346.y;
@@ -2632,11 +2632,11 @@ fn function_() {
                             local_40 = _e2363;
                             local_41 = _e2363;
                             if (_e2353.member < _e2353.member_1) {
-                                phi_3605_ = type_8((_e2353.member + 1u), _e2353.member_1);
-                                phi_3638_ = type_8(1u, _e2353.member);
+                                phi_3605_ = type_12((_e2353.member + 1u), _e2353.member_1);
+                                phi_3638_ = type_12(1u, _e2353.member);
                             } else {
                                 phi_3605_ = _e2353;
-                                phi_3638_ = type_8(0u, type_8().member_1);
+                                phi_3638_ = type_12(0u, type_12().member_1);
                             }
                             let _e2376 = phi_3605_;
                             let _e2378 = phi_3638_;
@@ -2976,18 +2976,18 @@ fn function_() {
                         let _e2875 = params.member.member_2[0u];
                         let _e2889 = (((_e2875.z + (_e1455 >> bitcast<u32>(2i))) + (_e2875.x * (_e1461 >> bitcast<u32>(2i)))) + (_e2875.y * (_e1467 >> bitcast<u32>(1i))));
                         let _e2912 = cells.member[((2u * _e2889) + 1u)];
-                        phi_4288_ = type_8(0u, 6u);
+                        phi_4288_ = type_12(0u, 6u);
                         phi_4291_ = _e2912;
                         loop {
                             let _e2914 = phi_4288_;
                             let _e2916 = phi_4291_;
                             local_49 = _e2916;
                             if (_e2914.member < _e2914.member_1) {
-                                phi_4289_ = type_8((_e2914.member + 1u), _e2914.member_1);
-                                phi_4314_ = type_8(1u, _e2914.member);
+                                phi_4289_ = type_12((_e2914.member + 1u), _e2914.member_1);
+                                phi_4314_ = type_12(1u, _e2914.member);
                             } else {
                                 phi_4289_ = _e2914;
-                                phi_4314_ = type_8(0u, type_8().member_1);
+                                phi_4314_ = type_12(0u, type_12().member_1);
                             }
                             let _e2929 = phi_4289_;
                             let _e2931 = phi_4314_;

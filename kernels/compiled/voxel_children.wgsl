@@ -1,10 +1,10 @@
-struct type_6 {
-    member: u32,
-    member_1: u32,
+struct type_7 {
+    member: array<u32>,
 }
 
-struct type_9 {
-    member: array<u32>,
+struct type_10 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -34,36 +34,34 @@ struct type_17 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_9;
+var<storage, read_write> out: type_7;
 @group(0) @binding(1) 
-var<storage> cells: type_9;
+var<storage> cells: type_7;
 @group(0) @binding(0) 
 var<uniform> params: type_17;
 
 fn function_() {
+    var phi_83_: u32;
+    var phi_87_: u32;
+    var phi_90_: u32;
     var phi_88_: u32;
-    var phi_92_: u32;
-    var phi_95_: u32;
-    var phi_93_: u32;
-    var phi_96_: u32;
-    var phi_326_: bool;
+    var phi_91_: u32;
+    var phi_302_: bool;
     var local: u32;
-    var phi_141_: type_6;
-    var phi_144_: u32;
-    var phi_142_: type_6;
-    var phi_167_: type_6;
-    var phi_145_: u32;
+    var phi_136_: type_10;
+    var phi_139_: u32;
+    var phi_137_: type_10;
+    var phi_162_: type_10;
+    var phi_140_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_182_: u32;
+    var phi_177_: u32;
     var local_3: u32;
-    var phi_183_: u32;
-    var phi_211_: bool;
-    var phi_331_: bool;
+    var phi_178_: u32;
+    var phi_201_: bool;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var local_7: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -73,173 +71,148 @@ fn function_() {
             let _e32 = (_e31 < arrayLength((&out.member)));
             if _e32 {
                 let _e35 = params.member.member_11;
-                if (_e35 < 10u) {
-                } else {
-                    break;
-                }
-                let _e40 = params.member.member_2[_e35];
+                let _e39 = params.member.member_2[_e35];
                 if ((_e35 & 1u) == 1u) {
-                    phi_88_ = (_e25 / 2u);
+                    phi_83_ = (_e25 / 2u);
                 } else {
-                    let _e46 = params.member.member_10;
-                    phi_88_ = _e46;
+                    let _e45 = params.member.member_10;
+                    phi_83_ = _e45;
                 }
-                let _e49 = phi_88_;
-                phi_92_ = _e49;
-                phi_95_ = _e40.z;
+                let _e48 = phi_83_;
+                phi_87_ = _e48;
+                phi_90_ = _e39.z;
                 loop {
-                    let _e51 = phi_92_;
-                    let _e53 = phi_95_;
-                    local = _e53;
-                    local_3 = _e53;
-                    local_6 = _e53;
-                    let _e55 = ((_e51 - _e53) > 1u);
-                    if _e55 {
-                        let _e57 = ((_e53 + _e51) / 2u);
-                        let _e59 = ((_e57 * 2u) + 1u);
-                        if (_e59 < _e25) {
+                    let _e50 = phi_87_;
+                    let _e52 = phi_90_;
+                    local = _e52;
+                    local_3 = _e52;
+                    local_5 = _e52;
+                    let _e54 = ((_e50 - _e52) > 1u);
+                    if _e54 {
+                        let _e56 = ((_e52 + _e50) / 2u);
+                        let _e58 = ((_e56 * 2u) + 1u);
+                        if (_e58 < _e25) {
                         } else {
-                            phi_326_ = true;
+                            phi_302_ = true;
                             break;
                         }
-                        let _e63 = cells.member[_e59];
-                        let _e64 = (_e63 <= _e31);
-                        phi_93_ = select(_e57, _e51, _e64);
-                        phi_96_ = select(_e53, _e57, _e64);
+                        let _e62 = cells.member[_e58];
+                        let _e63 = (_e62 <= _e31);
+                        phi_88_ = select(_e56, _e50, _e63);
+                        phi_91_ = select(_e52, _e56, _e63);
                     } else {
-                        phi_93_ = u32();
-                        phi_96_ = u32();
+                        phi_88_ = u32();
+                        phi_91_ = u32();
                     }
-                    let _e68 = phi_93_;
-                    let _e70 = phi_96_;
+                    let _e67 = phi_88_;
+                    let _e69 = phi_91_;
                     continue;
                     continuing {
-                        phi_92_ = _e68;
-                        phi_95_ = _e70;
-                        phi_326_ = false;
-                        break if !(_e55);
+                        phi_87_ = _e67;
+                        phi_90_ = _e69;
+                        phi_302_ = false;
+                        break if !(_e54);
                     }
                 }
-                let _e73 = phi_326_;
-                if _e73 {
+                let _e72 = phi_302_;
+                if _e72 {
                     break;
                 }
-                let _e75 = local;
-                let _e76 = (2u * _e75);
-                if (_e76 < _e25) {
+                let _e74 = local;
+                let _e75 = (2u * _e74);
+                if (_e75 < _e25) {
                 } else {
                     break;
                 }
-                let _e80 = cells.member[_e76];
-                let _e81 = (_e76 + 1u);
-                if (_e81 < _e25) {
+                let _e79 = cells.member[_e75];
+                let _e80 = (_e75 + 1u);
+                if (_e80 < _e25) {
                 } else {
                     break;
                 }
-                let _e85 = cells.member[_e81];
-                phi_141_ = type_6(0u, (_e31 - _e85));
-                phi_144_ = _e80;
+                let _e84 = cells.member[_e80];
+                phi_136_ = type_10(0u, (_e31 - _e84));
+                phi_139_ = _e79;
                 loop {
-                    let _e89 = phi_141_;
-                    let _e91 = phi_144_;
-                    local_1 = _e91;
-                    local_2 = _e91;
-                    if (_e89.member < _e89.member_1) {
-                        phi_142_ = type_6((_e89.member + 1u), _e89.member_1);
-                        phi_167_ = type_6(1u, _e89.member);
+                    let _e88 = phi_136_;
+                    let _e90 = phi_139_;
+                    local_1 = _e90;
+                    local_2 = _e90;
+                    if (_e88.member < _e88.member_1) {
+                        phi_137_ = type_10((_e88.member + 1u), _e88.member_1);
+                        phi_162_ = type_10(1u, _e88.member);
                     } else {
-                        phi_142_ = _e89;
-                        phi_167_ = type_6(0u, type_6().member_1);
+                        phi_137_ = _e88;
+                        phi_162_ = type_10(0u, type_10().member_1);
                     }
-                    let _e104 = phi_142_;
-                    let _e106 = phi_167_;
-                    let _e109 = (bitcast<i32>(_e106.member) != 0i);
-                    if _e109 {
-                        phi_145_ = (_e91 & (_e91 - 1u));
+                    let _e103 = phi_137_;
+                    let _e105 = phi_162_;
+                    let _e108 = (bitcast<i32>(_e105.member) != 0i);
+                    if _e108 {
+                        phi_140_ = (_e90 & (_e90 - 1u));
                     } else {
-                        phi_145_ = u32();
+                        phi_140_ = u32();
                     }
-                    let _e113 = phi_145_;
+                    let _e112 = phi_140_;
                     continue;
                     continuing {
-                        phi_141_ = _e104;
-                        phi_144_ = _e113;
-                        break if !(_e109);
+                        phi_136_ = _e103;
+                        phi_139_ = _e112;
+                        break if !(_e108);
                     }
                 }
-                let _e116 = local_1;
-                let _e119 = local_2;
-                let _e121 = select(firstTrailingBit(_e116), 32u, (_e119 == 0u));
-                phi_182_ = _e35;
+                let _e115 = local_1;
+                let _e118 = local_2;
+                let _e120 = select(firstTrailingBit(_e115), 32u, (_e118 == 0u));
+                phi_177_ = _e35;
                 loop {
-                    let _e123 = phi_182_;
-                    local_4 = _e123;
-                    local_5 = _e123;
-                    local_7 = _e123;
-                    let _e124 = (_e123 + 2u);
-                    let _e128 = params.member.member_1[3u];
-                    if (_e124 < _e128) {
-                        if (_e124 < 10u) {
-                        } else {
-                            phi_331_ = true;
-                            break;
-                        }
-                        let _e134 = params.member.member_2[_e124];
-                        let _e137 = local_3;
-                        let _e138 = (_e134.z <= _e137);
-                        phi_183_ = select(u32(), _e124, _e138);
-                        phi_211_ = _e138;
+                    let _e122 = phi_177_;
+                    local_4 = _e122;
+                    local_6 = _e122;
+                    let _e123 = (_e122 + 2u);
+                    let _e127 = params.member.member_1[3u];
+                    if (_e123 < _e127) {
+                        let _e132 = params.member.member_2[_e123];
+                        let _e135 = local_3;
+                        let _e136 = (_e132.z <= _e135);
+                        phi_178_ = select(u32(), _e123, _e136);
+                        phi_201_ = _e136;
                     } else {
-                        phi_183_ = u32();
-                        phi_211_ = false;
+                        phi_178_ = u32();
+                        phi_201_ = false;
                     }
-                    let _e141 = phi_183_;
-                    let _e143 = phi_211_;
+                    let _e139 = phi_178_;
+                    let _e141 = phi_201_;
                     continue;
                     continuing {
-                        phi_182_ = _e141;
-                        phi_331_ = _e73;
-                        break if !(_e143);
+                        phi_177_ = _e139;
+                        break if !(_e141);
                     }
                 }
-                let _e146 = phi_331_;
-                if _e146 {
+                let _e146 = local_4;
+                let _e148 = params.member.member_2[_e146];
+                let _e151 = local_5;
+                let _e152 = (_e151 - _e148.z);
+                if (_e148.y == 0u) {
                     break;
                 }
-                let _e148 = local_4;
-                if (_e148 < 10u) {
-                } else {
+                let _e155 = (_e152 / _e148.y);
+                let _e157 = (_e152 - (_e155 * _e148.y));
+                if (_e148.x == 0u) {
                     break;
                 }
-                let _e153 = local_5;
-                let _e155 = params.member.member_2[_e153];
-                let _e158 = local_6;
-                let _e159 = (_e158 - _e155.z);
-                if (_e155.y == 0u) {
-                    break;
-                }
-                let _e162 = (_e159 / _e155.y);
-                let _e164 = (_e159 - (_e162 * _e155.y));
-                if (_e155.x == 0u) {
-                    break;
-                }
-                let _e167 = (_e164 / _e155.x);
-                let _e175 = (_e121 >> bitcast<u32>(2i));
-                let _e192 = (((((_e164 - (_e167 * _e155.x)) << bitcast<u32>(2i)) | (_e121 & 1u)) | (_e175 & 2u)) * 2u);
-                let _e193 = ((((_e167 << bitcast<u32>(2i)) | ((_e121 >> bitcast<u32>(1i)) & 1u)) | ((_e121 >> bitcast<u32>(3i)) & 2u)) * 2u);
-                let _e194 = (((_e162 << bitcast<u32>(1i)) | (_e175 & 1u)) * 2u);
-                let _e196 = local_7;
-                let _e197 = (_e196 - 1u);
-                if (_e197 < 10u) {
-                } else {
-                    break;
-                }
-                let _e202 = params.member.member_2[_e197];
+                let _e160 = (_e157 / _e148.x);
+                let _e168 = (_e120 >> bitcast<u32>(2i));
+                let _e185 = (((((_e157 - (_e160 * _e148.x)) << bitcast<u32>(2i)) | (_e120 & 1u)) | (_e168 & 2u)) * 2u);
+                let _e186 = ((((_e160 << bitcast<u32>(2i)) | ((_e120 >> bitcast<u32>(1i)) & 1u)) | ((_e120 >> bitcast<u32>(3i)) & 2u)) * 2u);
+                let _e187 = (((_e155 << bitcast<u32>(1i)) | (_e168 & 1u)) * 2u);
+                let _e189 = local_6;
+                let _e194 = params.member.member_2[(_e189 - 1u)];
                 if _e32 {
                 } else {
                     break;
                 }
-                out.member[_e31] = (((((_e202.z + (_e192 >> bitcast<u32>(2i))) + (_e202.x * (_e193 >> bitcast<u32>(2i)))) + (_e202.y * (_e194 >> bitcast<u32>(1i)))) * 4u) + ((((((_e192 & 1u) | ((_e193 & 1u) << bitcast<u32>(1i))) | ((_e194 & 1u) << bitcast<u32>(2i))) | ((_e192 & 2u) << bitcast<u32>(2i))) | ((_e193 & 2u) << bitcast<u32>(3i))) / 8u));
+                out.member[_e31] = (((((_e194.z + (_e185 >> bitcast<u32>(2i))) + (_e194.x * (_e186 >> bitcast<u32>(2i)))) + (_e194.y * (_e187 >> bitcast<u32>(1i)))) * 4u) + ((((((_e185 & 1u) | ((_e186 & 1u) << bitcast<u32>(1i))) | ((_e187 & 1u) << bitcast<u32>(2i))) | ((_e185 & 2u) << bitcast<u32>(2i))) | ((_e186 & 2u) << bitcast<u32>(3i))) / 8u));
             }
             break;
         }

@@ -1,10 +1,10 @@
-struct type_6 {
-    member: u32,
-    member_1: u32,
+struct type_7 {
+    member: array<u32>,
 }
 
-struct type_9 {
-    member: array<u32>,
+struct type_10 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_16 {
@@ -34,23 +34,23 @@ struct type_17 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_9;
+var<storage, read_write> out: type_7;
 @group(0) @binding(0) 
 var<uniform> params: type_17;
 @group(0) @binding(1) 
-var<storage> finer: type_9;
+var<storage> finer: type_7;
 
 fn function_() {
-    var phi_104_: u32;
-    var phi_165_: type_6;
-    var phi_168_: u32;
-    var phi_166_: type_6;
-    var phi_191_: type_6;
-    var phi_268_: u32;
-    var phi_269_: u32;
-    var phi_270_: u32;
-    var phi_169_: u32;
-    var phi_294_: bool;
+    var phi_94_: u32;
+    var phi_155_: type_10;
+    var phi_158_: u32;
+    var phi_156_: type_10;
+    var phi_181_: type_10;
+    var phi_258_: u32;
+    var phi_259_: u32;
+    var phi_260_: u32;
+    var phi_159_: u32;
+    var phi_284_: bool;
     var local: u32;
 
     switch bitcast<i32>(0u) {
@@ -61,108 +61,100 @@ fn function_() {
             let _e43 = (_e29.x + (_e29.y * 2097152u));
             if (_e43 < _e39) {
                 let _e47 = params.member.member_11;
-                if (_e47 < 10u) {
-                } else {
-                    break;
-                }
-                let _e52 = params.member.member_2[_e47];
-                let _e53 = (_e47 - 1u);
-                if (_e53 < 10u) {
-                } else {
-                    break;
-                }
-                let _e58 = params.member.member_2[_e53];
+                let _e51 = params.member.member_2[_e47];
+                let _e52 = (_e47 - 1u);
+                let _e56 = params.member.member_2[_e52];
                 if ((_e47 & 1u) == 1u) {
-                    phi_104_ = 0u;
+                    phi_94_ = 0u;
                 } else {
-                    let _e63 = params.member.member_10;
-                    phi_104_ = _e63;
+                    let _e61 = params.member.member_10;
+                    phi_94_ = _e61;
                 }
-                let _e65 = phi_104_;
-                if (_e52.y == 0u) {
+                let _e63 = phi_94_;
+                if (_e51.y == 0u) {
                     break;
                 }
-                let _e68 = (_e43 / _e52.y);
-                let _e70 = (_e43 - (_e68 * _e52.y));
-                if (_e52.x == 0u) {
+                let _e66 = (_e43 / _e51.y);
+                let _e68 = (_e43 - (_e66 * _e51.y));
+                if (_e51.x == 0u) {
                     break;
                 }
-                let _e73 = (_e70 / _e52.x);
-                let _e84 = (_e53 & 31u);
-                let _e87 = ((1u << bitcast<u32>(_e84)) - 1u);
-                let _e90 = params.member.member_1;
-                phi_165_ = type_6(0u, 8u);
-                phi_168_ = 0u;
+                let _e71 = (_e68 / _e51.x);
+                let _e82 = (_e52 & 31u);
+                let _e85 = ((1u << bitcast<u32>(_e82)) - 1u);
+                let _e88 = params.member.member_1;
+                phi_155_ = type_10(0u, 8u);
+                phi_158_ = 0u;
                 loop {
-                    let _e104 = phi_165_;
-                    let _e106 = phi_168_;
-                    local = _e106;
-                    if (_e104.member < _e104.member_1) {
-                        phi_166_ = type_6((_e104.member + 1u), _e104.member_1);
-                        phi_191_ = type_6(1u, _e104.member);
+                    let _e102 = phi_155_;
+                    let _e104 = phi_158_;
+                    local = _e104;
+                    if (_e102.member < _e102.member_1) {
+                        phi_156_ = type_10((_e102.member + 1u), _e102.member_1);
+                        phi_181_ = type_10(1u, _e102.member);
                     } else {
-                        phi_166_ = _e104;
-                        phi_191_ = type_6(0u, type_6().member_1);
+                        phi_156_ = _e102;
+                        phi_181_ = type_10(0u, type_10().member_1);
                     }
-                    let _e119 = phi_166_;
-                    let _e121 = phi_191_;
-                    let _e125 = (bitcast<i32>(_e121.member) != 0i);
-                    if _e125 {
-                        let _e126 = (_e121.member_1 & 1u);
-                        let _e129 = ((_e121.member_1 >> bitcast<u32>(1i)) & 1u);
-                        let _e131 = (_e121.member_1 >> bitcast<u32>(2i));
-                        let _e133 = ((((_e70 - (_e73 * _e52.x)) << bitcast<u32>(2i)) * 2u) + (_e126 * 4u));
-                        let _e135 = (((_e73 << bitcast<u32>(2i)) * 2u) + (_e129 * 4u));
-                        let _e137 = (2u * ((_e68 << bitcast<u32>(1i)) + _e131));
-                        if (_e133 < ((_e90.x + _e87) >> bitcast<u32>(_e84))) {
-                            if (_e135 < ((_e90.y + _e87) >> bitcast<u32>(_e84))) {
-                                if (_e137 < ((_e90.z + _e87) >> bitcast<u32>(_e84))) {
-                                    let _e155 = ((((_e58.z + (_e133 >> bitcast<u32>(2i))) + (_e58.x * (_e135 >> bitcast<u32>(2i)))) + (_e58.y * (_e137 >> bitcast<u32>(1i)))) - _e65);
-                                    if (_e155 < arrayLength((&finer.member))) {
+                    let _e117 = phi_156_;
+                    let _e119 = phi_181_;
+                    let _e123 = (bitcast<i32>(_e119.member) != 0i);
+                    if _e123 {
+                        let _e124 = (_e119.member_1 & 1u);
+                        let _e127 = ((_e119.member_1 >> bitcast<u32>(1i)) & 1u);
+                        let _e129 = (_e119.member_1 >> bitcast<u32>(2i));
+                        let _e131 = ((((_e68 - (_e71 * _e51.x)) << bitcast<u32>(2i)) * 2u) + (_e124 * 4u));
+                        let _e133 = (((_e71 << bitcast<u32>(2i)) * 2u) + (_e127 * 4u));
+                        let _e135 = (2u * ((_e66 << bitcast<u32>(1i)) + _e129));
+                        if (_e131 < ((_e88.x + _e85) >> bitcast<u32>(_e82))) {
+                            if (_e133 < ((_e88.y + _e85) >> bitcast<u32>(_e82))) {
+                                if (_e135 < ((_e88.z + _e85) >> bitcast<u32>(_e82))) {
+                                    let _e153 = ((((_e56.z + (_e131 >> bitcast<u32>(2i))) + (_e56.x * (_e133 >> bitcast<u32>(2i)))) + (_e56.y * (_e135 >> bitcast<u32>(1i)))) - _e63);
+                                    if (_e153 < arrayLength((&finer.member))) {
                                     } else {
-                                        phi_294_ = true;
+                                        phi_284_ = true;
                                         break;
                                     }
-                                    let _e159 = finer.member[_e155];
-                                    phi_268_ = (_e106 | ((((select(0u, 1u, ((_e159 & 255u) != 0u)) | (select(0u, 1u, (((_e159 >> bitcast<u32>(8i)) & 255u) != 0u)) << bitcast<u32>(1i))) | (select(0u, 1u, (((_e159 >> bitcast<u32>(16i)) & 255u) != 0u)) << bitcast<u32>(2i))) | (select(0u, 1u, ((_e159 >> bitcast<u32>(24i)) != 0u)) << bitcast<u32>(3i))) << bitcast<u32>((((8u * (_e126 + (2u * _e129))) + (4u * _e131)) & 31u))));
+                                    let _e157 = finer.member[_e153];
+                                    phi_258_ = (_e104 | ((((select(0u, 1u, ((_e157 & 255u) != 0u)) | (select(0u, 1u, (((_e157 >> bitcast<u32>(8i)) & 255u) != 0u)) << bitcast<u32>(1i))) | (select(0u, 1u, (((_e157 >> bitcast<u32>(16i)) & 255u) != 0u)) << bitcast<u32>(2i))) | (select(0u, 1u, ((_e157 >> bitcast<u32>(24i)) != 0u)) << bitcast<u32>(3i))) << bitcast<u32>((((8u * (_e124 + (2u * _e127))) + (4u * _e129)) & 31u))));
                                 } else {
-                                    phi_268_ = _e106;
+                                    phi_258_ = _e104;
                                 }
-                                let _e196 = phi_268_;
-                                phi_269_ = _e196;
+                                let _e194 = phi_258_;
+                                phi_259_ = _e194;
                             } else {
-                                phi_269_ = _e106;
+                                phi_259_ = _e104;
                             }
-                            let _e198 = phi_269_;
-                            phi_270_ = _e198;
+                            let _e196 = phi_259_;
+                            phi_260_ = _e196;
                         } else {
-                            phi_270_ = _e106;
+                            phi_260_ = _e104;
                         }
-                        let _e200 = phi_270_;
-                        phi_169_ = _e200;
+                        let _e198 = phi_260_;
+                        phi_159_ = _e198;
                     } else {
-                        phi_169_ = u32();
+                        phi_159_ = u32();
                     }
-                    let _e202 = phi_169_;
+                    let _e200 = phi_159_;
                     continue;
                     continuing {
-                        phi_165_ = _e119;
-                        phi_168_ = _e202;
-                        phi_294_ = false;
-                        break if !(_e125);
+                        phi_155_ = _e117;
+                        phi_158_ = _e200;
+                        phi_284_ = false;
+                        break if !(_e123);
                     }
                 }
-                let _e205 = phi_294_;
-                if _e205 {
+                let _e203 = phi_284_;
+                if _e203 {
                     break;
                 }
-                let _e208 = ((_e36 + _e43) + (_e43 - _e43));
-                if (_e208 < arrayLength((&out.member))) {
+                let _e206 = ((_e36 + _e43) + (_e43 - _e43));
+                if (_e206 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                let _e213 = local;
-                out.member[_e208] = _e213;
+                let _e211 = local;
+                out.member[_e206] = _e211;
             }
             break;
         }

@@ -1,10 +1,10 @@
-struct type_6 {
-    member: u32,
-    member_1: u32,
+struct type_7 {
+    member: array<u32>,
 }
 
-struct type_9 {
-    member: array<u32>,
+struct type_10 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -34,17 +34,17 @@ struct type_16 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_9;
+var<storage, read_write> out: type_7;
 @group(0) @binding(0) 
 var<uniform> params: type_16;
 @group(0) @binding(1) 
-var<storage> facet_bits: type_9;
+var<storage> facet_bits: type_7;
 
 fn function_() {
-    var phi_68_: type_6;
+    var phi_68_: type_10;
     var phi_71_: u32;
-    var phi_69_: type_6;
-    var phi_94_: type_6;
+    var phi_69_: type_10;
+    var phi_94_: type_10;
     var phi_72_: u32;
     var phi_136_: bool;
     var phi_112_: u32;
@@ -60,18 +60,18 @@ fn function_() {
                 if (_e26 >= _e32) {
                     phi_112_ = 0u;
                 } else {
-                    phi_68_ = type_6(0u, 6u);
+                    phi_68_ = type_10(0u, 6u);
                     phi_71_ = 0u;
                     loop {
                         let _e36 = phi_68_;
                         let _e38 = phi_71_;
                         local = _e38;
                         if (_e36.member < _e36.member_1) {
-                            phi_69_ = type_6((_e36.member + 1u), _e36.member_1);
-                            phi_94_ = type_6(1u, _e36.member);
+                            phi_69_ = type_10((_e36.member + 1u), _e36.member_1);
+                            phi_94_ = type_10(1u, _e36.member);
                         } else {
                             phi_69_ = _e36;
-                            phi_94_ = type_6(0u, type_6().member_1);
+                            phi_94_ = type_10(0u, type_10().member_1);
                         }
                         let _e51 = phi_69_;
                         let _e53 = phi_94_;

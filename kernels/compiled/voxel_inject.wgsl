@@ -1,13 +1,13 @@
 struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
     member: u32,
     member_1: u32,
 }
 
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_19 {
     member: vec4<f32>,
     member_1: vec4<f32>,
     member_2: vec4<f32>,
@@ -18,11 +18,11 @@ struct type_21 {
     member_7: vec4<f32>,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_25 {
+struct type_23 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -31,21 +31,21 @@ struct type_25 {
     member_5: u32,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_31 {
+struct type_29 {
     member: array<f32, 6>,
     member_1: array<u32, 3>,
     member_2: array<u32, 3>,
 }
 
-struct type_33 {
-    member: array<type_31>,
+struct type_31 {
+    member: array<type_29>,
 }
 
-struct type_35 {
+struct type_33 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -56,11 +56,11 @@ struct type_35 {
     member_7: f32,
 }
 
-struct type_37 {
-    member: array<type_35>,
+struct type_35 {
+    member: array<type_33>,
 }
 
-struct type_39 {
+struct type_37 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -71,11 +71,11 @@ struct type_39 {
     member_7: u32,
 }
 
-struct type_41 {
-    member: array<type_39>,
+struct type_39 {
+    member: array<type_37>,
 }
 
-struct type_50 {
+struct type_49 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: f32,
@@ -126,21 +126,21 @@ struct type_63 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> nodes: type_23;
+var<storage> nodes: type_21;
 @group(0) @binding(2) 
-var<storage> triangles: type_27;
+var<storage> triangles: type_25;
 @group(0) @binding(3) 
-var<storage> attributes: type_33;
+var<storage> attributes: type_31;
 @group(0) @binding(4) 
-var<storage> surfaces: type_12;
+var<storage> surfaces: type_9;
 @group(0) @binding(5) 
-var<storage> lights: type_37;
+var<storage> lights: type_35;
 @group(0) @binding(7) 
 var<storage, read_write> out: type_58;
 @group(0) @binding(0) 
 var<uniform> params: type_63;
 @group(0) @binding(6) 
-var<storage> facets: type_41;
+var<storage> facets: type_39;
 
 fn function_() {
     var local: array<u32, 64>;
@@ -149,10 +149,10 @@ fn function_() {
     var phi_1353_: vec3<f32>;
     var phi_1360_: vec3<f32>;
     var phi_5176_: bool;
-    var phi_1456_: type_9;
+    var phi_1456_: type_13;
     var phi_1459_: vec3<f32>;
-    var phi_1457_: type_9;
-    var phi_1482_: type_9;
+    var phi_1457_: type_13;
+    var phi_1482_: type_13;
     var phi_1521_: u32;
     var phi_1524_: u32;
     var phi_1548_: u32;
@@ -163,27 +163,27 @@ fn function_() {
     var local_4: u32;
     var phi_1565_: f32;
     var phi_5215_: bool;
-    var phi_1575_: type_35;
+    var phi_1575_: type_33;
     var phi_1576_: u32;
     var phi_1577_: f32;
     var phi_5214_: bool;
-    var phi_1579_: type_35;
+    var phi_1579_: type_33;
     var phi_1580_: u32;
     var phi_1581_: f32;
     var phi_1582_: bool;
-    var phi_1614_: type_35;
+    var phi_1614_: type_33;
     var phi_1615_: u32;
-    var phi_1617_: type_35;
+    var phi_1617_: type_33;
     var phi_1618_: u32;
     var phi_1619_: u32;
     var phi_1635_: bool;
     var phi_5210_: bool;
-    var phi_1642_: type_9;
+    var phi_1642_: type_13;
     var phi_1645_: f32;
     var phi_1647_: f32;
     var phi_1649_: f32;
-    var phi_1643_: type_9;
-    var phi_1672_: type_9;
+    var phi_1643_: type_13;
+    var phi_1672_: type_13;
     var phi_2266_: f32;
     var phi_3858_: f32;
     var phi_3866_: f32;
@@ -202,7 +202,7 @@ fn function_() {
     var phi_2271_: f32;
     var phi_2272_: bool;
     var phi_2292_: f32;
-    var phi_2304_: type_50;
+    var phi_2304_: type_49;
     var phi_1751_: vec3<f32>;
     var phi_1753_: vec3<f32>;
     var phi_1754_: bool;
@@ -213,11 +213,11 @@ fn function_() {
     var phi_2307_: vec3<f32>;
     var phi_2308_: f32;
     var phi_2309_: vec3<f32>;
-    var phi_2310_: type_50;
+    var phi_2310_: type_49;
     var phi_2311_: f32;
     var phi_2312_: bool;
     var phi_2332_: f32;
-    var phi_2346_: type_50;
+    var phi_2346_: type_49;
     var phi_2379_: bool;
     var phi_2389_: u32;
     var phi_2392_: bool;
@@ -228,9 +228,9 @@ fn function_() {
     var phi_5188_: bool;
     var phi_2576_: u32;
     var phi_2579_: u32;
-    var phi_3006_: type_9;
-    var phi_3007_: type_9;
-    var phi_3030_: type_9;
+    var phi_3006_: type_13;
+    var phi_3007_: type_13;
+    var phi_3030_: type_13;
     var phi_3146_: f32;
     var phi_3157_: f32;
     var phi_3168_: f32;
@@ -441,7 +441,7 @@ fn function_() {
                 let _e246 = ((_e242 ^ (_e242 >> bitcast<u32>(15i))) * 2221713035u);
                 let _e249 = (_e246 ^ (_e246 >> bitcast<u32>(16i)));
                 phi_5176_ = false;
-                phi_1456_ = type_9(0u, (_e235 + select(0u, 1u, (_e206 > 0u))));
+                phi_1456_ = type_13(0u, (_e235 + select(0u, 1u, (_e206 > 0u))));
                 phi_1459_ = vec3<f32>(0f, 0f, 0f);
                 loop {
                     let _e256 = phi_5176_;
@@ -451,11 +451,11 @@ fn function_() {
                     local_12 = _e260;
                     local_13 = _e260;
                     if (_e258.member < _e258.member_1) {
-                        phi_1457_ = type_9((_e258.member + 1u), _e258.member_1);
-                        phi_1482_ = type_9(1u, _e258.member);
+                        phi_1457_ = type_13((_e258.member + 1u), _e258.member_1);
+                        phi_1482_ = type_13(1u, _e258.member);
                     } else {
                         phi_1457_ = _e258;
-                        phi_1482_ = type_9(0u, type_9().member_1);
+                        phi_1482_ = type_13(0u, type_13().member_1);
                     }
                     let _e273 = phi_1457_;
                     let _e275 = phi_1482_;
@@ -534,7 +534,7 @@ fn function_() {
                                 phi_1577_ = _e336;
                             } else {
                                 phi_5215_ = _e256;
-                                phi_1575_ = type_35();
+                                phi_1575_ = type_33();
                                 phi_1576_ = u32();
                                 phi_1577_ = f32();
                             }
@@ -549,7 +549,7 @@ fn function_() {
                             phi_1582_ = select(true, false, _e234);
                         } else {
                             phi_5214_ = _e256;
-                            phi_1579_ = type_35();
+                            phi_1579_ = type_33();
                             phi_1580_ = u32();
                             phi_1581_ = f32();
                             phi_1582_ = true;
@@ -575,7 +575,7 @@ fn function_() {
                                 phi_1614_ = _e371;
                                 phi_1615_ = (_e391 ^ (_e391 >> bitcast<u32>(16i)));
                             } else {
-                                phi_1614_ = type_35(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e199.x, _e199.y, _e199.z), 1f);
+                                phi_1614_ = type_33(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(_e199.x, _e199.y, _e199.z), 1f);
                                 phi_1615_ = (_e289 ^ (_e289 >> bitcast<u32>(16i)));
                             }
                             let _e396 = phi_1614_;
@@ -602,7 +602,7 @@ fn function_() {
                             let _e412 = phi_1635_;
                             let _e413 = select(1u, _e405, _e412);
                             phi_5210_ = _e359;
-                            phi_1642_ = type_9(0u, _e413);
+                            phi_1642_ = type_13(0u, _e413);
                             phi_1645_ = 340282350000000000000000000000000000000f;
                             phi_1647_ = 0f;
                             phi_1649_ = 0f;
@@ -620,11 +620,11 @@ fn function_() {
                                 local_9 = _e424;
                                 local_10 = _e422;
                                 if (_e418.member < _e418.member_1) {
-                                    phi_1643_ = type_9((_e418.member + 1u), _e418.member_1);
-                                    phi_1672_ = type_9(1u, _e418.member);
+                                    phi_1643_ = type_13((_e418.member + 1u), _e418.member_1);
+                                    phi_1672_ = type_13(1u, _e418.member);
                                 } else {
                                     phi_1643_ = _e418;
-                                    phi_1672_ = type_9(0u, type_9().member_1);
+                                    phi_1672_ = type_13(0u, type_13().member_1);
                                 }
                                 let _e437 = phi_1643_;
                                 let _e439 = phi_1672_;
@@ -718,7 +718,7 @@ fn function_() {
                                         phi_2307_ = vec3<f32>((_e934 - _e144.member[0]), (_e935 - _e144.member[1]), (_e936 - _e144.member[2]));
                                         phi_2308_ = _e949;
                                         phi_2309_ = vec3<f32>(_e934, _e935, _e936);
-                                        phi_2310_ = type_50();
+                                        phi_2310_ = type_49();
                                         phi_2311_ = f32();
                                         phi_2312_ = true;
                                     } else {
@@ -864,9 +864,9 @@ fn function_() {
                                                 phi_2292_ = _e188;
                                             }
                                             let _e771 = phi_2292_;
-                                            phi_2304_ = type_50(vec3<f32>((_e144.member[0] + (_e166.x * _e771)), (_e144.member[1] + (_e166.y * _e771)), (_e144.member[2] + (_e166.z * _e771))), _e752, 0f, 340282350000000000000000000000000000000f);
+                                            phi_2304_ = type_49(vec3<f32>((_e144.member[0] + (_e166.x * _e771)), (_e144.member[1] + (_e166.y * _e771)), (_e144.member[2] + (_e166.z * _e771))), _e752, 0f, 340282350000000000000000000000000000000f);
                                         } else {
-                                            phi_2304_ = type_50();
+                                            phi_2304_ = type_49();
                                         }
                                         let _e781 = phi_2304_;
                                         phi_2306_ = _e754;
@@ -892,7 +892,7 @@ fn function_() {
                                         }
                                         let _e993 = phi_2332_;
                                         let _e1000 = vec3<f32>((_e144.member[0] + (_e166.x * _e993)), (_e144.member[1] + (_e166.y * _e993)), (_e144.member[2] + (_e166.z * _e993)));
-                                        phi_2346_ = type_50(_e1000, (_e972 - _e1000), 0f, 0.9999995f);
+                                        phi_2346_ = type_49(_e1000, (_e972 - _e1000), 0f, 0.9999995f);
                                     } else {
                                         phi_2346_ = _e974;
                                     }
@@ -1171,15 +1171,15 @@ fn function_() {
                                                 phi_3695_ = _e2009;
                                                 phi_3696_ = true;
                                             } else {
-                                                phi_3006_ = type_9(_e1145, (_e1145 + _e1143));
+                                                phi_3006_ = type_13(_e1145, (_e1145 + _e1143));
                                                 loop {
                                                     let _e1150 = phi_3006_;
                                                     if (_e1150.member < _e1150.member_1) {
-                                                        phi_3007_ = type_9((_e1150.member + 1u), _e1150.member_1);
-                                                        phi_3030_ = type_9(1u, _e1150.member);
+                                                        phi_3007_ = type_13((_e1150.member + 1u), _e1150.member_1);
+                                                        phi_3030_ = type_13(1u, _e1150.member);
                                                     } else {
                                                         phi_3007_ = _e1150;
-                                                        phi_3030_ = type_9(0u, type_9().member_1);
+                                                        phi_3030_ = type_13(0u, type_13().member_1);
                                                     }
                                                     let _e1163 = phi_3007_;
                                                     let _e1165 = phi_3030_;

@@ -1,4 +1,4 @@
-struct type_8 {
+struct type_7 {
     member: array<u32>,
 }
 
@@ -82,7 +82,7 @@ var<uniform> params: type_24;
 @group(0) @binding(1) 
 var<storage> triangles: type_16;
 @group(0) @binding(2) 
-var<storage> tile_first: type_8;
+var<storage> tile_first: type_7;
 @group(0) @binding(3) 
 var<storage, read_write> facet_bits: type_32;
 

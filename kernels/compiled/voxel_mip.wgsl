@@ -1,4 +1,4 @@
-struct type_8 {
+struct type_7 {
     member: array<u32>,
 }
 
@@ -35,11 +35,11 @@ var<private> gid_1: vec3<u32>;
 @group(0) @binding(4) 
 var<storage, read_write> out: type_15;
 @group(0) @binding(1) 
-var<storage> cells: type_8;
+var<storage> cells: type_7;
 @group(0) @binding(0) 
 var<uniform> params: type_19;
 @group(0) @binding(2) 
-var<storage> children: type_8;
+var<storage> children: type_7;
 @group(0) @binding(3) 
 var<storage> finer: type_15;
 

@@ -1,10 +1,10 @@
-struct type_7 {
-    member: u32,
-    member_1: u32,
+struct type_8 {
+    member: array<u32>,
 }
 
-struct type_10 {
-    member: array<u32>,
+struct type_11 {
+    member: u32,
+    member_1: u32,
 }
 
 struct type_15 {
@@ -53,9 +53,9 @@ struct type_27 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> cells: type_10;
+var<storage> cells: type_8;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_10;
+var<storage> facet_bits: type_8;
 @group(0) @binding(3) 
 var<storage> facets: type_17;
 @group(0) @binding(4) 
@@ -63,220 +63,204 @@ var<storage> radiance: type_23;
 @group(0) @binding(0) 
 var<uniform> params: type_27;
 @group(0) @binding(5) 
-var<storage> children: type_10;
+var<storage> children: type_8;
 @group(0) @binding(6) 
 var<storage, read_write> out: type_23;
 
 fn function_() {
     var local: array<vec4<f32>, 8>;
-    var phi_130_: type_7;
+    var phi_130_: type_11;
     var phi_133_: u32;
-    var phi_131_: type_7;
-    var phi_156_: type_7;
+    var phi_131_: type_11;
+    var phi_156_: type_11;
     var phi_134_: u32;
+    var phi_345_: vec4<f32>;
+    var phi_348_: vec4<f32>;
+    var phi_350_: u32;
     var local_1: u32;
-    var local_2: u32;
-    var phi_370_: type_7;
-    var phi_373_: vec4<f32>;
-    var phi_375_: vec4<f32>;
-    var phi_371_: type_7;
-    var phi_398_: type_7;
-    var phi_467_: vec4<f32>;
-    var phi_468_: vec4<f32>;
-    var phi_374_: vec4<f32>;
-    var phi_376_: vec4<f32>;
+    var phi_420_: vec4<f32>;
+    var phi_421_: vec4<f32>;
+    var phi_346_: vec4<f32>;
+    var phi_349_: vec4<f32>;
+    var phi_351_: u32;
+    var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
     var local_6: vec4<f32>;
     var local_7: vec4<f32>;
-    var local_8: vec4<f32>;
-    var phi_490_: vec4<f32>;
+    var phi_444_: vec4<f32>;
+    var phi_267_: vec4<f32>;
+    var phi_270_: u32;
+    var local_8: u32;
+    var phi_268_: vec4<f32>;
+    var phi_271_: u32;
+    var phi_445_: vec4<f32>;
+    var phi_459_: vec4<f32>;
     var local_9: u32;
-    var local_10: u32;
-    var phi_269_: type_7;
-    var phi_272_: vec4<f32>;
-    var phi_270_: type_7;
-    var phi_295_: type_7;
-    var phi_273_: vec4<f32>;
-    var phi_491_: vec4<f32>;
-    var phi_505_: vec4<f32>;
-    var local_11: u32;
-    var phi_508_: u32;
-    var phi_667_: type_7;
-    var phi_670_: vec4<f32>;
-    var phi_672_: vec4<f32>;
-    var phi_668_: type_7;
-    var phi_695_: type_7;
-    var phi_764_: vec4<f32>;
-    var phi_765_: vec4<f32>;
+    var phi_462_: u32;
+    var phi_596_: vec4<f32>;
+    var phi_599_: vec4<f32>;
+    var phi_601_: u32;
     var phi_671_: vec4<f32>;
-    var phi_673_: vec4<f32>;
+    var phi_672_: vec4<f32>;
+    var phi_597_: vec4<f32>;
+    var phi_600_: vec4<f32>;
+    var phi_602_: u32;
+    var local_10: vec4<f32>;
+    var local_11: vec4<f32>;
     var local_12: vec4<f32>;
     var local_13: vec4<f32>;
     var local_14: vec4<f32>;
     var local_15: vec4<f32>;
+    var phi_695_: vec4<f32>;
+    var phi_518_: vec4<f32>;
+    var phi_521_: u32;
+    var phi_519_: vec4<f32>;
+    var phi_522_: u32;
+    var phi_696_: vec4<f32>;
+    var phi_710_: vec4<f32>;
+    var phi_713_: u32;
+    var phi_847_: vec4<f32>;
+    var phi_850_: vec4<f32>;
+    var phi_852_: u32;
+    var phi_922_: vec4<f32>;
+    var phi_923_: vec4<f32>;
+    var phi_848_: vec4<f32>;
+    var phi_851_: vec4<f32>;
+    var phi_853_: u32;
     var local_16: vec4<f32>;
     var local_17: vec4<f32>;
-    var phi_787_: vec4<f32>;
-    var phi_566_: type_7;
-    var phi_569_: vec4<f32>;
-    var phi_567_: type_7;
-    var phi_592_: type_7;
-    var phi_570_: vec4<f32>;
-    var phi_788_: vec4<f32>;
-    var phi_802_: vec4<f32>;
-    var phi_805_: u32;
-    var phi_964_: type_7;
-    var phi_967_: vec4<f32>;
-    var phi_969_: vec4<f32>;
-    var phi_965_: type_7;
-    var phi_992_: type_7;
-    var phi_1061_: vec4<f32>;
-    var phi_1062_: vec4<f32>;
-    var phi_968_: vec4<f32>;
-    var phi_970_: vec4<f32>;
     var local_18: vec4<f32>;
     var local_19: vec4<f32>;
     var local_20: vec4<f32>;
     var local_21: vec4<f32>;
+    var phi_946_: vec4<f32>;
+    var phi_769_: vec4<f32>;
+    var phi_772_: u32;
+    var phi_770_: vec4<f32>;
+    var phi_773_: u32;
+    var phi_947_: vec4<f32>;
+    var phi_961_: vec4<f32>;
+    var phi_964_: u32;
+    var phi_1098_: vec4<f32>;
+    var phi_1101_: vec4<f32>;
+    var phi_1103_: u32;
+    var phi_1173_: vec4<f32>;
+    var phi_1174_: vec4<f32>;
+    var phi_1099_: vec4<f32>;
+    var phi_1102_: vec4<f32>;
+    var phi_1104_: u32;
     var local_22: vec4<f32>;
     var local_23: vec4<f32>;
-    var phi_1084_: vec4<f32>;
-    var phi_863_: type_7;
-    var phi_866_: vec4<f32>;
-    var phi_864_: type_7;
-    var phi_889_: type_7;
-    var phi_867_: vec4<f32>;
-    var phi_1085_: vec4<f32>;
-    var phi_1099_: vec4<f32>;
-    var phi_1102_: u32;
-    var phi_1261_: type_7;
-    var phi_1264_: vec4<f32>;
-    var phi_1266_: vec4<f32>;
-    var phi_1262_: type_7;
-    var phi_1289_: type_7;
-    var phi_1358_: vec4<f32>;
-    var phi_1359_: vec4<f32>;
-    var phi_1265_: vec4<f32>;
-    var phi_1267_: vec4<f32>;
     var local_24: vec4<f32>;
     var local_25: vec4<f32>;
     var local_26: vec4<f32>;
     var local_27: vec4<f32>;
+    var phi_1197_: vec4<f32>;
+    var phi_1020_: vec4<f32>;
+    var phi_1023_: u32;
+    var phi_1021_: vec4<f32>;
+    var phi_1024_: u32;
+    var phi_1198_: vec4<f32>;
+    var phi_1212_: vec4<f32>;
+    var phi_1215_: u32;
+    var phi_1349_: vec4<f32>;
+    var phi_1352_: vec4<f32>;
+    var phi_1354_: u32;
+    var phi_1424_: vec4<f32>;
+    var phi_1425_: vec4<f32>;
+    var phi_1350_: vec4<f32>;
+    var phi_1353_: vec4<f32>;
+    var phi_1355_: u32;
     var local_28: vec4<f32>;
     var local_29: vec4<f32>;
-    var phi_1381_: vec4<f32>;
-    var phi_1160_: type_7;
-    var phi_1163_: vec4<f32>;
-    var phi_1161_: type_7;
-    var phi_1186_: type_7;
-    var phi_1164_: vec4<f32>;
-    var phi_1382_: vec4<f32>;
-    var phi_1396_: vec4<f32>;
-    var phi_1399_: u32;
-    var phi_1558_: type_7;
-    var phi_1561_: vec4<f32>;
-    var phi_1563_: vec4<f32>;
-    var phi_1559_: type_7;
-    var phi_1586_: type_7;
-    var phi_1655_: vec4<f32>;
-    var phi_1656_: vec4<f32>;
-    var phi_1562_: vec4<f32>;
-    var phi_1564_: vec4<f32>;
     var local_30: vec4<f32>;
     var local_31: vec4<f32>;
     var local_32: vec4<f32>;
     var local_33: vec4<f32>;
+    var phi_1448_: vec4<f32>;
+    var phi_1271_: vec4<f32>;
+    var phi_1274_: u32;
+    var phi_1272_: vec4<f32>;
+    var phi_1275_: u32;
+    var phi_1449_: vec4<f32>;
+    var phi_1463_: vec4<f32>;
+    var phi_1466_: u32;
+    var phi_1600_: vec4<f32>;
+    var phi_1603_: vec4<f32>;
+    var phi_1605_: u32;
+    var phi_1675_: vec4<f32>;
+    var phi_1676_: vec4<f32>;
+    var phi_1601_: vec4<f32>;
+    var phi_1604_: vec4<f32>;
+    var phi_1606_: u32;
     var local_34: vec4<f32>;
     var local_35: vec4<f32>;
-    var phi_1678_: vec4<f32>;
-    var phi_1457_: type_7;
-    var phi_1460_: vec4<f32>;
-    var phi_1458_: type_7;
-    var phi_1483_: type_7;
-    var phi_1461_: vec4<f32>;
-    var phi_1679_: vec4<f32>;
-    var phi_1693_: vec4<f32>;
-    var phi_1696_: u32;
-    var phi_1855_: type_7;
-    var phi_1858_: vec4<f32>;
-    var phi_1860_: vec4<f32>;
-    var phi_1856_: type_7;
-    var phi_1883_: type_7;
-    var phi_1952_: vec4<f32>;
-    var phi_1953_: vec4<f32>;
-    var phi_1859_: vec4<f32>;
-    var phi_1861_: vec4<f32>;
     var local_36: vec4<f32>;
     var local_37: vec4<f32>;
     var local_38: vec4<f32>;
     var local_39: vec4<f32>;
+    var phi_1699_: vec4<f32>;
+    var phi_1522_: vec4<f32>;
+    var phi_1525_: u32;
+    var phi_1523_: vec4<f32>;
+    var phi_1526_: u32;
+    var phi_1700_: vec4<f32>;
+    var phi_1714_: vec4<f32>;
+    var phi_1717_: u32;
+    var phi_1851_: vec4<f32>;
+    var phi_1854_: vec4<f32>;
+    var phi_1856_: u32;
+    var phi_1926_: vec4<f32>;
+    var phi_1927_: vec4<f32>;
+    var phi_1852_: vec4<f32>;
+    var phi_1855_: vec4<f32>;
+    var phi_1857_: u32;
     var local_40: vec4<f32>;
     var local_41: vec4<f32>;
-    var phi_1975_: vec4<f32>;
-    var phi_1754_: type_7;
-    var phi_1757_: vec4<f32>;
-    var phi_1755_: type_7;
-    var phi_1780_: type_7;
-    var phi_1758_: vec4<f32>;
-    var phi_1976_: vec4<f32>;
-    var phi_1990_: vec4<f32>;
-    var phi_1993_: u32;
-    var phi_2152_: type_7;
-    var phi_2155_: vec4<f32>;
-    var phi_2157_: vec4<f32>;
-    var phi_2153_: type_7;
-    var phi_2180_: type_7;
-    var phi_2249_: vec4<f32>;
-    var phi_2250_: vec4<f32>;
-    var phi_2156_: vec4<f32>;
-    var phi_2158_: vec4<f32>;
     var local_42: vec4<f32>;
     var local_43: vec4<f32>;
     var local_44: vec4<f32>;
     var local_45: vec4<f32>;
+    var phi_1950_: vec4<f32>;
+    var phi_1773_: vec4<f32>;
+    var phi_1776_: u32;
+    var phi_1774_: vec4<f32>;
+    var phi_1777_: u32;
+    var phi_1951_: vec4<f32>;
+    var phi_1965_: vec4<f32>;
+    var phi_1968_: u32;
+    var phi_2102_: vec4<f32>;
+    var phi_2105_: vec4<f32>;
+    var phi_2107_: u32;
+    var phi_2177_: vec4<f32>;
+    var phi_2178_: vec4<f32>;
+    var phi_2103_: vec4<f32>;
+    var phi_2106_: vec4<f32>;
+    var phi_2108_: u32;
     var local_46: vec4<f32>;
     var local_47: vec4<f32>;
-    var phi_2272_: vec4<f32>;
-    var phi_2051_: type_7;
-    var phi_2054_: vec4<f32>;
-    var phi_2052_: type_7;
-    var phi_2077_: type_7;
-    var phi_2055_: vec4<f32>;
-    var phi_2273_: vec4<f32>;
-    var phi_2287_: vec4<f32>;
-    var phi_2290_: u32;
-    var phi_2449_: type_7;
-    var phi_2452_: vec4<f32>;
-    var phi_2454_: vec4<f32>;
-    var phi_2450_: type_7;
-    var phi_2477_: type_7;
-    var phi_2546_: vec4<f32>;
-    var phi_2547_: vec4<f32>;
-    var phi_2453_: vec4<f32>;
-    var phi_2455_: vec4<f32>;
     var local_48: vec4<f32>;
     var local_49: vec4<f32>;
     var local_50: vec4<f32>;
     var local_51: vec4<f32>;
-    var local_52: vec4<f32>;
+    var phi_2201_: vec4<f32>;
+    var phi_2024_: vec4<f32>;
+    var phi_2027_: u32;
+    var phi_2025_: vec4<f32>;
+    var phi_2028_: u32;
+    var phi_2202_: vec4<f32>;
+    var phi_2216_: vec4<f32>;
+    var phi_2369_: vec4<f32>;
+    var phi_2406_: vec4<f32>;
+    var phi_2455_: vec4<f32>;
+    var phi_2502_: vec4<f32>;
+    var phi_2314_: vec4<f32>;
+    var phi_2516_: vec4<f32>;
+    var local_52: u32;
     var local_53: vec4<f32>;
-    var phi_2569_: vec4<f32>;
-    var phi_2348_: type_7;
-    var phi_2351_: vec4<f32>;
-    var phi_2349_: type_7;
-    var phi_2374_: type_7;
-    var phi_2352_: vec4<f32>;
-    var phi_2570_: vec4<f32>;
-    var phi_2584_: vec4<f32>;
-    var phi_2737_: vec4<f32>;
-    var phi_2774_: vec4<f32>;
-    var phi_2823_: vec4<f32>;
-    var phi_2870_: vec4<f32>;
-    var phi_2682_: vec4<f32>;
-    var phi_2884_: vec4<f32>;
-    var local_54: vec4<f32>;
+    var local_54: u32;
     var local_55: vec4<f32>;
     var local_56: u32;
     var local_57: vec4<f32>;
@@ -316,23 +300,23 @@ fn function_() {
                 let _e70 = (_e67 >> bitcast<u32>(_e68));
                 let _e71 = (_e61 * 6u);
                 let _e75 = cells.member[(_e64 + 1u)];
-                phi_130_ = type_7(0u, 6u);
+                phi_130_ = type_11(0u, 6u);
                 phi_133_ = _e75;
                 loop {
                     let _e77 = phi_130_;
                     let _e79 = phi_133_;
+                    local_52 = _e79;
                     local_1 = _e79;
-                    local_2 = _e79;
+                    local_54 = _e79;
+                    local_8 = _e79;
                     local_9 = _e79;
-                    local_10 = _e79;
-                    local_11 = _e79;
                     local_56 = _e79;
                     if (_e77.member < _e77.member_1) {
-                        phi_131_ = type_7((_e77.member + 1u), _e77.member_1);
-                        phi_156_ = type_7(1u, _e77.member);
+                        phi_131_ = type_11((_e77.member + 1u), _e77.member_1);
+                        phi_156_ = type_11(1u, _e77.member);
                     } else {
                         phi_131_ = _e77;
-                        phi_156_ = type_7(0u, type_7().member_1);
+                        phi_156_ = type_11(0u, type_11().member_1);
                     }
                     let _e92 = phi_131_;
                     let _e94 = phi_156_;
@@ -376,1200 +360,1104 @@ fn function_() {
                     let _e174 = facet_bits.member[(_e71 + 5u)];
                     let _e178 = (((((((_e135 >> bitcast<u32>(_e68)) & 1u) + ((_e142 >> bitcast<u32>(_e68)) & 1u)) + ((_e150 >> bitcast<u32>(_e68)) & 1u)) + ((_e158 >> bitcast<u32>(_e68)) & 1u)) + ((_e166 >> bitcast<u32>(_e68)) & 1u)) + ((_e174 >> bitcast<u32>(_e68)) & 1u));
                     if (_e52 == 1u) {
-                        let _e301 = local_9;
-                        let _e304 = local_10;
-                        phi_269_ = type_7(_e304, (_e301 + _e178));
-                        phi_272_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_267_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        let _e2287 = local_54;
+                        phi_270_ = _e2287;
                         loop {
-                            let _e307 = phi_269_;
-                            let _e309 = phi_272_;
-                            local_55 = _e309;
-                            if (_e307.member < _e307.member_1) {
-                                phi_270_ = type_7((_e307.member + 1u), _e307.member_1);
-                                phi_295_ = type_7(1u, _e307.member);
+                            let _e283 = phi_267_;
+                            let _e285 = phi_270_;
+                            local_55 = _e283;
+                            let _e287 = local_8;
+                            let _e289 = (_e285 < (_e287 + _e178));
+                            if _e289 {
+                                let _e290 = (2u * _e285);
+                                let _e294 = radiance.member[_e290][0u];
+                                let _e298 = radiance.member[_e290][1u];
+                                let _e302 = radiance.member[_e290][2u];
+                                let _e303 = (_e290 + 1u);
+                                let _e307 = radiance.member[_e303][0u];
+                                let _e311 = radiance.member[_e303][1u];
+                                let _e315 = radiance.member[_e303][2u];
+                                let _e325 = facets.member[_e285].member_2;
+                                let _e334 = sqrt((((_e325[0] * _e325[0]) + (_e325[1] * _e325[1])) + (_e325[2] * _e325[2])));
+                                phi_268_ = vec4<f32>((_e283.x + (select(_e307, _e294, (_e294 > _e307)) * _e334)), (_e283.y + (select(_e311, _e298, (_e298 > _e311)) * _e334)), (_e283.z + (select(_e315, _e302, (_e302 > _e315)) * _e334)), (_e283.w + _e334));
+                                phi_271_ = (_e285 + 1u);
                             } else {
-                                phi_270_ = _e307;
-                                phi_295_ = type_7(0u, type_7().member_1);
+                                phi_268_ = vec4<f32>();
+                                phi_271_ = u32();
                             }
-                            let _e322 = phi_270_;
-                            let _e324 = phi_295_;
-                            let _e328 = (bitcast<i32>(_e324.member) != 0i);
-                            if _e328 {
-                                let _e329 = (2u * _e324.member_1);
-                                let _e333 = radiance.member[_e329][0u];
-                                let _e337 = radiance.member[_e329][1u];
-                                let _e341 = radiance.member[_e329][2u];
-                                let _e342 = (_e329 + 1u);
-                                let _e346 = radiance.member[_e342][0u];
-                                let _e350 = radiance.member[_e342][1u];
-                                let _e354 = radiance.member[_e342][2u];
-                                let _e364 = facets.member[_e324.member_1].member_2;
-                                let _e373 = sqrt((((_e364[0] * _e364[0]) + (_e364[1] * _e364[1])) + (_e364[2] * _e364[2])));
-                                phi_273_ = vec4<f32>((_e309.x + (select(_e346, _e333, (_e333 > _e346)) * _e373)), (_e309.y + (select(_e350, _e337, (_e337 > _e350)) * _e373)), (_e309.z + (select(_e354, _e341, (_e341 > _e354)) * _e373)), (_e309.w + _e373));
-                            } else {
-                                phi_273_ = vec4<f32>();
-                            }
-                            let _e387 = phi_273_;
+                            let _e349 = phi_268_;
+                            let _e351 = phi_271_;
                             continue;
                             continuing {
-                                phi_269_ = _e322;
-                                phi_272_ = _e387;
-                                break if !(_e328);
+                                phi_267_ = _e349;
+                                phi_270_ = _e351;
+                                break if !(_e289);
                             }
                         }
-                        let _e2553 = local_55;
-                        phi_491_ = _e2553;
+                        let _e2293 = local_55;
+                        phi_445_ = _e2293;
                     } else {
-                        let _e181 = local_1;
-                        let _e184 = local_2;
-                        phi_370_ = type_7(_e184, (_e181 + _e178));
-                        phi_373_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_375_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_345_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_348_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        let _e2268 = local_52;
+                        phi_350_ = _e2268;
                         loop {
-                            let _e187 = phi_370_;
-                            let _e189 = phi_373_;
-                            let _e191 = phi_375_;
-                            local_3 = _e189;
-                            local_4 = _e191;
-                            local_5 = _e189;
-                            local_6 = _e189;
-                            local_7 = _e189;
-                            local_8 = _e191;
-                            local_54 = _e191;
-                            if (_e187.member < _e187.member_1) {
-                                phi_371_ = type_7((_e187.member + 1u), _e187.member_1);
-                                phi_398_ = type_7(1u, _e187.member);
-                            } else {
-                                phi_371_ = _e187;
-                                phi_398_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e204 = phi_371_;
-                            let _e206 = phi_398_;
-                            let _e210 = (bitcast<i32>(_e206.member) != 0i);
-                            if _e210 {
-                                let _e214 = facets.member[_e206.member_1].member_2;
-                                let _e223 = -((((_e118 * _e214[0]) + (_e120 * _e214[1])) + (_e122 * _e214[2])));
-                                if (_e223 > 0f) {
-                                    let _e248 = radiance.member[(2u * _e206.member_1)];
-                                    phi_467_ = _e189;
-                                    phi_468_ = vec4<f32>((_e191.x + (_e248.x * _e223)), (_e191.y + (_e248.y * _e223)), (_e191.z + (_e248.z * _e223)), (_e191.w + _e223));
+                            let _e181 = phi_345_;
+                            let _e183 = phi_348_;
+                            let _e185 = phi_350_;
+                            local_2 = _e181;
+                            local_3 = _e183;
+                            local_4 = _e181;
+                            local_5 = _e181;
+                            local_6 = _e181;
+                            local_7 = _e183;
+                            local_53 = _e183;
+                            let _e187 = local_1;
+                            let _e189 = (_e185 < (_e187 + _e178));
+                            if _e189 {
+                                let _e193 = facets.member[_e185].member_2;
+                                let _e202 = -((((_e118 * _e193[0]) + (_e120 * _e193[1])) + (_e122 * _e193[2])));
+                                if (_e202 > 0f) {
+                                    let _e227 = radiance.member[(2u * _e185)];
+                                    phi_420_ = _e181;
+                                    phi_421_ = vec4<f32>((_e183.x + (_e227.x * _e202)), (_e183.y + (_e227.y * _e202)), (_e183.z + (_e227.z * _e202)), (_e183.w + _e202));
                                 } else {
-                                    let _e229 = radiance.member[((2u * _e206.member_1) + 1u)];
-                                    phi_467_ = vec4<f32>((_e189.x - (_e229.x * _e223)), (_e189.y - (_e229.y * _e223)), (_e189.z - (_e229.z * _e223)), (_e189.w - _e223));
-                                    phi_468_ = _e191;
+                                    let _e208 = radiance.member[((2u * _e185) + 1u)];
+                                    phi_420_ = vec4<f32>((_e181.x - (_e208.x * _e202)), (_e181.y - (_e208.y * _e202)), (_e181.z - (_e208.z * _e202)), (_e181.w - _e202));
+                                    phi_421_ = _e183;
                                 }
-                                let _e265 = phi_467_;
-                                let _e267 = phi_468_;
-                                phi_374_ = _e265;
-                                phi_376_ = _e267;
+                                let _e244 = phi_420_;
+                                let _e246 = phi_421_;
+                                phi_346_ = _e244;
+                                phi_349_ = _e246;
+                                phi_351_ = (_e185 + 1u);
                             } else {
-                                phi_374_ = vec4<f32>();
-                                phi_376_ = vec4<f32>();
+                                phi_346_ = vec4<f32>();
+                                phi_349_ = vec4<f32>();
+                                phi_351_ = u32();
                             }
-                            let _e269 = phi_374_;
-                            let _e271 = phi_376_;
+                            let _e249 = phi_346_;
+                            let _e251 = phi_349_;
+                            let _e253 = phi_351_;
                             continue;
                             continuing {
-                                phi_370_ = _e204;
-                                phi_373_ = _e269;
-                                phi_375_ = _e271;
-                                break if !(_e210);
+                                phi_345_ = _e249;
+                                phi_348_ = _e251;
+                                phi_350_ = _e253;
+                                break if !(_e189);
                             }
                         }
-                        let _e274 = local_3;
-                        let _e277 = local_4;
-                        if (_e274.w > _e277.w) {
-                            let _e280 = (_e274.w - _e277.w);
-                            let _e281 = (_e280 / _e274.w);
-                            let _e283 = local_5;
-                            let _e287 = local_6;
-                            let _e291 = local_7;
-                            let _e296 = local_8;
-                            phi_490_ = (_e296 + vec4<f32>((_e283.x * _e281), (_e287.y * _e281), (_e291.z * _e281), _e280));
+                        let _e256 = local_2;
+                        let _e259 = local_3;
+                        if (_e256.w > _e259.w) {
+                            let _e262 = (_e256.w - _e259.w);
+                            let _e263 = (_e262 / _e256.w);
+                            let _e265 = local_4;
+                            let _e269 = local_5;
+                            let _e273 = local_6;
+                            let _e278 = local_7;
+                            phi_444_ = (_e278 + vec4<f32>((_e265.x * _e263), (_e269.y * _e263), (_e273.z * _e263), _e262));
                         } else {
-                            let _e2543 = local_54;
-                            phi_490_ = _e2543;
+                            let _e2283 = local_53;
+                            phi_444_ = _e2283;
                         }
-                        let _e299 = phi_490_;
-                        phi_491_ = _e299;
+                        let _e281 = phi_444_;
+                        phi_445_ = _e281;
                     }
-                    let _e390 = phi_491_;
-                    if (_e390.w > 1f) {
-                        phi_505_ = vec4<f32>((_e390.x / _e390.w), (_e390.y / _e390.w), (_e390.z / _e390.w), 1f);
+                    let _e354 = phi_445_;
+                    if (_e354.w > 1f) {
+                        phi_459_ = vec4<f32>((_e354.x / _e354.w), (_e354.y / _e354.w), (_e354.z / _e354.w), 1f);
                     } else {
-                        phi_505_ = _e390;
+                        phi_459_ = _e354;
                     }
-                    let _e401 = phi_505_;
-                    local[0u] = _e401;
-                    let _e403 = local_11;
-                    phi_508_ = (_e403 + _e178);
+                    let _e365 = phi_459_;
+                    local[0u] = _e365;
+                    let _e367 = local_9;
+                    phi_462_ = (_e367 + _e178);
                 } else {
-                    let _e2558 = local_56;
-                    phi_508_ = _e2558;
+                    let _e2298 = local_56;
+                    phi_462_ = _e2298;
                 }
-                let _e406 = phi_508_;
+                let _e370 = phi_462_;
                 if (((_e70 >> bitcast<u32>(1u)) & 1u) == 1u) {
-                    let _e414 = facet_bits.member[_e71];
-                    let _e415 = ((_e63 + 1u) & 31u);
-                    let _e422 = facet_bits.member[(_e71 + 1u)];
-                    let _e430 = facet_bits.member[(_e71 + 2u)];
-                    let _e438 = facet_bits.member[(_e71 + 3u)];
-                    let _e446 = facet_bits.member[(_e71 + 4u)];
-                    let _e454 = facet_bits.member[(_e71 + 5u)];
-                    let _e458 = (((((((_e414 >> bitcast<u32>(_e415)) & 1u) + ((_e422 >> bitcast<u32>(_e415)) & 1u)) + ((_e430 >> bitcast<u32>(_e415)) & 1u)) + ((_e438 >> bitcast<u32>(_e415)) & 1u)) + ((_e446 >> bitcast<u32>(_e415)) & 1u)) + ((_e454 >> bitcast<u32>(_e415)) & 1u));
+                    let _e378 = facet_bits.member[_e71];
+                    let _e379 = ((_e63 + 1u) & 31u);
+                    let _e386 = facet_bits.member[(_e71 + 1u)];
+                    let _e394 = facet_bits.member[(_e71 + 2u)];
+                    let _e402 = facet_bits.member[(_e71 + 3u)];
+                    let _e410 = facet_bits.member[(_e71 + 4u)];
+                    let _e418 = facet_bits.member[(_e71 + 5u)];
+                    let _e422 = (((((((_e378 >> bitcast<u32>(_e379)) & 1u) + ((_e386 >> bitcast<u32>(_e379)) & 1u)) + ((_e394 >> bitcast<u32>(_e379)) & 1u)) + ((_e402 >> bitcast<u32>(_e379)) & 1u)) + ((_e410 >> bitcast<u32>(_e379)) & 1u)) + ((_e418 >> bitcast<u32>(_e379)) & 1u));
                     if (_e52 == 1u) {
-                        phi_566_ = type_7(_e406, (_e406 + _e458));
-                        phi_569_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_518_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_521_ = _e370;
                         loop {
-                            let _e579 = phi_566_;
-                            let _e581 = phi_569_;
-                            local_58 = _e581;
-                            if (_e579.member < _e579.member_1) {
-                                phi_567_ = type_7((_e579.member + 1u), _e579.member_1);
-                                phi_592_ = type_7(1u, _e579.member);
+                            let _e525 = phi_518_;
+                            let _e527 = phi_521_;
+                            local_58 = _e525;
+                            let _e529 = (_e527 < (_e370 + _e422));
+                            if _e529 {
+                                let _e530 = (2u * _e527);
+                                let _e534 = radiance.member[_e530][0u];
+                                let _e538 = radiance.member[_e530][1u];
+                                let _e542 = radiance.member[_e530][2u];
+                                let _e543 = (_e530 + 1u);
+                                let _e547 = radiance.member[_e543][0u];
+                                let _e551 = radiance.member[_e543][1u];
+                                let _e555 = radiance.member[_e543][2u];
+                                let _e565 = facets.member[_e527].member_2;
+                                let _e574 = sqrt((((_e565[0] * _e565[0]) + (_e565[1] * _e565[1])) + (_e565[2] * _e565[2])));
+                                phi_519_ = vec4<f32>((_e525.x + (select(_e547, _e534, (_e534 > _e547)) * _e574)), (_e525.y + (select(_e551, _e538, (_e538 > _e551)) * _e574)), (_e525.z + (select(_e555, _e542, (_e542 > _e555)) * _e574)), (_e525.w + _e574));
+                                phi_522_ = (_e527 + 1u);
                             } else {
-                                phi_567_ = _e579;
-                                phi_592_ = type_7(0u, type_7().member_1);
+                                phi_519_ = vec4<f32>();
+                                phi_522_ = u32();
                             }
-                            let _e594 = phi_567_;
-                            let _e596 = phi_592_;
-                            let _e600 = (bitcast<i32>(_e596.member) != 0i);
-                            if _e600 {
-                                let _e601 = (2u * _e596.member_1);
-                                let _e605 = radiance.member[_e601][0u];
-                                let _e609 = radiance.member[_e601][1u];
-                                let _e613 = radiance.member[_e601][2u];
-                                let _e614 = (_e601 + 1u);
-                                let _e618 = radiance.member[_e614][0u];
-                                let _e622 = radiance.member[_e614][1u];
-                                let _e626 = radiance.member[_e614][2u];
-                                let _e636 = facets.member[_e596.member_1].member_2;
-                                let _e645 = sqrt((((_e636[0] * _e636[0]) + (_e636[1] * _e636[1])) + (_e636[2] * _e636[2])));
-                                phi_570_ = vec4<f32>((_e581.x + (select(_e618, _e605, (_e605 > _e618)) * _e645)), (_e581.y + (select(_e622, _e609, (_e609 > _e622)) * _e645)), (_e581.z + (select(_e626, _e613, (_e613 > _e626)) * _e645)), (_e581.w + _e645));
-                            } else {
-                                phi_570_ = vec4<f32>();
-                            }
-                            let _e659 = phi_570_;
+                            let _e589 = phi_519_;
+                            let _e591 = phi_522_;
                             continue;
                             continuing {
-                                phi_566_ = _e594;
-                                phi_569_ = _e659;
-                                break if !(_e600);
+                                phi_518_ = _e589;
+                                phi_521_ = _e591;
+                                break if !(_e529);
                             }
                         }
-                        let _e2584 = local_58;
-                        phi_788_ = _e2584;
+                        let _e2322 = local_58;
+                        phi_696_ = _e2322;
                     } else {
-                        phi_667_ = type_7(_e406, (_e406 + _e458));
-                        phi_670_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_672_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_596_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_599_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_601_ = _e370;
                         loop {
-                            let _e463 = phi_667_;
-                            let _e465 = phi_670_;
-                            let _e467 = phi_672_;
-                            local_12 = _e465;
-                            local_13 = _e467;
-                            local_14 = _e465;
-                            local_15 = _e465;
-                            local_16 = _e465;
-                            local_17 = _e467;
-                            local_57 = _e467;
-                            if (_e463.member < _e463.member_1) {
-                                phi_668_ = type_7((_e463.member + 1u), _e463.member_1);
-                                phi_695_ = type_7(1u, _e463.member);
-                            } else {
-                                phi_668_ = _e463;
-                                phi_695_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e480 = phi_668_;
-                            let _e482 = phi_695_;
-                            let _e486 = (bitcast<i32>(_e482.member) != 0i);
-                            if _e486 {
-                                let _e490 = facets.member[_e482.member_1].member_2;
-                                let _e499 = -((((_e118 * _e490[0]) + (_e120 * _e490[1])) + (_e122 * _e490[2])));
-                                if (_e499 > 0f) {
-                                    let _e524 = radiance.member[(2u * _e482.member_1)];
-                                    phi_764_ = _e465;
-                                    phi_765_ = vec4<f32>((_e467.x + (_e524.x * _e499)), (_e467.y + (_e524.y * _e499)), (_e467.z + (_e524.z * _e499)), (_e467.w + _e499));
+                            let _e425 = phi_596_;
+                            let _e427 = phi_599_;
+                            let _e429 = phi_601_;
+                            local_10 = _e425;
+                            local_11 = _e427;
+                            local_12 = _e425;
+                            local_13 = _e425;
+                            local_14 = _e425;
+                            local_15 = _e427;
+                            local_57 = _e427;
+                            let _e431 = (_e429 < (_e370 + _e422));
+                            if _e431 {
+                                let _e435 = facets.member[_e429].member_2;
+                                let _e444 = -((((_e118 * _e435[0]) + (_e120 * _e435[1])) + (_e122 * _e435[2])));
+                                if (_e444 > 0f) {
+                                    let _e469 = radiance.member[(2u * _e429)];
+                                    phi_671_ = _e425;
+                                    phi_672_ = vec4<f32>((_e427.x + (_e469.x * _e444)), (_e427.y + (_e469.y * _e444)), (_e427.z + (_e469.z * _e444)), (_e427.w + _e444));
                                 } else {
-                                    let _e505 = radiance.member[((2u * _e482.member_1) + 1u)];
-                                    phi_764_ = vec4<f32>((_e465.x - (_e505.x * _e499)), (_e465.y - (_e505.y * _e499)), (_e465.z - (_e505.z * _e499)), (_e465.w - _e499));
-                                    phi_765_ = _e467;
+                                    let _e450 = radiance.member[((2u * _e429) + 1u)];
+                                    phi_671_ = vec4<f32>((_e425.x - (_e450.x * _e444)), (_e425.y - (_e450.y * _e444)), (_e425.z - (_e450.z * _e444)), (_e425.w - _e444));
+                                    phi_672_ = _e427;
                                 }
-                                let _e541 = phi_764_;
-                                let _e543 = phi_765_;
-                                phi_671_ = _e541;
-                                phi_673_ = _e543;
+                                let _e486 = phi_671_;
+                                let _e488 = phi_672_;
+                                phi_597_ = _e486;
+                                phi_600_ = _e488;
+                                phi_602_ = (_e429 + 1u);
                             } else {
-                                phi_671_ = vec4<f32>();
-                                phi_673_ = vec4<f32>();
+                                phi_597_ = vec4<f32>();
+                                phi_600_ = vec4<f32>();
+                                phi_602_ = u32();
                             }
-                            let _e545 = phi_671_;
-                            let _e547 = phi_673_;
+                            let _e491 = phi_597_;
+                            let _e493 = phi_600_;
+                            let _e495 = phi_602_;
                             continue;
                             continuing {
-                                phi_667_ = _e480;
-                                phi_670_ = _e545;
-                                phi_672_ = _e547;
-                                break if !(_e486);
+                                phi_596_ = _e491;
+                                phi_599_ = _e493;
+                                phi_601_ = _e495;
+                                break if !(_e431);
                             }
                         }
-                        let _e550 = local_12;
-                        let _e553 = local_13;
-                        if (_e550.w > _e553.w) {
-                            let _e556 = (_e550.w - _e553.w);
-                            let _e557 = (_e556 / _e550.w);
-                            let _e559 = local_14;
-                            let _e563 = local_15;
-                            let _e567 = local_16;
-                            let _e572 = local_17;
-                            phi_787_ = (_e572 + vec4<f32>((_e559.x * _e557), (_e563.y * _e557), (_e567.z * _e557), _e556));
+                        let _e498 = local_10;
+                        let _e501 = local_11;
+                        if (_e498.w > _e501.w) {
+                            let _e504 = (_e498.w - _e501.w);
+                            let _e505 = (_e504 / _e498.w);
+                            let _e507 = local_12;
+                            let _e511 = local_13;
+                            let _e515 = local_14;
+                            let _e520 = local_15;
+                            phi_695_ = (_e520 + vec4<f32>((_e507.x * _e505), (_e511.y * _e505), (_e515.z * _e505), _e504));
                         } else {
-                            let _e2576 = local_57;
-                            phi_787_ = _e2576;
+                            let _e2315 = local_57;
+                            phi_695_ = _e2315;
                         }
-                        let _e575 = phi_787_;
-                        phi_788_ = _e575;
+                        let _e523 = phi_695_;
+                        phi_696_ = _e523;
                     }
-                    let _e662 = phi_788_;
-                    if (_e662.w > 1f) {
-                        phi_802_ = vec4<f32>((_e662.x / _e662.w), (_e662.y / _e662.w), (_e662.z / _e662.w), 1f);
+                    let _e594 = phi_696_;
+                    if (_e594.w > 1f) {
+                        phi_710_ = vec4<f32>((_e594.x / _e594.w), (_e594.y / _e594.w), (_e594.z / _e594.w), 1f);
                     } else {
-                        phi_802_ = _e662;
+                        phi_710_ = _e594;
                     }
-                    let _e673 = phi_802_;
-                    local[1u] = _e673;
-                    phi_805_ = (_e406 + _e458);
+                    let _e605 = phi_710_;
+                    local[1u] = _e605;
+                    phi_713_ = (_e370 + _e422);
                 } else {
-                    phi_805_ = _e406;
+                    phi_713_ = _e370;
                 }
-                let _e676 = phi_805_;
+                let _e608 = phi_713_;
                 if (((_e70 >> bitcast<u32>(2u)) & 1u) == 1u) {
-                    let _e684 = facet_bits.member[_e71];
-                    let _e685 = ((_e63 + 2u) & 31u);
-                    let _e692 = facet_bits.member[(_e71 + 1u)];
-                    let _e700 = facet_bits.member[(_e71 + 2u)];
-                    let _e708 = facet_bits.member[(_e71 + 3u)];
-                    let _e716 = facet_bits.member[(_e71 + 4u)];
-                    let _e724 = facet_bits.member[(_e71 + 5u)];
-                    let _e728 = (((((((_e684 >> bitcast<u32>(_e685)) & 1u) + ((_e692 >> bitcast<u32>(_e685)) & 1u)) + ((_e700 >> bitcast<u32>(_e685)) & 1u)) + ((_e708 >> bitcast<u32>(_e685)) & 1u)) + ((_e716 >> bitcast<u32>(_e685)) & 1u)) + ((_e724 >> bitcast<u32>(_e685)) & 1u));
+                    let _e616 = facet_bits.member[_e71];
+                    let _e617 = ((_e63 + 2u) & 31u);
+                    let _e624 = facet_bits.member[(_e71 + 1u)];
+                    let _e632 = facet_bits.member[(_e71 + 2u)];
+                    let _e640 = facet_bits.member[(_e71 + 3u)];
+                    let _e648 = facet_bits.member[(_e71 + 4u)];
+                    let _e656 = facet_bits.member[(_e71 + 5u)];
+                    let _e660 = (((((((_e616 >> bitcast<u32>(_e617)) & 1u) + ((_e624 >> bitcast<u32>(_e617)) & 1u)) + ((_e632 >> bitcast<u32>(_e617)) & 1u)) + ((_e640 >> bitcast<u32>(_e617)) & 1u)) + ((_e648 >> bitcast<u32>(_e617)) & 1u)) + ((_e656 >> bitcast<u32>(_e617)) & 1u));
                     if (_e52 == 1u) {
-                        phi_863_ = type_7(_e676, (_e676 + _e728));
-                        phi_866_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_769_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_772_ = _e608;
                         loop {
-                            let _e849 = phi_863_;
-                            let _e851 = phi_866_;
-                            local_60 = _e851;
-                            if (_e849.member < _e849.member_1) {
-                                phi_864_ = type_7((_e849.member + 1u), _e849.member_1);
-                                phi_889_ = type_7(1u, _e849.member);
+                            let _e763 = phi_769_;
+                            let _e765 = phi_772_;
+                            local_60 = _e763;
+                            let _e767 = (_e765 < (_e608 + _e660));
+                            if _e767 {
+                                let _e768 = (2u * _e765);
+                                let _e772 = radiance.member[_e768][0u];
+                                let _e776 = radiance.member[_e768][1u];
+                                let _e780 = radiance.member[_e768][2u];
+                                let _e781 = (_e768 + 1u);
+                                let _e785 = radiance.member[_e781][0u];
+                                let _e789 = radiance.member[_e781][1u];
+                                let _e793 = radiance.member[_e781][2u];
+                                let _e803 = facets.member[_e765].member_2;
+                                let _e812 = sqrt((((_e803[0] * _e803[0]) + (_e803[1] * _e803[1])) + (_e803[2] * _e803[2])));
+                                phi_770_ = vec4<f32>((_e763.x + (select(_e785, _e772, (_e772 > _e785)) * _e812)), (_e763.y + (select(_e789, _e776, (_e776 > _e789)) * _e812)), (_e763.z + (select(_e793, _e780, (_e780 > _e793)) * _e812)), (_e763.w + _e812));
+                                phi_773_ = (_e765 + 1u);
                             } else {
-                                phi_864_ = _e849;
-                                phi_889_ = type_7(0u, type_7().member_1);
+                                phi_770_ = vec4<f32>();
+                                phi_773_ = u32();
                             }
-                            let _e864 = phi_864_;
-                            let _e866 = phi_889_;
-                            let _e870 = (bitcast<i32>(_e866.member) != 0i);
-                            if _e870 {
-                                let _e871 = (2u * _e866.member_1);
-                                let _e875 = radiance.member[_e871][0u];
-                                let _e879 = radiance.member[_e871][1u];
-                                let _e883 = radiance.member[_e871][2u];
-                                let _e884 = (_e871 + 1u);
-                                let _e888 = radiance.member[_e884][0u];
-                                let _e892 = radiance.member[_e884][1u];
-                                let _e896 = radiance.member[_e884][2u];
-                                let _e906 = facets.member[_e866.member_1].member_2;
-                                let _e915 = sqrt((((_e906[0] * _e906[0]) + (_e906[1] * _e906[1])) + (_e906[2] * _e906[2])));
-                                phi_867_ = vec4<f32>((_e851.x + (select(_e888, _e875, (_e875 > _e888)) * _e915)), (_e851.y + (select(_e892, _e879, (_e879 > _e892)) * _e915)), (_e851.z + (select(_e896, _e883, (_e883 > _e896)) * _e915)), (_e851.w + _e915));
-                            } else {
-                                phi_867_ = vec4<f32>();
-                            }
-                            let _e929 = phi_867_;
+                            let _e827 = phi_770_;
+                            let _e829 = phi_773_;
                             continue;
                             continuing {
-                                phi_863_ = _e864;
-                                phi_866_ = _e929;
-                                break if !(_e870);
+                                phi_769_ = _e827;
+                                phi_772_ = _e829;
+                                break if !(_e767);
                             }
                         }
-                        let _e2612 = local_60;
-                        phi_1085_ = _e2612;
+                        let _e2348 = local_60;
+                        phi_947_ = _e2348;
                     } else {
-                        phi_964_ = type_7(_e676, (_e676 + _e728));
-                        phi_967_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_969_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_847_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_850_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_852_ = _e608;
                         loop {
-                            let _e733 = phi_964_;
-                            let _e735 = phi_967_;
-                            let _e737 = phi_969_;
-                            local_18 = _e735;
-                            local_19 = _e737;
-                            local_20 = _e735;
-                            local_21 = _e735;
-                            local_22 = _e735;
-                            local_23 = _e737;
-                            local_59 = _e737;
-                            if (_e733.member < _e733.member_1) {
-                                phi_965_ = type_7((_e733.member + 1u), _e733.member_1);
-                                phi_992_ = type_7(1u, _e733.member);
-                            } else {
-                                phi_965_ = _e733;
-                                phi_992_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e750 = phi_965_;
-                            let _e752 = phi_992_;
-                            let _e756 = (bitcast<i32>(_e752.member) != 0i);
-                            if _e756 {
-                                let _e760 = facets.member[_e752.member_1].member_2;
-                                let _e769 = -((((_e118 * _e760[0]) + (_e120 * _e760[1])) + (_e122 * _e760[2])));
-                                if (_e769 > 0f) {
-                                    let _e794 = radiance.member[(2u * _e752.member_1)];
-                                    phi_1061_ = _e735;
-                                    phi_1062_ = vec4<f32>((_e737.x + (_e794.x * _e769)), (_e737.y + (_e794.y * _e769)), (_e737.z + (_e794.z * _e769)), (_e737.w + _e769));
+                            let _e663 = phi_847_;
+                            let _e665 = phi_850_;
+                            let _e667 = phi_852_;
+                            local_16 = _e663;
+                            local_17 = _e665;
+                            local_18 = _e663;
+                            local_19 = _e663;
+                            local_20 = _e663;
+                            local_21 = _e665;
+                            local_59 = _e665;
+                            let _e669 = (_e667 < (_e608 + _e660));
+                            if _e669 {
+                                let _e673 = facets.member[_e667].member_2;
+                                let _e682 = -((((_e118 * _e673[0]) + (_e120 * _e673[1])) + (_e122 * _e673[2])));
+                                if (_e682 > 0f) {
+                                    let _e707 = radiance.member[(2u * _e667)];
+                                    phi_922_ = _e663;
+                                    phi_923_ = vec4<f32>((_e665.x + (_e707.x * _e682)), (_e665.y + (_e707.y * _e682)), (_e665.z + (_e707.z * _e682)), (_e665.w + _e682));
                                 } else {
-                                    let _e775 = radiance.member[((2u * _e752.member_1) + 1u)];
-                                    phi_1061_ = vec4<f32>((_e735.x - (_e775.x * _e769)), (_e735.y - (_e775.y * _e769)), (_e735.z - (_e775.z * _e769)), (_e735.w - _e769));
-                                    phi_1062_ = _e737;
+                                    let _e688 = radiance.member[((2u * _e667) + 1u)];
+                                    phi_922_ = vec4<f32>((_e663.x - (_e688.x * _e682)), (_e663.y - (_e688.y * _e682)), (_e663.z - (_e688.z * _e682)), (_e663.w - _e682));
+                                    phi_923_ = _e665;
                                 }
-                                let _e811 = phi_1061_;
-                                let _e813 = phi_1062_;
-                                phi_968_ = _e811;
-                                phi_970_ = _e813;
+                                let _e724 = phi_922_;
+                                let _e726 = phi_923_;
+                                phi_848_ = _e724;
+                                phi_851_ = _e726;
+                                phi_853_ = (_e667 + 1u);
                             } else {
-                                phi_968_ = vec4<f32>();
-                                phi_970_ = vec4<f32>();
+                                phi_848_ = vec4<f32>();
+                                phi_851_ = vec4<f32>();
+                                phi_853_ = u32();
                             }
-                            let _e815 = phi_968_;
-                            let _e817 = phi_970_;
+                            let _e729 = phi_848_;
+                            let _e731 = phi_851_;
+                            let _e733 = phi_853_;
                             continue;
                             continuing {
-                                phi_964_ = _e750;
-                                phi_967_ = _e815;
-                                phi_969_ = _e817;
-                                break if !(_e756);
+                                phi_847_ = _e729;
+                                phi_850_ = _e731;
+                                phi_852_ = _e733;
+                                break if !(_e669);
                             }
                         }
-                        let _e820 = local_18;
-                        let _e823 = local_19;
-                        if (_e820.w > _e823.w) {
-                            let _e826 = (_e820.w - _e823.w);
-                            let _e827 = (_e826 / _e820.w);
-                            let _e829 = local_20;
-                            let _e833 = local_21;
-                            let _e837 = local_22;
-                            let _e842 = local_23;
-                            phi_1084_ = (_e842 + vec4<f32>((_e829.x * _e827), (_e833.y * _e827), (_e837.z * _e827), _e826));
+                        let _e736 = local_16;
+                        let _e739 = local_17;
+                        if (_e736.w > _e739.w) {
+                            let _e742 = (_e736.w - _e739.w);
+                            let _e743 = (_e742 / _e736.w);
+                            let _e745 = local_18;
+                            let _e749 = local_19;
+                            let _e753 = local_20;
+                            let _e758 = local_21;
+                            phi_946_ = (_e758 + vec4<f32>((_e745.x * _e743), (_e749.y * _e743), (_e753.z * _e743), _e742));
                         } else {
-                            let _e2604 = local_59;
-                            phi_1084_ = _e2604;
+                            let _e2341 = local_59;
+                            phi_946_ = _e2341;
                         }
-                        let _e845 = phi_1084_;
-                        phi_1085_ = _e845;
+                        let _e761 = phi_946_;
+                        phi_947_ = _e761;
                     }
-                    let _e932 = phi_1085_;
-                    if (_e932.w > 1f) {
-                        phi_1099_ = vec4<f32>((_e932.x / _e932.w), (_e932.y / _e932.w), (_e932.z / _e932.w), 1f);
+                    let _e832 = phi_947_;
+                    if (_e832.w > 1f) {
+                        phi_961_ = vec4<f32>((_e832.x / _e832.w), (_e832.y / _e832.w), (_e832.z / _e832.w), 1f);
                     } else {
-                        phi_1099_ = _e932;
+                        phi_961_ = _e832;
                     }
-                    let _e943 = phi_1099_;
-                    local[2u] = _e943;
-                    phi_1102_ = (_e676 + _e728);
+                    let _e843 = phi_961_;
+                    local[2u] = _e843;
+                    phi_964_ = (_e608 + _e660);
                 } else {
-                    phi_1102_ = _e676;
+                    phi_964_ = _e608;
                 }
-                let _e946 = phi_1102_;
+                let _e846 = phi_964_;
                 if (((_e70 >> bitcast<u32>(3u)) & 1u) == 1u) {
-                    let _e954 = facet_bits.member[_e71];
-                    let _e955 = ((_e63 + 3u) & 31u);
-                    let _e962 = facet_bits.member[(_e71 + 1u)];
-                    let _e970 = facet_bits.member[(_e71 + 2u)];
-                    let _e978 = facet_bits.member[(_e71 + 3u)];
-                    let _e986 = facet_bits.member[(_e71 + 4u)];
-                    let _e994 = facet_bits.member[(_e71 + 5u)];
-                    let _e998 = (((((((_e954 >> bitcast<u32>(_e955)) & 1u) + ((_e962 >> bitcast<u32>(_e955)) & 1u)) + ((_e970 >> bitcast<u32>(_e955)) & 1u)) + ((_e978 >> bitcast<u32>(_e955)) & 1u)) + ((_e986 >> bitcast<u32>(_e955)) & 1u)) + ((_e994 >> bitcast<u32>(_e955)) & 1u));
+                    let _e854 = facet_bits.member[_e71];
+                    let _e855 = ((_e63 + 3u) & 31u);
+                    let _e862 = facet_bits.member[(_e71 + 1u)];
+                    let _e870 = facet_bits.member[(_e71 + 2u)];
+                    let _e878 = facet_bits.member[(_e71 + 3u)];
+                    let _e886 = facet_bits.member[(_e71 + 4u)];
+                    let _e894 = facet_bits.member[(_e71 + 5u)];
+                    let _e898 = (((((((_e854 >> bitcast<u32>(_e855)) & 1u) + ((_e862 >> bitcast<u32>(_e855)) & 1u)) + ((_e870 >> bitcast<u32>(_e855)) & 1u)) + ((_e878 >> bitcast<u32>(_e855)) & 1u)) + ((_e886 >> bitcast<u32>(_e855)) & 1u)) + ((_e894 >> bitcast<u32>(_e855)) & 1u));
                     if (_e52 == 1u) {
-                        phi_1160_ = type_7(_e946, (_e946 + _e998));
-                        phi_1163_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1020_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1023_ = _e846;
                         loop {
-                            let _e1119 = phi_1160_;
-                            let _e1121 = phi_1163_;
-                            local_62 = _e1121;
-                            if (_e1119.member < _e1119.member_1) {
-                                phi_1161_ = type_7((_e1119.member + 1u), _e1119.member_1);
-                                phi_1186_ = type_7(1u, _e1119.member);
+                            let _e1001 = phi_1020_;
+                            let _e1003 = phi_1023_;
+                            local_62 = _e1001;
+                            let _e1005 = (_e1003 < (_e846 + _e898));
+                            if _e1005 {
+                                let _e1006 = (2u * _e1003);
+                                let _e1010 = radiance.member[_e1006][0u];
+                                let _e1014 = radiance.member[_e1006][1u];
+                                let _e1018 = radiance.member[_e1006][2u];
+                                let _e1019 = (_e1006 + 1u);
+                                let _e1023 = radiance.member[_e1019][0u];
+                                let _e1027 = radiance.member[_e1019][1u];
+                                let _e1031 = radiance.member[_e1019][2u];
+                                let _e1041 = facets.member[_e1003].member_2;
+                                let _e1050 = sqrt((((_e1041[0] * _e1041[0]) + (_e1041[1] * _e1041[1])) + (_e1041[2] * _e1041[2])));
+                                phi_1021_ = vec4<f32>((_e1001.x + (select(_e1023, _e1010, (_e1010 > _e1023)) * _e1050)), (_e1001.y + (select(_e1027, _e1014, (_e1014 > _e1027)) * _e1050)), (_e1001.z + (select(_e1031, _e1018, (_e1018 > _e1031)) * _e1050)), (_e1001.w + _e1050));
+                                phi_1024_ = (_e1003 + 1u);
                             } else {
-                                phi_1161_ = _e1119;
-                                phi_1186_ = type_7(0u, type_7().member_1);
+                                phi_1021_ = vec4<f32>();
+                                phi_1024_ = u32();
                             }
-                            let _e1134 = phi_1161_;
-                            let _e1136 = phi_1186_;
-                            let _e1140 = (bitcast<i32>(_e1136.member) != 0i);
-                            if _e1140 {
-                                let _e1141 = (2u * _e1136.member_1);
-                                let _e1145 = radiance.member[_e1141][0u];
-                                let _e1149 = radiance.member[_e1141][1u];
-                                let _e1153 = radiance.member[_e1141][2u];
-                                let _e1154 = (_e1141 + 1u);
-                                let _e1158 = radiance.member[_e1154][0u];
-                                let _e1162 = radiance.member[_e1154][1u];
-                                let _e1166 = radiance.member[_e1154][2u];
-                                let _e1176 = facets.member[_e1136.member_1].member_2;
-                                let _e1185 = sqrt((((_e1176[0] * _e1176[0]) + (_e1176[1] * _e1176[1])) + (_e1176[2] * _e1176[2])));
-                                phi_1164_ = vec4<f32>((_e1121.x + (select(_e1158, _e1145, (_e1145 > _e1158)) * _e1185)), (_e1121.y + (select(_e1162, _e1149, (_e1149 > _e1162)) * _e1185)), (_e1121.z + (select(_e1166, _e1153, (_e1153 > _e1166)) * _e1185)), (_e1121.w + _e1185));
-                            } else {
-                                phi_1164_ = vec4<f32>();
-                            }
-                            let _e1199 = phi_1164_;
+                            let _e1065 = phi_1021_;
+                            let _e1067 = phi_1024_;
                             continue;
                             continuing {
-                                phi_1160_ = _e1134;
-                                phi_1163_ = _e1199;
-                                break if !(_e1140);
+                                phi_1020_ = _e1065;
+                                phi_1023_ = _e1067;
+                                break if !(_e1005);
                             }
                         }
-                        let _e2640 = local_62;
-                        phi_1382_ = _e2640;
+                        let _e2374 = local_62;
+                        phi_1198_ = _e2374;
                     } else {
-                        phi_1261_ = type_7(_e946, (_e946 + _e998));
-                        phi_1264_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_1266_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1098_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1101_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1103_ = _e846;
                         loop {
-                            let _e1003 = phi_1261_;
-                            let _e1005 = phi_1264_;
-                            let _e1007 = phi_1266_;
-                            local_24 = _e1005;
-                            local_25 = _e1007;
-                            local_26 = _e1005;
-                            local_27 = _e1005;
-                            local_28 = _e1005;
-                            local_29 = _e1007;
-                            local_61 = _e1007;
-                            if (_e1003.member < _e1003.member_1) {
-                                phi_1262_ = type_7((_e1003.member + 1u), _e1003.member_1);
-                                phi_1289_ = type_7(1u, _e1003.member);
-                            } else {
-                                phi_1262_ = _e1003;
-                                phi_1289_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e1020 = phi_1262_;
-                            let _e1022 = phi_1289_;
-                            let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
-                            if _e1026 {
-                                let _e1030 = facets.member[_e1022.member_1].member_2;
-                                let _e1039 = -((((_e118 * _e1030[0]) + (_e120 * _e1030[1])) + (_e122 * _e1030[2])));
-                                if (_e1039 > 0f) {
-                                    let _e1064 = radiance.member[(2u * _e1022.member_1)];
-                                    phi_1358_ = _e1005;
-                                    phi_1359_ = vec4<f32>((_e1007.x + (_e1064.x * _e1039)), (_e1007.y + (_e1064.y * _e1039)), (_e1007.z + (_e1064.z * _e1039)), (_e1007.w + _e1039));
+                            let _e901 = phi_1098_;
+                            let _e903 = phi_1101_;
+                            let _e905 = phi_1103_;
+                            local_22 = _e901;
+                            local_23 = _e903;
+                            local_24 = _e901;
+                            local_25 = _e901;
+                            local_26 = _e901;
+                            local_27 = _e903;
+                            local_61 = _e903;
+                            let _e907 = (_e905 < (_e846 + _e898));
+                            if _e907 {
+                                let _e911 = facets.member[_e905].member_2;
+                                let _e920 = -((((_e118 * _e911[0]) + (_e120 * _e911[1])) + (_e122 * _e911[2])));
+                                if (_e920 > 0f) {
+                                    let _e945 = radiance.member[(2u * _e905)];
+                                    phi_1173_ = _e901;
+                                    phi_1174_ = vec4<f32>((_e903.x + (_e945.x * _e920)), (_e903.y + (_e945.y * _e920)), (_e903.z + (_e945.z * _e920)), (_e903.w + _e920));
                                 } else {
-                                    let _e1045 = radiance.member[((2u * _e1022.member_1) + 1u)];
-                                    phi_1358_ = vec4<f32>((_e1005.x - (_e1045.x * _e1039)), (_e1005.y - (_e1045.y * _e1039)), (_e1005.z - (_e1045.z * _e1039)), (_e1005.w - _e1039));
-                                    phi_1359_ = _e1007;
+                                    let _e926 = radiance.member[((2u * _e905) + 1u)];
+                                    phi_1173_ = vec4<f32>((_e901.x - (_e926.x * _e920)), (_e901.y - (_e926.y * _e920)), (_e901.z - (_e926.z * _e920)), (_e901.w - _e920));
+                                    phi_1174_ = _e903;
                                 }
-                                let _e1081 = phi_1358_;
-                                let _e1083 = phi_1359_;
-                                phi_1265_ = _e1081;
-                                phi_1267_ = _e1083;
+                                let _e962 = phi_1173_;
+                                let _e964 = phi_1174_;
+                                phi_1099_ = _e962;
+                                phi_1102_ = _e964;
+                                phi_1104_ = (_e905 + 1u);
                             } else {
-                                phi_1265_ = vec4<f32>();
-                                phi_1267_ = vec4<f32>();
+                                phi_1099_ = vec4<f32>();
+                                phi_1102_ = vec4<f32>();
+                                phi_1104_ = u32();
                             }
-                            let _e1085 = phi_1265_;
-                            let _e1087 = phi_1267_;
+                            let _e967 = phi_1099_;
+                            let _e969 = phi_1102_;
+                            let _e971 = phi_1104_;
                             continue;
                             continuing {
-                                phi_1261_ = _e1020;
-                                phi_1264_ = _e1085;
-                                phi_1266_ = _e1087;
-                                break if !(_e1026);
+                                phi_1098_ = _e967;
+                                phi_1101_ = _e969;
+                                phi_1103_ = _e971;
+                                break if !(_e907);
                             }
                         }
-                        let _e1090 = local_24;
-                        let _e1093 = local_25;
-                        if (_e1090.w > _e1093.w) {
-                            let _e1096 = (_e1090.w - _e1093.w);
-                            let _e1097 = (_e1096 / _e1090.w);
-                            let _e1099 = local_26;
-                            let _e1103 = local_27;
-                            let _e1107 = local_28;
-                            let _e1112 = local_29;
-                            phi_1381_ = (_e1112 + vec4<f32>((_e1099.x * _e1097), (_e1103.y * _e1097), (_e1107.z * _e1097), _e1096));
+                        let _e974 = local_22;
+                        let _e977 = local_23;
+                        if (_e974.w > _e977.w) {
+                            let _e980 = (_e974.w - _e977.w);
+                            let _e981 = (_e980 / _e974.w);
+                            let _e983 = local_24;
+                            let _e987 = local_25;
+                            let _e991 = local_26;
+                            let _e996 = local_27;
+                            phi_1197_ = (_e996 + vec4<f32>((_e983.x * _e981), (_e987.y * _e981), (_e991.z * _e981), _e980));
                         } else {
-                            let _e2632 = local_61;
-                            phi_1381_ = _e2632;
+                            let _e2367 = local_61;
+                            phi_1197_ = _e2367;
                         }
-                        let _e1115 = phi_1381_;
-                        phi_1382_ = _e1115;
+                        let _e999 = phi_1197_;
+                        phi_1198_ = _e999;
                     }
-                    let _e1202 = phi_1382_;
-                    if (_e1202.w > 1f) {
-                        phi_1396_ = vec4<f32>((_e1202.x / _e1202.w), (_e1202.y / _e1202.w), (_e1202.z / _e1202.w), 1f);
+                    let _e1070 = phi_1198_;
+                    if (_e1070.w > 1f) {
+                        phi_1212_ = vec4<f32>((_e1070.x / _e1070.w), (_e1070.y / _e1070.w), (_e1070.z / _e1070.w), 1f);
                     } else {
-                        phi_1396_ = _e1202;
+                        phi_1212_ = _e1070;
                     }
-                    let _e1213 = phi_1396_;
-                    local[3u] = _e1213;
-                    phi_1399_ = (_e946 + _e998);
+                    let _e1081 = phi_1212_;
+                    local[3u] = _e1081;
+                    phi_1215_ = (_e846 + _e898);
                 } else {
-                    phi_1399_ = _e946;
+                    phi_1215_ = _e846;
                 }
-                let _e1216 = phi_1399_;
+                let _e1084 = phi_1215_;
                 if (((_e70 >> bitcast<u32>(4u)) & 1u) == 1u) {
-                    let _e1224 = facet_bits.member[_e71];
-                    let _e1225 = ((_e63 + 4u) & 31u);
-                    let _e1232 = facet_bits.member[(_e71 + 1u)];
-                    let _e1240 = facet_bits.member[(_e71 + 2u)];
-                    let _e1248 = facet_bits.member[(_e71 + 3u)];
-                    let _e1256 = facet_bits.member[(_e71 + 4u)];
-                    let _e1264 = facet_bits.member[(_e71 + 5u)];
-                    let _e1268 = (((((((_e1224 >> bitcast<u32>(_e1225)) & 1u) + ((_e1232 >> bitcast<u32>(_e1225)) & 1u)) + ((_e1240 >> bitcast<u32>(_e1225)) & 1u)) + ((_e1248 >> bitcast<u32>(_e1225)) & 1u)) + ((_e1256 >> bitcast<u32>(_e1225)) & 1u)) + ((_e1264 >> bitcast<u32>(_e1225)) & 1u));
+                    let _e1092 = facet_bits.member[_e71];
+                    let _e1093 = ((_e63 + 4u) & 31u);
+                    let _e1100 = facet_bits.member[(_e71 + 1u)];
+                    let _e1108 = facet_bits.member[(_e71 + 2u)];
+                    let _e1116 = facet_bits.member[(_e71 + 3u)];
+                    let _e1124 = facet_bits.member[(_e71 + 4u)];
+                    let _e1132 = facet_bits.member[(_e71 + 5u)];
+                    let _e1136 = (((((((_e1092 >> bitcast<u32>(_e1093)) & 1u) + ((_e1100 >> bitcast<u32>(_e1093)) & 1u)) + ((_e1108 >> bitcast<u32>(_e1093)) & 1u)) + ((_e1116 >> bitcast<u32>(_e1093)) & 1u)) + ((_e1124 >> bitcast<u32>(_e1093)) & 1u)) + ((_e1132 >> bitcast<u32>(_e1093)) & 1u));
                     if (_e52 == 1u) {
-                        phi_1457_ = type_7(_e1216, (_e1216 + _e1268));
-                        phi_1460_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1271_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1274_ = _e1084;
                         loop {
-                            let _e1389 = phi_1457_;
-                            let _e1391 = phi_1460_;
-                            local_64 = _e1391;
-                            if (_e1389.member < _e1389.member_1) {
-                                phi_1458_ = type_7((_e1389.member + 1u), _e1389.member_1);
-                                phi_1483_ = type_7(1u, _e1389.member);
+                            let _e1239 = phi_1271_;
+                            let _e1241 = phi_1274_;
+                            local_64 = _e1239;
+                            let _e1243 = (_e1241 < (_e1084 + _e1136));
+                            if _e1243 {
+                                let _e1244 = (2u * _e1241);
+                                let _e1248 = radiance.member[_e1244][0u];
+                                let _e1252 = radiance.member[_e1244][1u];
+                                let _e1256 = radiance.member[_e1244][2u];
+                                let _e1257 = (_e1244 + 1u);
+                                let _e1261 = radiance.member[_e1257][0u];
+                                let _e1265 = radiance.member[_e1257][1u];
+                                let _e1269 = radiance.member[_e1257][2u];
+                                let _e1279 = facets.member[_e1241].member_2;
+                                let _e1288 = sqrt((((_e1279[0] * _e1279[0]) + (_e1279[1] * _e1279[1])) + (_e1279[2] * _e1279[2])));
+                                phi_1272_ = vec4<f32>((_e1239.x + (select(_e1261, _e1248, (_e1248 > _e1261)) * _e1288)), (_e1239.y + (select(_e1265, _e1252, (_e1252 > _e1265)) * _e1288)), (_e1239.z + (select(_e1269, _e1256, (_e1256 > _e1269)) * _e1288)), (_e1239.w + _e1288));
+                                phi_1275_ = (_e1241 + 1u);
                             } else {
-                                phi_1458_ = _e1389;
-                                phi_1483_ = type_7(0u, type_7().member_1);
+                                phi_1272_ = vec4<f32>();
+                                phi_1275_ = u32();
                             }
-                            let _e1404 = phi_1458_;
-                            let _e1406 = phi_1483_;
-                            let _e1410 = (bitcast<i32>(_e1406.member) != 0i);
-                            if _e1410 {
-                                let _e1411 = (2u * _e1406.member_1);
-                                let _e1415 = radiance.member[_e1411][0u];
-                                let _e1419 = radiance.member[_e1411][1u];
-                                let _e1423 = radiance.member[_e1411][2u];
-                                let _e1424 = (_e1411 + 1u);
-                                let _e1428 = radiance.member[_e1424][0u];
-                                let _e1432 = radiance.member[_e1424][1u];
-                                let _e1436 = radiance.member[_e1424][2u];
-                                let _e1446 = facets.member[_e1406.member_1].member_2;
-                                let _e1455 = sqrt((((_e1446[0] * _e1446[0]) + (_e1446[1] * _e1446[1])) + (_e1446[2] * _e1446[2])));
-                                phi_1461_ = vec4<f32>((_e1391.x + (select(_e1428, _e1415, (_e1415 > _e1428)) * _e1455)), (_e1391.y + (select(_e1432, _e1419, (_e1419 > _e1432)) * _e1455)), (_e1391.z + (select(_e1436, _e1423, (_e1423 > _e1436)) * _e1455)), (_e1391.w + _e1455));
-                            } else {
-                                phi_1461_ = vec4<f32>();
-                            }
-                            let _e1469 = phi_1461_;
+                            let _e1303 = phi_1272_;
+                            let _e1305 = phi_1275_;
                             continue;
                             continuing {
-                                phi_1457_ = _e1404;
-                                phi_1460_ = _e1469;
-                                break if !(_e1410);
+                                phi_1271_ = _e1303;
+                                phi_1274_ = _e1305;
+                                break if !(_e1243);
                             }
                         }
-                        let _e2668 = local_64;
-                        phi_1679_ = _e2668;
+                        let _e2400 = local_64;
+                        phi_1449_ = _e2400;
                     } else {
-                        phi_1558_ = type_7(_e1216, (_e1216 + _e1268));
-                        phi_1561_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_1563_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1349_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1352_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1354_ = _e1084;
                         loop {
-                            let _e1273 = phi_1558_;
-                            let _e1275 = phi_1561_;
-                            let _e1277 = phi_1563_;
-                            local_30 = _e1275;
-                            local_31 = _e1277;
-                            local_32 = _e1275;
-                            local_33 = _e1275;
-                            local_34 = _e1275;
-                            local_35 = _e1277;
-                            local_63 = _e1277;
-                            if (_e1273.member < _e1273.member_1) {
-                                phi_1559_ = type_7((_e1273.member + 1u), _e1273.member_1);
-                                phi_1586_ = type_7(1u, _e1273.member);
-                            } else {
-                                phi_1559_ = _e1273;
-                                phi_1586_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e1290 = phi_1559_;
-                            let _e1292 = phi_1586_;
-                            let _e1296 = (bitcast<i32>(_e1292.member) != 0i);
-                            if _e1296 {
-                                let _e1300 = facets.member[_e1292.member_1].member_2;
-                                let _e1309 = -((((_e118 * _e1300[0]) + (_e120 * _e1300[1])) + (_e122 * _e1300[2])));
-                                if (_e1309 > 0f) {
-                                    let _e1334 = radiance.member[(2u * _e1292.member_1)];
-                                    phi_1655_ = _e1275;
-                                    phi_1656_ = vec4<f32>((_e1277.x + (_e1334.x * _e1309)), (_e1277.y + (_e1334.y * _e1309)), (_e1277.z + (_e1334.z * _e1309)), (_e1277.w + _e1309));
+                            let _e1139 = phi_1349_;
+                            let _e1141 = phi_1352_;
+                            let _e1143 = phi_1354_;
+                            local_28 = _e1139;
+                            local_29 = _e1141;
+                            local_30 = _e1139;
+                            local_31 = _e1139;
+                            local_32 = _e1139;
+                            local_33 = _e1141;
+                            local_63 = _e1141;
+                            let _e1145 = (_e1143 < (_e1084 + _e1136));
+                            if _e1145 {
+                                let _e1149 = facets.member[_e1143].member_2;
+                                let _e1158 = -((((_e118 * _e1149[0]) + (_e120 * _e1149[1])) + (_e122 * _e1149[2])));
+                                if (_e1158 > 0f) {
+                                    let _e1183 = radiance.member[(2u * _e1143)];
+                                    phi_1424_ = _e1139;
+                                    phi_1425_ = vec4<f32>((_e1141.x + (_e1183.x * _e1158)), (_e1141.y + (_e1183.y * _e1158)), (_e1141.z + (_e1183.z * _e1158)), (_e1141.w + _e1158));
                                 } else {
-                                    let _e1315 = radiance.member[((2u * _e1292.member_1) + 1u)];
-                                    phi_1655_ = vec4<f32>((_e1275.x - (_e1315.x * _e1309)), (_e1275.y - (_e1315.y * _e1309)), (_e1275.z - (_e1315.z * _e1309)), (_e1275.w - _e1309));
-                                    phi_1656_ = _e1277;
+                                    let _e1164 = radiance.member[((2u * _e1143) + 1u)];
+                                    phi_1424_ = vec4<f32>((_e1139.x - (_e1164.x * _e1158)), (_e1139.y - (_e1164.y * _e1158)), (_e1139.z - (_e1164.z * _e1158)), (_e1139.w - _e1158));
+                                    phi_1425_ = _e1141;
                                 }
-                                let _e1351 = phi_1655_;
-                                let _e1353 = phi_1656_;
-                                phi_1562_ = _e1351;
-                                phi_1564_ = _e1353;
+                                let _e1200 = phi_1424_;
+                                let _e1202 = phi_1425_;
+                                phi_1350_ = _e1200;
+                                phi_1353_ = _e1202;
+                                phi_1355_ = (_e1143 + 1u);
                             } else {
-                                phi_1562_ = vec4<f32>();
-                                phi_1564_ = vec4<f32>();
+                                phi_1350_ = vec4<f32>();
+                                phi_1353_ = vec4<f32>();
+                                phi_1355_ = u32();
                             }
-                            let _e1355 = phi_1562_;
-                            let _e1357 = phi_1564_;
+                            let _e1205 = phi_1350_;
+                            let _e1207 = phi_1353_;
+                            let _e1209 = phi_1355_;
                             continue;
                             continuing {
-                                phi_1558_ = _e1290;
-                                phi_1561_ = _e1355;
-                                phi_1563_ = _e1357;
-                                break if !(_e1296);
+                                phi_1349_ = _e1205;
+                                phi_1352_ = _e1207;
+                                phi_1354_ = _e1209;
+                                break if !(_e1145);
                             }
                         }
-                        let _e1360 = local_30;
-                        let _e1363 = local_31;
-                        if (_e1360.w > _e1363.w) {
-                            let _e1366 = (_e1360.w - _e1363.w);
-                            let _e1367 = (_e1366 / _e1360.w);
-                            let _e1369 = local_32;
-                            let _e1373 = local_33;
-                            let _e1377 = local_34;
-                            let _e1382 = local_35;
-                            phi_1678_ = (_e1382 + vec4<f32>((_e1369.x * _e1367), (_e1373.y * _e1367), (_e1377.z * _e1367), _e1366));
+                        let _e1212 = local_28;
+                        let _e1215 = local_29;
+                        if (_e1212.w > _e1215.w) {
+                            let _e1218 = (_e1212.w - _e1215.w);
+                            let _e1219 = (_e1218 / _e1212.w);
+                            let _e1221 = local_30;
+                            let _e1225 = local_31;
+                            let _e1229 = local_32;
+                            let _e1234 = local_33;
+                            phi_1448_ = (_e1234 + vec4<f32>((_e1221.x * _e1219), (_e1225.y * _e1219), (_e1229.z * _e1219), _e1218));
                         } else {
-                            let _e2660 = local_63;
-                            phi_1678_ = _e2660;
+                            let _e2393 = local_63;
+                            phi_1448_ = _e2393;
                         }
-                        let _e1385 = phi_1678_;
-                        phi_1679_ = _e1385;
+                        let _e1237 = phi_1448_;
+                        phi_1449_ = _e1237;
                     }
-                    let _e1472 = phi_1679_;
-                    if (_e1472.w > 1f) {
-                        phi_1693_ = vec4<f32>((_e1472.x / _e1472.w), (_e1472.y / _e1472.w), (_e1472.z / _e1472.w), 1f);
+                    let _e1308 = phi_1449_;
+                    if (_e1308.w > 1f) {
+                        phi_1463_ = vec4<f32>((_e1308.x / _e1308.w), (_e1308.y / _e1308.w), (_e1308.z / _e1308.w), 1f);
                     } else {
-                        phi_1693_ = _e1472;
+                        phi_1463_ = _e1308;
                     }
-                    let _e1483 = phi_1693_;
-                    local[4u] = _e1483;
-                    phi_1696_ = (_e1216 + _e1268);
+                    let _e1319 = phi_1463_;
+                    local[4u] = _e1319;
+                    phi_1466_ = (_e1084 + _e1136);
                 } else {
-                    phi_1696_ = _e1216;
+                    phi_1466_ = _e1084;
                 }
-                let _e1486 = phi_1696_;
+                let _e1322 = phi_1466_;
                 if (((_e70 >> bitcast<u32>(5u)) & 1u) == 1u) {
-                    let _e1494 = facet_bits.member[_e71];
-                    let _e1495 = ((_e63 + 5u) & 31u);
-                    let _e1502 = facet_bits.member[(_e71 + 1u)];
-                    let _e1510 = facet_bits.member[(_e71 + 2u)];
-                    let _e1518 = facet_bits.member[(_e71 + 3u)];
-                    let _e1526 = facet_bits.member[(_e71 + 4u)];
-                    let _e1534 = facet_bits.member[(_e71 + 5u)];
-                    let _e1538 = (((((((_e1494 >> bitcast<u32>(_e1495)) & 1u) + ((_e1502 >> bitcast<u32>(_e1495)) & 1u)) + ((_e1510 >> bitcast<u32>(_e1495)) & 1u)) + ((_e1518 >> bitcast<u32>(_e1495)) & 1u)) + ((_e1526 >> bitcast<u32>(_e1495)) & 1u)) + ((_e1534 >> bitcast<u32>(_e1495)) & 1u));
+                    let _e1330 = facet_bits.member[_e71];
+                    let _e1331 = ((_e63 + 5u) & 31u);
+                    let _e1338 = facet_bits.member[(_e71 + 1u)];
+                    let _e1346 = facet_bits.member[(_e71 + 2u)];
+                    let _e1354 = facet_bits.member[(_e71 + 3u)];
+                    let _e1362 = facet_bits.member[(_e71 + 4u)];
+                    let _e1370 = facet_bits.member[(_e71 + 5u)];
+                    let _e1374 = (((((((_e1330 >> bitcast<u32>(_e1331)) & 1u) + ((_e1338 >> bitcast<u32>(_e1331)) & 1u)) + ((_e1346 >> bitcast<u32>(_e1331)) & 1u)) + ((_e1354 >> bitcast<u32>(_e1331)) & 1u)) + ((_e1362 >> bitcast<u32>(_e1331)) & 1u)) + ((_e1370 >> bitcast<u32>(_e1331)) & 1u));
                     if (_e52 == 1u) {
-                        phi_1754_ = type_7(_e1486, (_e1486 + _e1538));
-                        phi_1757_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1522_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1525_ = _e1322;
                         loop {
-                            let _e1659 = phi_1754_;
-                            let _e1661 = phi_1757_;
-                            local_66 = _e1661;
-                            if (_e1659.member < _e1659.member_1) {
-                                phi_1755_ = type_7((_e1659.member + 1u), _e1659.member_1);
-                                phi_1780_ = type_7(1u, _e1659.member);
+                            let _e1477 = phi_1522_;
+                            let _e1479 = phi_1525_;
+                            local_66 = _e1477;
+                            let _e1481 = (_e1479 < (_e1322 + _e1374));
+                            if _e1481 {
+                                let _e1482 = (2u * _e1479);
+                                let _e1486 = radiance.member[_e1482][0u];
+                                let _e1490 = radiance.member[_e1482][1u];
+                                let _e1494 = radiance.member[_e1482][2u];
+                                let _e1495 = (_e1482 + 1u);
+                                let _e1499 = radiance.member[_e1495][0u];
+                                let _e1503 = radiance.member[_e1495][1u];
+                                let _e1507 = radiance.member[_e1495][2u];
+                                let _e1517 = facets.member[_e1479].member_2;
+                                let _e1526 = sqrt((((_e1517[0] * _e1517[0]) + (_e1517[1] * _e1517[1])) + (_e1517[2] * _e1517[2])));
+                                phi_1523_ = vec4<f32>((_e1477.x + (select(_e1499, _e1486, (_e1486 > _e1499)) * _e1526)), (_e1477.y + (select(_e1503, _e1490, (_e1490 > _e1503)) * _e1526)), (_e1477.z + (select(_e1507, _e1494, (_e1494 > _e1507)) * _e1526)), (_e1477.w + _e1526));
+                                phi_1526_ = (_e1479 + 1u);
                             } else {
-                                phi_1755_ = _e1659;
-                                phi_1780_ = type_7(0u, type_7().member_1);
+                                phi_1523_ = vec4<f32>();
+                                phi_1526_ = u32();
                             }
-                            let _e1674 = phi_1755_;
-                            let _e1676 = phi_1780_;
-                            let _e1680 = (bitcast<i32>(_e1676.member) != 0i);
-                            if _e1680 {
-                                let _e1681 = (2u * _e1676.member_1);
-                                let _e1685 = radiance.member[_e1681][0u];
-                                let _e1689 = radiance.member[_e1681][1u];
-                                let _e1693 = radiance.member[_e1681][2u];
-                                let _e1694 = (_e1681 + 1u);
-                                let _e1698 = radiance.member[_e1694][0u];
-                                let _e1702 = radiance.member[_e1694][1u];
-                                let _e1706 = radiance.member[_e1694][2u];
-                                let _e1716 = facets.member[_e1676.member_1].member_2;
-                                let _e1725 = sqrt((((_e1716[0] * _e1716[0]) + (_e1716[1] * _e1716[1])) + (_e1716[2] * _e1716[2])));
-                                phi_1758_ = vec4<f32>((_e1661.x + (select(_e1698, _e1685, (_e1685 > _e1698)) * _e1725)), (_e1661.y + (select(_e1702, _e1689, (_e1689 > _e1702)) * _e1725)), (_e1661.z + (select(_e1706, _e1693, (_e1693 > _e1706)) * _e1725)), (_e1661.w + _e1725));
-                            } else {
-                                phi_1758_ = vec4<f32>();
-                            }
-                            let _e1739 = phi_1758_;
+                            let _e1541 = phi_1523_;
+                            let _e1543 = phi_1526_;
                             continue;
                             continuing {
-                                phi_1754_ = _e1674;
-                                phi_1757_ = _e1739;
-                                break if !(_e1680);
+                                phi_1522_ = _e1541;
+                                phi_1525_ = _e1543;
+                                break if !(_e1481);
                             }
                         }
-                        let _e2696 = local_66;
-                        phi_1976_ = _e2696;
+                        let _e2426 = local_66;
+                        phi_1700_ = _e2426;
                     } else {
-                        phi_1855_ = type_7(_e1486, (_e1486 + _e1538));
-                        phi_1858_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_1860_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1600_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1603_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1605_ = _e1322;
                         loop {
-                            let _e1543 = phi_1855_;
-                            let _e1545 = phi_1858_;
-                            let _e1547 = phi_1860_;
-                            local_36 = _e1545;
-                            local_37 = _e1547;
-                            local_38 = _e1545;
-                            local_39 = _e1545;
-                            local_40 = _e1545;
-                            local_41 = _e1547;
-                            local_65 = _e1547;
-                            if (_e1543.member < _e1543.member_1) {
-                                phi_1856_ = type_7((_e1543.member + 1u), _e1543.member_1);
-                                phi_1883_ = type_7(1u, _e1543.member);
-                            } else {
-                                phi_1856_ = _e1543;
-                                phi_1883_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e1560 = phi_1856_;
-                            let _e1562 = phi_1883_;
-                            let _e1566 = (bitcast<i32>(_e1562.member) != 0i);
-                            if _e1566 {
-                                let _e1570 = facets.member[_e1562.member_1].member_2;
-                                let _e1579 = -((((_e118 * _e1570[0]) + (_e120 * _e1570[1])) + (_e122 * _e1570[2])));
-                                if (_e1579 > 0f) {
-                                    let _e1604 = radiance.member[(2u * _e1562.member_1)];
-                                    phi_1952_ = _e1545;
-                                    phi_1953_ = vec4<f32>((_e1547.x + (_e1604.x * _e1579)), (_e1547.y + (_e1604.y * _e1579)), (_e1547.z + (_e1604.z * _e1579)), (_e1547.w + _e1579));
+                            let _e1377 = phi_1600_;
+                            let _e1379 = phi_1603_;
+                            let _e1381 = phi_1605_;
+                            local_34 = _e1377;
+                            local_35 = _e1379;
+                            local_36 = _e1377;
+                            local_37 = _e1377;
+                            local_38 = _e1377;
+                            local_39 = _e1379;
+                            local_65 = _e1379;
+                            let _e1383 = (_e1381 < (_e1322 + _e1374));
+                            if _e1383 {
+                                let _e1387 = facets.member[_e1381].member_2;
+                                let _e1396 = -((((_e118 * _e1387[0]) + (_e120 * _e1387[1])) + (_e122 * _e1387[2])));
+                                if (_e1396 > 0f) {
+                                    let _e1421 = radiance.member[(2u * _e1381)];
+                                    phi_1675_ = _e1377;
+                                    phi_1676_ = vec4<f32>((_e1379.x + (_e1421.x * _e1396)), (_e1379.y + (_e1421.y * _e1396)), (_e1379.z + (_e1421.z * _e1396)), (_e1379.w + _e1396));
                                 } else {
-                                    let _e1585 = radiance.member[((2u * _e1562.member_1) + 1u)];
-                                    phi_1952_ = vec4<f32>((_e1545.x - (_e1585.x * _e1579)), (_e1545.y - (_e1585.y * _e1579)), (_e1545.z - (_e1585.z * _e1579)), (_e1545.w - _e1579));
-                                    phi_1953_ = _e1547;
+                                    let _e1402 = radiance.member[((2u * _e1381) + 1u)];
+                                    phi_1675_ = vec4<f32>((_e1377.x - (_e1402.x * _e1396)), (_e1377.y - (_e1402.y * _e1396)), (_e1377.z - (_e1402.z * _e1396)), (_e1377.w - _e1396));
+                                    phi_1676_ = _e1379;
                                 }
-                                let _e1621 = phi_1952_;
-                                let _e1623 = phi_1953_;
-                                phi_1859_ = _e1621;
-                                phi_1861_ = _e1623;
+                                let _e1438 = phi_1675_;
+                                let _e1440 = phi_1676_;
+                                phi_1601_ = _e1438;
+                                phi_1604_ = _e1440;
+                                phi_1606_ = (_e1381 + 1u);
                             } else {
-                                phi_1859_ = vec4<f32>();
-                                phi_1861_ = vec4<f32>();
+                                phi_1601_ = vec4<f32>();
+                                phi_1604_ = vec4<f32>();
+                                phi_1606_ = u32();
                             }
-                            let _e1625 = phi_1859_;
-                            let _e1627 = phi_1861_;
+                            let _e1443 = phi_1601_;
+                            let _e1445 = phi_1604_;
+                            let _e1447 = phi_1606_;
                             continue;
                             continuing {
-                                phi_1855_ = _e1560;
-                                phi_1858_ = _e1625;
-                                phi_1860_ = _e1627;
-                                break if !(_e1566);
+                                phi_1600_ = _e1443;
+                                phi_1603_ = _e1445;
+                                phi_1605_ = _e1447;
+                                break if !(_e1383);
                             }
                         }
-                        let _e1630 = local_36;
-                        let _e1633 = local_37;
-                        if (_e1630.w > _e1633.w) {
-                            let _e1636 = (_e1630.w - _e1633.w);
-                            let _e1637 = (_e1636 / _e1630.w);
-                            let _e1639 = local_38;
-                            let _e1643 = local_39;
-                            let _e1647 = local_40;
-                            let _e1652 = local_41;
-                            phi_1975_ = (_e1652 + vec4<f32>((_e1639.x * _e1637), (_e1643.y * _e1637), (_e1647.z * _e1637), _e1636));
+                        let _e1450 = local_34;
+                        let _e1453 = local_35;
+                        if (_e1450.w > _e1453.w) {
+                            let _e1456 = (_e1450.w - _e1453.w);
+                            let _e1457 = (_e1456 / _e1450.w);
+                            let _e1459 = local_36;
+                            let _e1463 = local_37;
+                            let _e1467 = local_38;
+                            let _e1472 = local_39;
+                            phi_1699_ = (_e1472 + vec4<f32>((_e1459.x * _e1457), (_e1463.y * _e1457), (_e1467.z * _e1457), _e1456));
                         } else {
-                            let _e2688 = local_65;
-                            phi_1975_ = _e2688;
+                            let _e2419 = local_65;
+                            phi_1699_ = _e2419;
                         }
-                        let _e1655 = phi_1975_;
-                        phi_1976_ = _e1655;
+                        let _e1475 = phi_1699_;
+                        phi_1700_ = _e1475;
                     }
-                    let _e1742 = phi_1976_;
-                    if (_e1742.w > 1f) {
-                        phi_1990_ = vec4<f32>((_e1742.x / _e1742.w), (_e1742.y / _e1742.w), (_e1742.z / _e1742.w), 1f);
+                    let _e1546 = phi_1700_;
+                    if (_e1546.w > 1f) {
+                        phi_1714_ = vec4<f32>((_e1546.x / _e1546.w), (_e1546.y / _e1546.w), (_e1546.z / _e1546.w), 1f);
                     } else {
-                        phi_1990_ = _e1742;
+                        phi_1714_ = _e1546;
                     }
-                    let _e1753 = phi_1990_;
-                    local[5u] = _e1753;
-                    phi_1993_ = (_e1486 + _e1538);
+                    let _e1557 = phi_1714_;
+                    local[5u] = _e1557;
+                    phi_1717_ = (_e1322 + _e1374);
                 } else {
-                    phi_1993_ = _e1486;
+                    phi_1717_ = _e1322;
                 }
-                let _e1756 = phi_1993_;
+                let _e1560 = phi_1717_;
                 if (((_e70 >> bitcast<u32>(6u)) & 1u) == 1u) {
-                    let _e1764 = facet_bits.member[_e71];
-                    let _e1765 = ((_e63 + 6u) & 31u);
-                    let _e1772 = facet_bits.member[(_e71 + 1u)];
-                    let _e1780 = facet_bits.member[(_e71 + 2u)];
-                    let _e1788 = facet_bits.member[(_e71 + 3u)];
-                    let _e1796 = facet_bits.member[(_e71 + 4u)];
-                    let _e1804 = facet_bits.member[(_e71 + 5u)];
-                    let _e1808 = (((((((_e1764 >> bitcast<u32>(_e1765)) & 1u) + ((_e1772 >> bitcast<u32>(_e1765)) & 1u)) + ((_e1780 >> bitcast<u32>(_e1765)) & 1u)) + ((_e1788 >> bitcast<u32>(_e1765)) & 1u)) + ((_e1796 >> bitcast<u32>(_e1765)) & 1u)) + ((_e1804 >> bitcast<u32>(_e1765)) & 1u));
+                    let _e1568 = facet_bits.member[_e71];
+                    let _e1569 = ((_e63 + 6u) & 31u);
+                    let _e1576 = facet_bits.member[(_e71 + 1u)];
+                    let _e1584 = facet_bits.member[(_e71 + 2u)];
+                    let _e1592 = facet_bits.member[(_e71 + 3u)];
+                    let _e1600 = facet_bits.member[(_e71 + 4u)];
+                    let _e1608 = facet_bits.member[(_e71 + 5u)];
+                    let _e1612 = (((((((_e1568 >> bitcast<u32>(_e1569)) & 1u) + ((_e1576 >> bitcast<u32>(_e1569)) & 1u)) + ((_e1584 >> bitcast<u32>(_e1569)) & 1u)) + ((_e1592 >> bitcast<u32>(_e1569)) & 1u)) + ((_e1600 >> bitcast<u32>(_e1569)) & 1u)) + ((_e1608 >> bitcast<u32>(_e1569)) & 1u));
                     if (_e52 == 1u) {
-                        phi_2051_ = type_7(_e1756, (_e1756 + _e1808));
-                        phi_2054_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1773_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1776_ = _e1560;
                         loop {
-                            let _e1929 = phi_2051_;
-                            let _e1931 = phi_2054_;
-                            local_68 = _e1931;
-                            if (_e1929.member < _e1929.member_1) {
-                                phi_2052_ = type_7((_e1929.member + 1u), _e1929.member_1);
-                                phi_2077_ = type_7(1u, _e1929.member);
+                            let _e1715 = phi_1773_;
+                            let _e1717 = phi_1776_;
+                            local_68 = _e1715;
+                            let _e1719 = (_e1717 < (_e1560 + _e1612));
+                            if _e1719 {
+                                let _e1720 = (2u * _e1717);
+                                let _e1724 = radiance.member[_e1720][0u];
+                                let _e1728 = radiance.member[_e1720][1u];
+                                let _e1732 = radiance.member[_e1720][2u];
+                                let _e1733 = (_e1720 + 1u);
+                                let _e1737 = radiance.member[_e1733][0u];
+                                let _e1741 = radiance.member[_e1733][1u];
+                                let _e1745 = radiance.member[_e1733][2u];
+                                let _e1755 = facets.member[_e1717].member_2;
+                                let _e1764 = sqrt((((_e1755[0] * _e1755[0]) + (_e1755[1] * _e1755[1])) + (_e1755[2] * _e1755[2])));
+                                phi_1774_ = vec4<f32>((_e1715.x + (select(_e1737, _e1724, (_e1724 > _e1737)) * _e1764)), (_e1715.y + (select(_e1741, _e1728, (_e1728 > _e1741)) * _e1764)), (_e1715.z + (select(_e1745, _e1732, (_e1732 > _e1745)) * _e1764)), (_e1715.w + _e1764));
+                                phi_1777_ = (_e1717 + 1u);
                             } else {
-                                phi_2052_ = _e1929;
-                                phi_2077_ = type_7(0u, type_7().member_1);
+                                phi_1774_ = vec4<f32>();
+                                phi_1777_ = u32();
                             }
-                            let _e1944 = phi_2052_;
-                            let _e1946 = phi_2077_;
-                            let _e1950 = (bitcast<i32>(_e1946.member) != 0i);
-                            if _e1950 {
-                                let _e1951 = (2u * _e1946.member_1);
-                                let _e1955 = radiance.member[_e1951][0u];
-                                let _e1959 = radiance.member[_e1951][1u];
-                                let _e1963 = radiance.member[_e1951][2u];
-                                let _e1964 = (_e1951 + 1u);
-                                let _e1968 = radiance.member[_e1964][0u];
-                                let _e1972 = radiance.member[_e1964][1u];
-                                let _e1976 = radiance.member[_e1964][2u];
-                                let _e1986 = facets.member[_e1946.member_1].member_2;
-                                let _e1995 = sqrt((((_e1986[0] * _e1986[0]) + (_e1986[1] * _e1986[1])) + (_e1986[2] * _e1986[2])));
-                                phi_2055_ = vec4<f32>((_e1931.x + (select(_e1968, _e1955, (_e1955 > _e1968)) * _e1995)), (_e1931.y + (select(_e1972, _e1959, (_e1959 > _e1972)) * _e1995)), (_e1931.z + (select(_e1976, _e1963, (_e1963 > _e1976)) * _e1995)), (_e1931.w + _e1995));
-                            } else {
-                                phi_2055_ = vec4<f32>();
-                            }
-                            let _e2009 = phi_2055_;
+                            let _e1779 = phi_1774_;
+                            let _e1781 = phi_1777_;
                             continue;
                             continuing {
-                                phi_2051_ = _e1944;
-                                phi_2054_ = _e2009;
-                                break if !(_e1950);
+                                phi_1773_ = _e1779;
+                                phi_1776_ = _e1781;
+                                break if !(_e1719);
                             }
                         }
-                        let _e2724 = local_68;
-                        phi_2273_ = _e2724;
+                        let _e2452 = local_68;
+                        phi_1951_ = _e2452;
                     } else {
-                        phi_2152_ = type_7(_e1756, (_e1756 + _e1808));
-                        phi_2155_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_2157_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1851_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1854_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_1856_ = _e1560;
                         loop {
-                            let _e1813 = phi_2152_;
-                            let _e1815 = phi_2155_;
-                            let _e1817 = phi_2157_;
-                            local_42 = _e1815;
-                            local_43 = _e1817;
-                            local_44 = _e1815;
-                            local_45 = _e1815;
-                            local_46 = _e1815;
-                            local_47 = _e1817;
-                            local_67 = _e1817;
-                            if (_e1813.member < _e1813.member_1) {
-                                phi_2153_ = type_7((_e1813.member + 1u), _e1813.member_1);
-                                phi_2180_ = type_7(1u, _e1813.member);
-                            } else {
-                                phi_2153_ = _e1813;
-                                phi_2180_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e1830 = phi_2153_;
-                            let _e1832 = phi_2180_;
-                            let _e1836 = (bitcast<i32>(_e1832.member) != 0i);
-                            if _e1836 {
-                                let _e1840 = facets.member[_e1832.member_1].member_2;
-                                let _e1849 = -((((_e118 * _e1840[0]) + (_e120 * _e1840[1])) + (_e122 * _e1840[2])));
-                                if (_e1849 > 0f) {
-                                    let _e1874 = radiance.member[(2u * _e1832.member_1)];
-                                    phi_2249_ = _e1815;
-                                    phi_2250_ = vec4<f32>((_e1817.x + (_e1874.x * _e1849)), (_e1817.y + (_e1874.y * _e1849)), (_e1817.z + (_e1874.z * _e1849)), (_e1817.w + _e1849));
+                            let _e1615 = phi_1851_;
+                            let _e1617 = phi_1854_;
+                            let _e1619 = phi_1856_;
+                            local_40 = _e1615;
+                            local_41 = _e1617;
+                            local_42 = _e1615;
+                            local_43 = _e1615;
+                            local_44 = _e1615;
+                            local_45 = _e1617;
+                            local_67 = _e1617;
+                            let _e1621 = (_e1619 < (_e1560 + _e1612));
+                            if _e1621 {
+                                let _e1625 = facets.member[_e1619].member_2;
+                                let _e1634 = -((((_e118 * _e1625[0]) + (_e120 * _e1625[1])) + (_e122 * _e1625[2])));
+                                if (_e1634 > 0f) {
+                                    let _e1659 = radiance.member[(2u * _e1619)];
+                                    phi_1926_ = _e1615;
+                                    phi_1927_ = vec4<f32>((_e1617.x + (_e1659.x * _e1634)), (_e1617.y + (_e1659.y * _e1634)), (_e1617.z + (_e1659.z * _e1634)), (_e1617.w + _e1634));
                                 } else {
-                                    let _e1855 = radiance.member[((2u * _e1832.member_1) + 1u)];
-                                    phi_2249_ = vec4<f32>((_e1815.x - (_e1855.x * _e1849)), (_e1815.y - (_e1855.y * _e1849)), (_e1815.z - (_e1855.z * _e1849)), (_e1815.w - _e1849));
-                                    phi_2250_ = _e1817;
+                                    let _e1640 = radiance.member[((2u * _e1619) + 1u)];
+                                    phi_1926_ = vec4<f32>((_e1615.x - (_e1640.x * _e1634)), (_e1615.y - (_e1640.y * _e1634)), (_e1615.z - (_e1640.z * _e1634)), (_e1615.w - _e1634));
+                                    phi_1927_ = _e1617;
                                 }
-                                let _e1891 = phi_2249_;
-                                let _e1893 = phi_2250_;
-                                phi_2156_ = _e1891;
-                                phi_2158_ = _e1893;
+                                let _e1676 = phi_1926_;
+                                let _e1678 = phi_1927_;
+                                phi_1852_ = _e1676;
+                                phi_1855_ = _e1678;
+                                phi_1857_ = (_e1619 + 1u);
                             } else {
-                                phi_2156_ = vec4<f32>();
-                                phi_2158_ = vec4<f32>();
+                                phi_1852_ = vec4<f32>();
+                                phi_1855_ = vec4<f32>();
+                                phi_1857_ = u32();
                             }
-                            let _e1895 = phi_2156_;
-                            let _e1897 = phi_2158_;
+                            let _e1681 = phi_1852_;
+                            let _e1683 = phi_1855_;
+                            let _e1685 = phi_1857_;
                             continue;
                             continuing {
-                                phi_2152_ = _e1830;
-                                phi_2155_ = _e1895;
-                                phi_2157_ = _e1897;
-                                break if !(_e1836);
+                                phi_1851_ = _e1681;
+                                phi_1854_ = _e1683;
+                                phi_1856_ = _e1685;
+                                break if !(_e1621);
                             }
                         }
-                        let _e1900 = local_42;
-                        let _e1903 = local_43;
-                        if (_e1900.w > _e1903.w) {
-                            let _e1906 = (_e1900.w - _e1903.w);
-                            let _e1907 = (_e1906 / _e1900.w);
-                            let _e1909 = local_44;
-                            let _e1913 = local_45;
-                            let _e1917 = local_46;
-                            let _e1922 = local_47;
-                            phi_2272_ = (_e1922 + vec4<f32>((_e1909.x * _e1907), (_e1913.y * _e1907), (_e1917.z * _e1907), _e1906));
+                        let _e1688 = local_40;
+                        let _e1691 = local_41;
+                        if (_e1688.w > _e1691.w) {
+                            let _e1694 = (_e1688.w - _e1691.w);
+                            let _e1695 = (_e1694 / _e1688.w);
+                            let _e1697 = local_42;
+                            let _e1701 = local_43;
+                            let _e1705 = local_44;
+                            let _e1710 = local_45;
+                            phi_1950_ = (_e1710 + vec4<f32>((_e1697.x * _e1695), (_e1701.y * _e1695), (_e1705.z * _e1695), _e1694));
                         } else {
-                            let _e2716 = local_67;
-                            phi_2272_ = _e2716;
+                            let _e2445 = local_67;
+                            phi_1950_ = _e2445;
                         }
-                        let _e1925 = phi_2272_;
-                        phi_2273_ = _e1925;
+                        let _e1713 = phi_1950_;
+                        phi_1951_ = _e1713;
                     }
-                    let _e2012 = phi_2273_;
-                    if (_e2012.w > 1f) {
-                        phi_2287_ = vec4<f32>((_e2012.x / _e2012.w), (_e2012.y / _e2012.w), (_e2012.z / _e2012.w), 1f);
+                    let _e1784 = phi_1951_;
+                    if (_e1784.w > 1f) {
+                        phi_1965_ = vec4<f32>((_e1784.x / _e1784.w), (_e1784.y / _e1784.w), (_e1784.z / _e1784.w), 1f);
                     } else {
-                        phi_2287_ = _e2012;
+                        phi_1965_ = _e1784;
                     }
-                    let _e2023 = phi_2287_;
-                    local[6u] = _e2023;
-                    phi_2290_ = (_e1756 + _e1808);
+                    let _e1795 = phi_1965_;
+                    local[6u] = _e1795;
+                    phi_1968_ = (_e1560 + _e1612);
                 } else {
-                    phi_2290_ = _e1756;
+                    phi_1968_ = _e1560;
                 }
-                let _e2026 = phi_2290_;
+                let _e1798 = phi_1968_;
                 if (((_e70 >> bitcast<u32>(7u)) & 1u) == 1u) {
-                    let _e2034 = facet_bits.member[_e71];
-                    let _e2035 = ((_e63 + 7u) & 31u);
-                    let _e2042 = facet_bits.member[(_e71 + 1u)];
-                    let _e2050 = facet_bits.member[(_e71 + 2u)];
-                    let _e2058 = facet_bits.member[(_e71 + 3u)];
-                    let _e2066 = facet_bits.member[(_e71 + 4u)];
-                    let _e2074 = facet_bits.member[(_e71 + 5u)];
-                    let _e2078 = (((((((_e2034 >> bitcast<u32>(_e2035)) & 1u) + ((_e2042 >> bitcast<u32>(_e2035)) & 1u)) + ((_e2050 >> bitcast<u32>(_e2035)) & 1u)) + ((_e2058 >> bitcast<u32>(_e2035)) & 1u)) + ((_e2066 >> bitcast<u32>(_e2035)) & 1u)) + ((_e2074 >> bitcast<u32>(_e2035)) & 1u));
+                    let _e1806 = facet_bits.member[_e71];
+                    let _e1807 = ((_e63 + 7u) & 31u);
+                    let _e1814 = facet_bits.member[(_e71 + 1u)];
+                    let _e1822 = facet_bits.member[(_e71 + 2u)];
+                    let _e1830 = facet_bits.member[(_e71 + 3u)];
+                    let _e1838 = facet_bits.member[(_e71 + 4u)];
+                    let _e1846 = facet_bits.member[(_e71 + 5u)];
+                    let _e1850 = (((((((_e1806 >> bitcast<u32>(_e1807)) & 1u) + ((_e1814 >> bitcast<u32>(_e1807)) & 1u)) + ((_e1822 >> bitcast<u32>(_e1807)) & 1u)) + ((_e1830 >> bitcast<u32>(_e1807)) & 1u)) + ((_e1838 >> bitcast<u32>(_e1807)) & 1u)) + ((_e1846 >> bitcast<u32>(_e1807)) & 1u));
                     if (_e52 == 1u) {
-                        phi_2348_ = type_7(_e2026, (_e2026 + _e2078));
-                        phi_2351_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_2024_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_2027_ = _e1798;
                         loop {
-                            let _e2199 = phi_2348_;
-                            let _e2201 = phi_2351_;
-                            local_70 = _e2201;
-                            if (_e2199.member < _e2199.member_1) {
-                                phi_2349_ = type_7((_e2199.member + 1u), _e2199.member_1);
-                                phi_2374_ = type_7(1u, _e2199.member);
+                            let _e1953 = phi_2024_;
+                            let _e1955 = phi_2027_;
+                            local_70 = _e1953;
+                            let _e1957 = (_e1955 < (_e1798 + _e1850));
+                            if _e1957 {
+                                let _e1958 = (2u * _e1955);
+                                let _e1962 = radiance.member[_e1958][0u];
+                                let _e1966 = radiance.member[_e1958][1u];
+                                let _e1970 = radiance.member[_e1958][2u];
+                                let _e1971 = (_e1958 + 1u);
+                                let _e1975 = radiance.member[_e1971][0u];
+                                let _e1979 = radiance.member[_e1971][1u];
+                                let _e1983 = radiance.member[_e1971][2u];
+                                let _e1993 = facets.member[_e1955].member_2;
+                                let _e2002 = sqrt((((_e1993[0] * _e1993[0]) + (_e1993[1] * _e1993[1])) + (_e1993[2] * _e1993[2])));
+                                phi_2025_ = vec4<f32>((_e1953.x + (select(_e1975, _e1962, (_e1962 > _e1975)) * _e2002)), (_e1953.y + (select(_e1979, _e1966, (_e1966 > _e1979)) * _e2002)), (_e1953.z + (select(_e1983, _e1970, (_e1970 > _e1983)) * _e2002)), (_e1953.w + _e2002));
+                                phi_2028_ = (_e1955 + 1u);
                             } else {
-                                phi_2349_ = _e2199;
-                                phi_2374_ = type_7(0u, type_7().member_1);
+                                phi_2025_ = vec4<f32>();
+                                phi_2028_ = u32();
                             }
-                            let _e2214 = phi_2349_;
-                            let _e2216 = phi_2374_;
-                            let _e2220 = (bitcast<i32>(_e2216.member) != 0i);
-                            if _e2220 {
-                                let _e2221 = (2u * _e2216.member_1);
-                                let _e2225 = radiance.member[_e2221][0u];
-                                let _e2229 = radiance.member[_e2221][1u];
-                                let _e2233 = radiance.member[_e2221][2u];
-                                let _e2234 = (_e2221 + 1u);
-                                let _e2238 = radiance.member[_e2234][0u];
-                                let _e2242 = radiance.member[_e2234][1u];
-                                let _e2246 = radiance.member[_e2234][2u];
-                                let _e2256 = facets.member[_e2216.member_1].member_2;
-                                let _e2265 = sqrt((((_e2256[0] * _e2256[0]) + (_e2256[1] * _e2256[1])) + (_e2256[2] * _e2256[2])));
-                                phi_2352_ = vec4<f32>((_e2201.x + (select(_e2238, _e2225, (_e2225 > _e2238)) * _e2265)), (_e2201.y + (select(_e2242, _e2229, (_e2229 > _e2242)) * _e2265)), (_e2201.z + (select(_e2246, _e2233, (_e2233 > _e2246)) * _e2265)), (_e2201.w + _e2265));
-                            } else {
-                                phi_2352_ = vec4<f32>();
-                            }
-                            let _e2279 = phi_2352_;
+                            let _e2017 = phi_2025_;
+                            let _e2019 = phi_2028_;
                             continue;
                             continuing {
-                                phi_2348_ = _e2214;
-                                phi_2351_ = _e2279;
-                                break if !(_e2220);
+                                phi_2024_ = _e2017;
+                                phi_2027_ = _e2019;
+                                break if !(_e1957);
                             }
                         }
-                        let _e2752 = local_70;
-                        phi_2570_ = _e2752;
+                        let _e2478 = local_70;
+                        phi_2202_ = _e2478;
                     } else {
-                        phi_2449_ = type_7(_e2026, (_e2026 + _e2078));
-                        phi_2452_ = vec4<f32>(0f, 0f, 0f, 0f);
-                        phi_2454_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_2102_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_2105_ = vec4<f32>(0f, 0f, 0f, 0f);
+                        phi_2107_ = _e1798;
                         loop {
-                            let _e2083 = phi_2449_;
-                            let _e2085 = phi_2452_;
-                            let _e2087 = phi_2454_;
-                            local_48 = _e2085;
-                            local_49 = _e2087;
-                            local_50 = _e2085;
-                            local_51 = _e2085;
-                            local_52 = _e2085;
-                            local_53 = _e2087;
-                            local_69 = _e2087;
-                            if (_e2083.member < _e2083.member_1) {
-                                phi_2450_ = type_7((_e2083.member + 1u), _e2083.member_1);
-                                phi_2477_ = type_7(1u, _e2083.member);
-                            } else {
-                                phi_2450_ = _e2083;
-                                phi_2477_ = type_7(0u, type_7().member_1);
-                            }
-                            let _e2100 = phi_2450_;
-                            let _e2102 = phi_2477_;
-                            let _e2106 = (bitcast<i32>(_e2102.member) != 0i);
-                            if _e2106 {
-                                let _e2110 = facets.member[_e2102.member_1].member_2;
-                                let _e2119 = -((((_e118 * _e2110[0]) + (_e120 * _e2110[1])) + (_e122 * _e2110[2])));
-                                if (_e2119 > 0f) {
-                                    let _e2144 = radiance.member[(2u * _e2102.member_1)];
-                                    phi_2546_ = _e2085;
-                                    phi_2547_ = vec4<f32>((_e2087.x + (_e2144.x * _e2119)), (_e2087.y + (_e2144.y * _e2119)), (_e2087.z + (_e2144.z * _e2119)), (_e2087.w + _e2119));
+                            let _e1853 = phi_2102_;
+                            let _e1855 = phi_2105_;
+                            let _e1857 = phi_2107_;
+                            local_46 = _e1853;
+                            local_47 = _e1855;
+                            local_48 = _e1853;
+                            local_49 = _e1853;
+                            local_50 = _e1853;
+                            local_51 = _e1855;
+                            local_69 = _e1855;
+                            let _e1859 = (_e1857 < (_e1798 + _e1850));
+                            if _e1859 {
+                                let _e1863 = facets.member[_e1857].member_2;
+                                let _e1872 = -((((_e118 * _e1863[0]) + (_e120 * _e1863[1])) + (_e122 * _e1863[2])));
+                                if (_e1872 > 0f) {
+                                    let _e1897 = radiance.member[(2u * _e1857)];
+                                    phi_2177_ = _e1853;
+                                    phi_2178_ = vec4<f32>((_e1855.x + (_e1897.x * _e1872)), (_e1855.y + (_e1897.y * _e1872)), (_e1855.z + (_e1897.z * _e1872)), (_e1855.w + _e1872));
                                 } else {
-                                    let _e2125 = radiance.member[((2u * _e2102.member_1) + 1u)];
-                                    phi_2546_ = vec4<f32>((_e2085.x - (_e2125.x * _e2119)), (_e2085.y - (_e2125.y * _e2119)), (_e2085.z - (_e2125.z * _e2119)), (_e2085.w - _e2119));
-                                    phi_2547_ = _e2087;
+                                    let _e1878 = radiance.member[((2u * _e1857) + 1u)];
+                                    phi_2177_ = vec4<f32>((_e1853.x - (_e1878.x * _e1872)), (_e1853.y - (_e1878.y * _e1872)), (_e1853.z - (_e1878.z * _e1872)), (_e1853.w - _e1872));
+                                    phi_2178_ = _e1855;
                                 }
-                                let _e2161 = phi_2546_;
-                                let _e2163 = phi_2547_;
-                                phi_2453_ = _e2161;
-                                phi_2455_ = _e2163;
+                                let _e1914 = phi_2177_;
+                                let _e1916 = phi_2178_;
+                                phi_2103_ = _e1914;
+                                phi_2106_ = _e1916;
+                                phi_2108_ = (_e1857 + 1u);
                             } else {
-                                phi_2453_ = vec4<f32>();
-                                phi_2455_ = vec4<f32>();
+                                phi_2103_ = vec4<f32>();
+                                phi_2106_ = vec4<f32>();
+                                phi_2108_ = u32();
                             }
-                            let _e2165 = phi_2453_;
-                            let _e2167 = phi_2455_;
+                            let _e1919 = phi_2103_;
+                            let _e1921 = phi_2106_;
+                            let _e1923 = phi_2108_;
                             continue;
                             continuing {
-                                phi_2449_ = _e2100;
-                                phi_2452_ = _e2165;
-                                phi_2454_ = _e2167;
-                                break if !(_e2106);
+                                phi_2102_ = _e1919;
+                                phi_2105_ = _e1921;
+                                phi_2107_ = _e1923;
+                                break if !(_e1859);
                             }
                         }
-                        let _e2170 = local_48;
-                        let _e2173 = local_49;
-                        if (_e2170.w > _e2173.w) {
-                            let _e2176 = (_e2170.w - _e2173.w);
-                            let _e2177 = (_e2176 / _e2170.w);
-                            let _e2179 = local_50;
-                            let _e2183 = local_51;
-                            let _e2187 = local_52;
-                            let _e2192 = local_53;
-                            phi_2569_ = (_e2192 + vec4<f32>((_e2179.x * _e2177), (_e2183.y * _e2177), (_e2187.z * _e2177), _e2176));
+                        let _e1926 = local_46;
+                        let _e1929 = local_47;
+                        if (_e1926.w > _e1929.w) {
+                            let _e1932 = (_e1926.w - _e1929.w);
+                            let _e1933 = (_e1932 / _e1926.w);
+                            let _e1935 = local_48;
+                            let _e1939 = local_49;
+                            let _e1943 = local_50;
+                            let _e1948 = local_51;
+                            phi_2201_ = (_e1948 + vec4<f32>((_e1935.x * _e1933), (_e1939.y * _e1933), (_e1943.z * _e1933), _e1932));
                         } else {
-                            let _e2744 = local_69;
-                            phi_2569_ = _e2744;
+                            let _e2471 = local_69;
+                            phi_2201_ = _e2471;
                         }
-                        let _e2195 = phi_2569_;
-                        phi_2570_ = _e2195;
+                        let _e1951 = phi_2201_;
+                        phi_2202_ = _e1951;
                     }
-                    let _e2282 = phi_2570_;
-                    if (_e2282.w > 1f) {
-                        phi_2584_ = vec4<f32>((_e2282.x / _e2282.w), (_e2282.y / _e2282.w), (_e2282.z / _e2282.w), 1f);
+                    let _e2022 = phi_2202_;
+                    if (_e2022.w > 1f) {
+                        phi_2216_ = vec4<f32>((_e2022.x / _e2022.w), (_e2022.y / _e2022.w), (_e2022.z / _e2022.w), 1f);
                     } else {
-                        phi_2584_ = _e2282;
+                        phi_2216_ = _e2022;
                     }
-                    let _e2293 = phi_2584_;
-                    local[7u] = _e2293;
+                    let _e2033 = phi_2216_;
+                    local[7u] = _e2033;
                 }
                 if (_e52 == 1u) {
-                    let _e2430 = local[0u];
-                    let _e2431 = local[1u];
-                    let _e2444 = local[2u];
-                    let _e2445 = local[3u];
-                    let _e2462 = local[4u];
-                    let _e2463 = local[5u];
-                    let _e2476 = local[6u];
-                    let _e2477 = local[7u];
-                    let _e2498 = ((((_e2430.x + _e2431.x) + (_e2444.x + _e2445.x)) + ((_e2462.x + _e2463.x) + (_e2476.x + _e2477.x))) * 0.25f);
-                    let _e2499 = ((((_e2430.y + _e2431.y) + (_e2444.y + _e2445.y)) + ((_e2462.y + _e2463.y) + (_e2476.y + _e2477.y))) * 0.25f);
-                    let _e2500 = ((((_e2430.z + _e2431.z) + (_e2444.z + _e2445.z)) + ((_e2462.z + _e2463.z) + (_e2476.z + _e2477.z))) * 0.25f);
-                    let _e2501 = ((((_e2430.w + _e2431.w) + (_e2444.w + _e2445.w)) + ((_e2462.w + _e2463.w) + (_e2476.w + _e2477.w))) * 0.25f);
-                    if (_e2501 > 1f) {
-                        phi_2682_ = vec4<f32>((_e2498 / _e2501), (_e2499 / _e2501), (_e2500 / _e2501), (_e2501 / _e2501));
+                    let _e2170 = local[0u];
+                    let _e2171 = local[1u];
+                    let _e2184 = local[2u];
+                    let _e2185 = local[3u];
+                    let _e2202 = local[4u];
+                    let _e2203 = local[5u];
+                    let _e2216 = local[6u];
+                    let _e2217 = local[7u];
+                    let _e2238 = ((((_e2170.x + _e2171.x) + (_e2184.x + _e2185.x)) + ((_e2202.x + _e2203.x) + (_e2216.x + _e2217.x))) * 0.25f);
+                    let _e2239 = ((((_e2170.y + _e2171.y) + (_e2184.y + _e2185.y)) + ((_e2202.y + _e2203.y) + (_e2216.y + _e2217.y))) * 0.25f);
+                    let _e2240 = ((((_e2170.z + _e2171.z) + (_e2184.z + _e2185.z)) + ((_e2202.z + _e2203.z) + (_e2216.z + _e2217.z))) * 0.25f);
+                    let _e2241 = ((((_e2170.w + _e2171.w) + (_e2184.w + _e2185.w)) + ((_e2202.w + _e2203.w) + (_e2216.w + _e2217.w))) * 0.25f);
+                    if (_e2241 > 1f) {
+                        phi_2314_ = vec4<f32>((_e2238 / _e2241), (_e2239 / _e2241), (_e2240 / _e2241), (_e2241 / _e2241));
                     } else {
-                        phi_2682_ = vec4<f32>(_e2498, _e2499, _e2500, _e2501);
+                        phi_2314_ = vec4<f32>(_e2238, _e2239, _e2240, _e2241);
                     }
-                    let _e2510 = phi_2682_;
-                    phi_2884_ = _e2510;
+                    let _e2250 = phi_2314_;
+                    phi_2516_ = _e2250;
                 } else {
-                    let _e2297 = (1u << bitcast<u32>((_e113 & 31u)));
-                    let _e2298 = select(1u, 2u, _e117);
-                    let _e2299 = select(4u, 2u, _e121);
-                    let _e2300 = select(0u, _e2297, _e115);
-                    let _e2301 = select(_e2297, 0u, _e115);
-                    if (_e2300 < 8u) {
+                    let _e2037 = (1u << bitcast<u32>((_e113 & 31u)));
+                    let _e2038 = select(1u, 2u, _e117);
+                    let _e2039 = select(4u, 2u, _e121);
+                    let _e2040 = select(0u, _e2037, _e115);
+                    let _e2041 = select(_e2037, 0u, _e115);
+                    if (_e2040 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2304 = local[_e2300];
-                    if (_e2301 < 8u) {
+                    let _e2044 = local[_e2040];
+                    if (_e2041 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2307 = local[_e2301];
-                    let _e2309 = (1f - _e2304.w);
-                    if (_e2307.w <= _e2309) {
-                        phi_2737_ = (_e2304 + _e2307);
+                    let _e2047 = local[_e2041];
+                    let _e2049 = (1f - _e2044.w);
+                    if (_e2047.w <= _e2049) {
+                        phi_2369_ = (_e2044 + _e2047);
                     } else {
-                        let _e2312 = (_e2309 / _e2307.w);
-                        phi_2737_ = (_e2304 + vec4<f32>((_e2307.x * _e2312), (_e2307.y * _e2312), (_e2307.z * _e2312), _e2309));
+                        let _e2052 = (_e2049 / _e2047.w);
+                        phi_2369_ = (_e2044 + vec4<f32>((_e2047.x * _e2052), (_e2047.y * _e2052), (_e2047.z * _e2052), _e2049));
                     }
-                    let _e2323 = phi_2737_;
-                    let _e2324 = (_e2298 + _e2300);
-                    if (_e2324 < 8u) {
-                    } else {
-                        break;
-                    }
-                    let _e2327 = local[_e2324];
-                    let _e2328 = (_e2298 + _e2301);
-                    if (_e2328 < 8u) {
+                    let _e2063 = phi_2369_;
+                    let _e2064 = (_e2038 + _e2040);
+                    if (_e2064 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2331 = local[_e2328];
-                    let _e2333 = (1f - _e2327.w);
-                    if (_e2331.w <= _e2333) {
-                        phi_2774_ = (_e2327 + _e2331);
-                    } else {
-                        let _e2336 = (_e2333 / _e2331.w);
-                        phi_2774_ = (_e2327 + vec4<f32>((_e2331.x * _e2336), (_e2331.y * _e2336), (_e2331.z * _e2336), _e2333));
-                    }
-                    let _e2347 = phi_2774_;
-                    let _e2360 = (_e2299 + _e2300);
-                    if (_e2360 < 8u) {
+                    let _e2067 = local[_e2064];
+                    let _e2068 = (_e2038 + _e2041);
+                    if (_e2068 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2363 = local[_e2360];
-                    let _e2364 = (_e2299 + _e2301);
-                    if (_e2364 < 8u) {
+                    let _e2071 = local[_e2068];
+                    let _e2073 = (1f - _e2067.w);
+                    if (_e2071.w <= _e2073) {
+                        phi_2406_ = (_e2067 + _e2071);
+                    } else {
+                        let _e2076 = (_e2073 / _e2071.w);
+                        phi_2406_ = (_e2067 + vec4<f32>((_e2071.x * _e2076), (_e2071.y * _e2076), (_e2071.z * _e2076), _e2073));
+                    }
+                    let _e2087 = phi_2406_;
+                    let _e2100 = (_e2039 + _e2040);
+                    if (_e2100 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2367 = local[_e2364];
-                    let _e2369 = (1f - _e2363.w);
-                    if (_e2367.w <= _e2369) {
-                        phi_2823_ = (_e2363 + _e2367);
-                    } else {
-                        let _e2372 = (_e2369 / _e2367.w);
-                        phi_2823_ = (_e2363 + vec4<f32>((_e2367.x * _e2372), (_e2367.y * _e2372), (_e2367.z * _e2372), _e2369));
-                    }
-                    let _e2383 = phi_2823_;
-                    let _e2392 = (_e2298 + _e2299);
-                    let _e2393 = (_e2392 + _e2300);
-                    if (_e2393 < 8u) {
+                    let _e2103 = local[_e2100];
+                    let _e2104 = (_e2039 + _e2041);
+                    if (_e2104 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2396 = local[_e2393];
-                    let _e2397 = (_e2392 + _e2301);
-                    if (_e2397 < 8u) {
+                    let _e2107 = local[_e2104];
+                    let _e2109 = (1f - _e2103.w);
+                    if (_e2107.w <= _e2109) {
+                        phi_2455_ = (_e2103 + _e2107);
+                    } else {
+                        let _e2112 = (_e2109 / _e2107.w);
+                        phi_2455_ = (_e2103 + vec4<f32>((_e2107.x * _e2112), (_e2107.y * _e2112), (_e2107.z * _e2112), _e2109));
+                    }
+                    let _e2123 = phi_2455_;
+                    let _e2132 = (_e2038 + _e2039);
+                    let _e2133 = (_e2132 + _e2040);
+                    if (_e2133 < 8u) {
                     } else {
                         break;
                     }
-                    let _e2400 = local[_e2397];
-                    let _e2402 = (1f - _e2396.w);
-                    if (_e2400.w <= _e2402) {
-                        phi_2870_ = (_e2396 + _e2400);
+                    let _e2136 = local[_e2133];
+                    let _e2137 = (_e2132 + _e2041);
+                    if (_e2137 < 8u) {
                     } else {
-                        let _e2405 = (_e2402 / _e2400.w);
-                        phi_2870_ = (_e2396 + vec4<f32>((_e2400.x * _e2405), (_e2400.y * _e2405), (_e2400.z * _e2405), _e2402));
+                        break;
                     }
-                    let _e2416 = phi_2870_;
-                    phi_2884_ = vec4<f32>(((((_e2323.x + _e2347.x) + _e2383.x) + _e2416.x) * 0.25f), ((((_e2323.y + _e2347.y) + _e2383.y) + _e2416.y) * 0.25f), ((((_e2323.z + _e2347.z) + _e2383.z) + _e2416.z) * 0.25f), ((((_e2323.w + _e2347.w) + _e2383.w) + _e2416.w) * 0.25f));
+                    let _e2140 = local[_e2137];
+                    let _e2142 = (1f - _e2136.w);
+                    if (_e2140.w <= _e2142) {
+                        phi_2502_ = (_e2136 + _e2140);
+                    } else {
+                        let _e2145 = (_e2142 / _e2140.w);
+                        phi_2502_ = (_e2136 + vec4<f32>((_e2140.x * _e2145), (_e2140.y * _e2145), (_e2140.z * _e2145), _e2142));
+                    }
+                    let _e2156 = phi_2502_;
+                    phi_2516_ = vec4<f32>(((((_e2063.x + _e2087.x) + _e2123.x) + _e2156.x) * 0.25f), ((((_e2063.y + _e2087.y) + _e2123.y) + _e2156.y) * 0.25f), ((((_e2063.z + _e2087.z) + _e2123.z) + _e2156.z) * 0.25f), ((((_e2063.w + _e2087.w) + _e2123.w) + _e2156.w) * 0.25f));
                 }
-                let _e2512 = phi_2884_;
-                let _e2515 = ((_e41 + _e48) + (_e48 - _e48));
-                if (_e2515 < arrayLength((&out.member))) {
+                let _e2252 = phi_2516_;
+                let _e2255 = ((_e41 + _e48) + (_e48 - _e48));
+                if (_e2255 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e2515] = _e2512;
+                out.member[_e2255] = _e2252;
             }
             break;
         }

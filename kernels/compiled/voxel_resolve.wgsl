@@ -1,4 +1,4 @@
-struct type_9 {
+struct type_8 {
     member: array<u32>,
 }
 
@@ -44,13 +44,13 @@ struct type_24 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> cells: type_9;
+var<storage> cells: type_8;
 @group(0) @binding(2) 
-var<storage> facet_bits: type_9;
+var<storage> facet_bits: type_8;
 @group(0) @binding(0) 
 var<uniform> params: type_24;
 @group(0) @binding(3) 
-var<storage> sums: type_9;
+var<storage> sums: type_8;
 @group(0) @binding(4) 
 var<storage, read_write> out: type_17;
 

@@ -1,4 +1,4 @@
-struct type_7 {
+struct type_6 {
     member: array<u32>,
 }
 
@@ -42,7 +42,7 @@ struct type_23 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(2) 
-var<storage, read_write> out: type_7;
+var<storage, read_write> out: type_6;
 @group(0) @binding(0) 
 var<uniform> params: type_23;
 @group(0) @binding(1) 

@@ -159,6 +159,28 @@ pub fn fetch<T>(buffer: &[T], i: usize) -> &T {
     &buffer[i]
 }
 
+/// Element `i` of a table in a uniform buffer; without a check on a device, as [`fetch`].
+#[inline(always)]
+#[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
+pub fn fetch_constant<T, const N: usize>(table: &[T; N], i: usize) -> &T {
+    #[cfg(target_arch = "spirv")]
+    // SAFETY: as in `fetch`.
+    unsafe {
+        spirv_std::arch::IndexUnchecked::index_unchecked(table, i)
+    }
+    #[cfg(not(target_arch = "spirv"))]
+    &table[i]
+}
+
+/// Stores the element that an invocation owns: as [`fetch`], without a check of its own on a device.
+#[cfg(target_arch = "spirv")]
+#[inline(always)]
+#[allow(unsafe_code)]
+pub fn store(buffer: &mut [f32], i: usize, value: f32) {
+    // SAFETY: hosts check that the rows fit the buffer before they dispatch; adapters keep the access inside.
+    unsafe { *spirv_std::arch::IndexUnchecked::index_unchecked_mut(buffer, i) = value }
+}
+
 /// Words that many invocations change at once, in any order, with the same result.
 pub trait AtomicWords {
     /// Adds to a word (wrapping) and returns what it was; do not let a result depend on what it was.
@@ -516,6 +538,7 @@ macro_rules! kernel {
             ] };
             /// Planes of the output.
             pub const PLANES: usize = $planes;
+            const _: () = assert!($planes <= 24, "the device's entry point stores 24 planes at most");
 
             /// Device entry point: the body with `f32`.
             #[cfg(target_arch = "spirv")]
@@ -531,9 +554,13 @@ macro_rules! kernel {
                 if id < rows.invocations() {
                     let at = rows.at(id);
                     let values: [f32; $planes] = $body(at, $p, $($i,)*);
-                    for plane in 0..$planes {
-                        $o[plane * rows.plane as usize + at.i] = values[plane];
-                    }
+                    // Constant indices: an array that is indexed at run time lives in memory.
+                    $crate::unroll!(PLANE in 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23 => {
+                        if PLANE < $planes {
+                            const VALUE: usize = if PLANE < $planes { PLANE } else { 0 };
+                            $crate::kernel::store(&mut *$o, PLANE * rows.plane as usize + at.i, values[VALUE]);
+                        }
+                    });
                 }
             }
 

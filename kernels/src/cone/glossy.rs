@@ -10,6 +10,7 @@
 use super::case::cone_params;
 use super::gather::NEAREST;
 use super::march::{ConeMarch, trace_cone};
+use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::max;
@@ -36,7 +37,7 @@ pub fn glossy(
     even: &[Vec4],
     surfels: &[Surfel],
 ) -> Vec4 {
-    let surfel = surfels[i as usize];
+    let surfel = fetch(surfels, i as usize);
     if surfel.triangle == NO_SURFACE {
         return Vec4::ZERO;
     }

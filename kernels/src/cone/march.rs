@@ -18,7 +18,7 @@
 //! one of that level's voxels, so that no layer is met twice or missed. Instead of a blend of two levels (quadrilinear), in
 //! which a surface counts once where its fine and once where its coarse voxel lies, cones differ by a random share of a level.
 
-use crate::math::float::{abs, ceil, floor, max, min};
+use crate::math::float::{abs, ceil, floor, max, min, to_i32};
 use crate::voxel::grid::{Grid, dominant_axis};
 use crate::voxel::query::VoxelPyramid;
 use glam::{Vec3, Vec4};
@@ -72,8 +72,8 @@ struct Layers {
 impl Layers {
     #[inline(always)]
     fn new(origin: f32, slope: f32, count: u32) -> Self {
-        let below = floor(origin - 0.5) as i32;
-        let at_or_above = ceil(origin - 0.5) as i32;
+        let below = to_i32(floor(origin - 0.5));
+        let at_or_above = to_i32(ceil(origin - 0.5));
         let next = if slope < 0.0 { at_or_above - 1 } else { below + 1 };
         let mut layers = Self { origin, slope, level: 0, next, t: 0.0 };
         layers.find(count);
@@ -86,7 +86,7 @@ impl Layers {
         let down = self.slope < 0.0;
         let at_border = (self.next & 1 == 0) == down;
         self.next = if down { self.next - 1 } else { self.next + 1 };
-        if at_border && wanted > self.level {
+        if at_border & (wanted > self.level) {
             self.level += 1;
             // Arithmetic shift: rounds down for the layer before the first, too.
             self.next >>= 1;
@@ -97,9 +97,9 @@ impl Layers {
     #[inline(always)]
     fn find(&mut self, count_of_finest: u32) {
         let count = (count_of_finest + (1 << self.level) - 1) >> self.level;
-        let outwards = if self.slope < 0.0 { self.next < 0 } else { self.next >= count as i32 };
+        let outwards = ((self.slope < 0.0) & (self.next < 0)) | ((self.slope >= 0.0) & (self.next >= count as i32));
         let middle = (self.next as f32 + 0.5) * (1u32 << self.level) as f32;
-        self.t = if outwards || abs(self.slope) < FLATTEST { f32::MAX } else { (middle - self.origin) / self.slope };
+        self.t = if outwards | (abs(self.slope) < FLATTEST) { f32::MAX } else { (middle - self.origin) / self.slope };
     }
 }
 
@@ -123,8 +123,10 @@ pub fn trace_cone<G: Grid>(
     let mut radiance = Vec3::ZERO;
     // Transmittance up to the surface being crossed, and how much of the beam that surface has covered.
     let (mut reaching, mut covered) = (1.0, 0.0);
-    for _ in 0..MAX_LAYERS {
-        let axis = if x.t <= y.t && x.t <= z.t {
+    let mut layers_met = 0;
+    while layers_met < MAX_LAYERS {
+        layers_met += 1;
+        let axis = if (x.t <= y.t) & (x.t <= z.t) {
             0
         } else if y.t <= z.t {
             1
@@ -138,7 +140,7 @@ pub fn trace_cone<G: Grid>(
         } else {
             z
         };
-        if layer.t >= f32::MAX || reaching * (1.0 - covered) < OPAQUE {
+        if (layer.t >= f32::MAX) | (reaching * (1.0 - covered) < OPAQUE) {
             break;
         }
         let position = origin + direction * layer.t;

@@ -38,6 +38,17 @@ pub fn floor(x: f32) -> f32 {
 pub fn ceil(x: f32) -> f32 {
     -floor(-x)
 }
+/// A whole number of less than 2³¹ as an integer. A device converts without a check, so that beyond that (and for NaN) it gives any
+/// integer; a CPU the nearest (0).
+#[inline(always)]
+#[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
+pub fn to_i32(whole: f32) -> i32 {
+    // SAFETY: SPIR-V leaves the result of a conversion out of range open, and nothing else.
+    #[cfg(target_arch = "spirv")]
+    return unsafe { whole.to_int_unchecked() };
+    #[cfg(not(target_arch = "spirv"))]
+    return whole as i32;
+}
 /// Integer part towards zero, exact.
 #[inline(always)]
 pub fn trunc(x: f32) -> f32 {

@@ -7,7 +7,7 @@
 //! [`super::basis`]; after: [`super::filter`], [`super::irradiance`].
 
 use super::{block_rows, load3, tile_and_block};
-use crate::kernel::{At, Rows};
+use crate::kernel::{At, Rows, fetch};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
@@ -31,7 +31,7 @@ pub fn coefficients<R: Real>(at: At, p: &ShParams, table: &[f32], radiance: &[f3
     for s in 0..samples as usize {
         let light: [R; 3] = load3(radiance, first + s * 3 * SH_TILE as usize);
         unroll!(J in 0, 1, 2, 3 => {
-            let y = R::splat(table[J * plane + row + s]);
+            let y = R::splat(*fetch(table, J * plane + row + s));
             sum[J] = sum[J] + light[0] * y;
             sum[4 + J] = sum[4 + J] + light[1] * y;
             sum[8 + J] = sum[8 + J] + light[2] * y;

@@ -7,7 +7,7 @@
 //! a tile's light (192 KiB) stay in a processor's cache while all blocks are computed, and slices give a device enough
 //! invocations. Before: [`super::gather`]; after: [`super::probe_sum`].
 
-use crate::kernel::{At, Rows};
+use crate::kernel::{At, Rows, fetch};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
@@ -43,7 +43,7 @@ pub fn coefficients<R: Real>(at: At, p: &SrpProbeParams, table: &[f32], light: &
         let green = R::load(light, plane + i);
         let blue = R::load(light, 2 * plane + i);
         unroll!(J in 0, 1, 2, 3, 4, 5, 6, 7 => {
-            let y = R::splat(table[y + J]);
+            let y = R::splat(*fetch(table, y + J));
             sum[J] = sum[J] + red * y;
             sum[8 + J] = sum[8 + J] + green * y;
             sum[16 + J] = sum[16 + J] + blue * y;

@@ -7,7 +7,7 @@
 //! next bounce, [`super::resolve`].
 
 use super::PREFETCH_WORDS;
-use crate::kernel::{At, Rows};
+use crate::kernel::{At, Rows, fetch};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::real::Real;
@@ -36,7 +36,7 @@ pub fn irradiance<R: Real>(
         R::prefetch(words, word + PREFETCH_WORDS);
         let [u0, u1] = R::load_f16x2(words, word);
         unroll!(C in 0, 1, 2 => {
-            sum[C] = sum[C] + u0 * R::splat(basis[b + C]) + u1 * R::splat(basis[b + 4 + C]);
+            sum[C] = sum[C] + u0 * R::splat(*fetch(basis, b + C)) + u1 * R::splat(*fetch(basis, b + 4 + C));
         });
         word += SRP_LANES as usize;
         b += 8;
@@ -62,7 +62,7 @@ pub fn radiance<R: Real>(
             R::prefetch(words, word + PREFETCH_WORDS + K * SRP_LANES as usize);
             let [u0, u1] = R::load_f16x2(words, word + K * SRP_LANES as usize);
             unroll!(C in 0, 1, 2 => {
-                sum[3 * K + C] = sum[3 * K + C] + u0 * R::splat(basis[b + C]) + u1 * R::splat(basis[b + 4 + C]);
+                sum[3 * K + C] = sum[3 * K + C] + u0 * R::splat(*fetch(basis, b + C)) + u1 * R::splat(*fetch(basis, b + 4 + C));
             });
         });
         word += 4 * SRP_LANES as usize;

@@ -4,7 +4,7 @@ use super::facet::facets_of;
 use super::grid::{Grid, Place, below};
 use super::view::{at_most_covered, axis_direction, facets_seen, facets_seen_from_everywhere};
 use crate::kernel::fetch;
-use crate::math::float::floor;
+use crate::math::float::{floor, to_i32};
 use glam::{UVec3, UVec4, Vec3, Vec4};
 use interreflect_shared::voxel::VoxelFacet;
 
@@ -44,21 +44,14 @@ impl Tap {
     fn new(x: f32, count: u32, shift: u32, pitch: u32, low_bit: u32) -> Self {
         let base = floor(x);
         let fraction = x - base;
-        let first = base as i32;
+        let first = to_i32(base);
         let last = count as i32 - 1;
-        let inside = x >= -0.5 && x <= last as f32 + 0.5;
-        let in0 = first >= 0;
-        let in1 = first < last;
-        let i0 = if in0 { first.min(last) as u32 } else { 0 };
-        let i1 = if in1 { (first + 1).max(0) as u32 } else { 0 };
+        let inside = (x >= -0.5) & (x <= last as f32 + 0.5);
+        let i0 = first.max(0).min(last) as u32;
+        let i1 = (first + 1).max(0).min(last) as u32;
         // In the outer half of an outer voxel there is no neighbour: that voxel counts alone.
-        let weight1 = if !in0 {
-            1.0
-        } else if in1 {
-            fraction
-        } else {
-            0.0
-        };
+        let weight1 = if first < last { fraction } else { 0.0 };
+        let weight1 = if first < 0 { 1.0 } else { weight1 };
         Self {
             cell0: (i0 >> shift) * pitch,
             cell1: (i1 >> shift) * pitch,
@@ -114,7 +107,7 @@ impl VoxelPyramid<'_> {
         } else {
             dims.z
         };
-        if layer < 0 || layer >= count as i32 {
+        if (layer < 0) | (layer >= count as i32) {
             return Vec4::ZERO;
         }
         let exact = layer as f32;
@@ -129,7 +122,8 @@ impl VoxelPyramid<'_> {
             (z, x, y)
         };
         let mut sum = Vec4::ZERO;
-        for corner in 0..4u32 {
+        let mut corner = 0u32;
+        while corner < 4 {
             let (u1, v1) = (corner & 1 == 1, corner & 2 == 2);
             let weight = if u1 { u.weight1 } else { u.weight0 } * if v1 { v.weight1 } else { v.weight0 };
             let at = Place {
@@ -137,9 +131,10 @@ impl VoxelPyramid<'_> {
                 bit: across.bit0 | if u1 { u.bit1 } else { u.bit0 } | if v1 { v.bit1 } else { v.bit0 },
             };
             let word = *fetch(self.cells, (2 * at.cell) as usize);
-            if weight > 0.0 && word >> at.bit & 1 == 1 {
+            if (weight > 0.0) & (word >> at.bit & 1 == 1) {
                 sum += self.voxel(grid, level, at, word, axis, down) * weight;
             }
+            corner += 1;
         }
         sum
     }

@@ -43,13 +43,15 @@ pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
 #[inline(always)]
 pub fn facets_seen(first: u32, count: u32, looking: Vec3, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
     let (mut front, mut back) = (Vec4::ZERO, Vec4::ZERO);
-    for facet in first..first + count {
+    let mut facet = first;
+    while facet < first + count {
         let towards = -looking.dot(Vec3::from_array(fetch(facets, facet as usize).normal));
         if towards > 0.0 {
             front += fetch(radiance, (2 * facet) as usize).truncate().extend(1.0) * towards;
         } else {
             back -= fetch(radiance, (2 * facet + 1) as usize).truncate().extend(1.0) * towards;
         }
+        facet += 1;
     }
     if back.w > front.w { front + back * ((back.w - front.w) / back.w) } else { front }
 }
@@ -59,10 +61,12 @@ pub fn facets_seen(first: u32, count: u32, looking: Vec3, facets: &[VoxelFacet],
 #[inline(always)]
 pub fn facets_seen_from_everywhere(first: u32, count: u32, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
     let mut sum = Vec4::ZERO;
-    for facet in first..first + count {
+    let mut facet = first;
+    while facet < first + count {
         let (a, b) = (*fetch(radiance, (2 * facet) as usize), *fetch(radiance, (2 * facet + 1) as usize));
         let brighter = Vec4::new(max(a.x, b.x), max(a.y, b.y), max(a.z, b.z), 1.0);
         sum += brighter * length(Vec3::from_array(fetch(facets, facet as usize).normal));
+        facet += 1;
     }
     sum
 }
