@@ -3,7 +3,7 @@
 use glam::Vec3;
 use interreflect::methods::srp::{BakeOptions, Compression, Plan, SrpBake};
 use interreflect::reference::{self, Receiver, ReferenceSettings};
-use interreflect::scene::{Scene, built_in};
+use interreflect::scene::{Light, Scene, built_in};
 
 /// Direct irradiance at the receivers of a bake, by the path tracer: what the runtime's own direct light is not on trial for.
 struct Lit {
@@ -150,6 +150,31 @@ fn a_strip_beside_its_receivers_is_blurred_and_coefficients_or_probes_heal_it() 
     assert!(errors[0].0 > 0.5, "the published failure does not show: {errors:?}");
     // Higher orders heal a fifth of it, more probes half. The correction does not: the strip is finer than its patches.
     assert!(errors[1].0 < 0.82 * errors[0].0 && errors[2].0 < 0.5 * errors[0].0, "{errors:?}");
+}
+
+/// Where sunlit ground lies beside corners that it does not reach, correction must not bring it there: not under the scene's own
+/// sun, nor under one from elsewhere.
+#[test]
+fn the_default_correction_does_no_harm_in_the_sun() {
+    for (mut scene, receivers) in [(built_in::colonnade(), 4000), (built_in::louvres(), 2500)] {
+        let options = BakeOptions { receivers, ..small() };
+        let corrected = baked(&scene, &options);
+        let plain = baked(&scene, &BakeOptions { ridge: 0.0, ..options });
+        for turned in [false, true] {
+            if turned {
+                scene.lights.iter_mut().for_each(|light| {
+                    if let Light::Directional { direction, .. } = light {
+                        *direction = Vec3::new(-direction.z, direction.y, 0.6 * direction.x).normalize();
+                    }
+                });
+            }
+            let with = lit(&scene, corrected.clone(), 64);
+            let error = block_error(&with, &with.bake.bounce(&with.direct, 24)).0;
+            let before = block_error(&with, &plain.bounce(&with.direct, 24)).0;
+            println!("{}, sun turned {turned}: nrmse_block {before:.3} plain, {error:.3} corrected", scene.name);
+            assert!(error < 1.02 * before, "{}, sun turned {turned}: {before} -> {error}", scene.name);
+        }
+    }
 }
 
 #[test]

@@ -11,6 +11,7 @@ use super::atlas::{Atlas, Lookup, Texel};
 use super::charts::Charts;
 use super::model::{Blend, Cluster, FREE, Loss, NO_RECEIVER, RAY_INVALID, Receiver, SrpBake};
 use super::plan::{BakeOptions, ClusterOutput};
+use super::round_trip::Verdict;
 use super::transport::Rays;
 use crate::image_io::replace_file;
 use crate::scene::Scene;
@@ -499,6 +500,8 @@ fn record(bytes: &[u8], at: usize) -> Option<(usize, ClusterOutput, usize)> {
 fn words_of(index: usize, output: &ClusterOutput) -> Vec<u32> {
     let mut words = vec![index as u32, output.rays.len() as u32];
     words.extend(output.rays.iter().flat_map(|r| [r.sky, r.unseen, r.inside].map(f32::to_bits)));
+    let v = output.verdict;
+    words.extend([v.receivers, v.followed, v.light, v.before, v.after].map(f32::to_bits));
     words.push(output.parts.len() as u32);
     let mut list = |items: &mut dyn Iterator<Item = u32>| {
         let at = words.len();
@@ -541,6 +544,12 @@ impl Words<'_> {
             let [sky, unseen, inside] = [self.next()?, self.next()?, self.next()?].map(f32::from_bits);
             rays.push(Rays { sky, unseen, inside });
         }
+        let mut verdict = [0.0; 5];
+        for number in &mut verdict {
+            *number = f32::from_bits(self.next()?);
+        }
+        let [receivers, followed, light, before, after] = verdict;
+        let verdict = Verdict { receivers, followed, light, before, after };
         let mut parts = Vec::new();
         for _ in 0..self.next()? {
             let &[rank, transport, light] = self.list()?.as_slice() else { return None };
@@ -557,7 +566,7 @@ impl Words<'_> {
             };
             parts.push((members, cluster));
         }
-        Some((index, ClusterOutput { parts, rays }))
+        Some((index, ClusterOutput { parts, rays, verdict }))
     }
 }
 

@@ -119,7 +119,7 @@ pub struct Cluster {
 pub struct Loss {
     /// Relative error in the metric by which the rank was chosen (root of sums of squares).
     pub transport: f32,
-    /// Relative error of what reaches the receivers when a random tenth of all surface shines, the rest being black.
+    /// Relative error of what reaches the receivers in lighting states that nothing was fitted to.
     pub light: f32,
 }
 

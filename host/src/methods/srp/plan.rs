@@ -8,7 +8,7 @@ use super::compress::{self, Compression};
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
 use super::probes::{self, Coverage, Placement};
 use super::reach::Reach;
-use super::round_trip::{self, NO_PATCH, RoundTrip};
+use super::round_trip::{self, RoundTrip, Verdict};
 use super::transport::{self, Rays, Scratch, Transport};
 use super::visibility::Visibility;
 use super::world::{Seen, World};
@@ -19,8 +19,8 @@ use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spheri
 use interreflect_kernels::math::sh;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, OnceLock};
 
 /// Rays by which receivers inside solids are found.
 const VALIDITY_RAYS: u32 = 64;
@@ -62,7 +62,7 @@ pub struct BakeOptions {
     /// Probes that may be added for that.
     pub added_probes: u32,
     /// Ridge of the correction of transport by its round trip (see [`round_trip`]), relative to the mean of the diagonal; 0:
-    /// not corrected. Lower: nearer to the truth for light that varies over metres, more noise from what is finer.
+    /// not corrected. Lower: nearer to the truth for light like that which it is fitted to, more noise from other light.
     pub ridge: f32,
     /// Whether probes' visibility is decided once per texel where all of it agrees, instead of for every ray.
     pub texel_visibility: bool,
@@ -94,7 +94,7 @@ impl Default for BakeOptions {
             sharpness: 1.0,
             unseen_bound: 0.005,
             added_probes: 16,
-            ridge: 1e-3,
+            ridge: 1e-2,
             texel_visibility: true,
             rows: 1,
             cluster_size: 1024,
@@ -159,6 +159,8 @@ pub struct Plan<'a> {
     pub clusters: Vec<Vec<u32>>,
     /// What transport is corrected and compression judged by.
     round_trip: RoundTrip,
+    /// What was said of the correction of all clusters, once they are put together.
+    verdict: OnceLock<Verdict>,
     /// What is known of mutual visibility; `None` where every ray asks for itself.
     visibility: Option<Visibility>,
 }
@@ -170,6 +172,8 @@ pub struct ClusterOutput {
     pub parts: Vec<(Vec<u32>, Cluster)>,
     /// Per receiver of the plan's cluster.
     pub rays: Vec<Rays>,
+    /// What is said of the correction of its transport.
+    pub verdict: Verdict,
 }
 
 /// Transport of a cluster before anything is done with it.
@@ -178,7 +182,7 @@ struct Local {
     probes: Vec<u32>,
     /// Rows of all coefficients of the probes.
     matrix: Vec<f32>,
-    /// Form factors of the patches, where transport is to be corrected.
+    /// Form factors of kinds of light, where transport is to be corrected.
     factors: Vec<f32>,
     rays: Vec<Rays>,
 }
@@ -227,6 +231,7 @@ impl<'a> Plan<'a> {
         let round_trip = seen_by_probes(&world, &atlas, &reach, &receivers, &probes, options);
         Ok(Self {
             round_trip,
+            verdict: OnceLock::new(),
             visibility,
             options: options.clone(),
             world,
@@ -273,7 +278,7 @@ impl<'a> Plan<'a> {
     pub fn cluster(&self, index: usize) -> ClusterOutput {
         let (o, members) = (&self.options, &self.clusters[index]);
         let Local { probes, mut matrix, factors, rays } = self.local(index);
-        self.round_trip.correct(&mut matrix, &probes, &factors);
+        let verdict = self.round_trip.correct(&mut matrix, &probes, &factors, o.rows as usize);
         // After the correction, which would otherwise undo it.
         o.window.apply(&mut matrix, o.order);
         let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
@@ -281,7 +286,7 @@ impl<'a> Plan<'a> {
         let (rows, k) = (o.rows as usize, sh::count(o.order));
         let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression, &lights);
         let named = |own: Vec<u32>| own.iter().map(|i| members[*i as usize]).collect();
-        ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays }
+        ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays, verdict }
     }
 
     /// Local transport of all clusters, thrown away, for benchmarks: gives the number of receivers that sent rays.
@@ -315,8 +320,8 @@ impl<'a> Plan<'a> {
         let (k, rows) = (sh::count(o.order), o.rows as usize);
         let width = probes.len() * k;
         let mut matrix = vec![0.0f32; members.len() * rows * width];
-        let patch_count = if self.round_trip.corrects() { self.round_trip.count } else { 0 };
-        let mut factors = vec![0.0f32; members.len() * (rows * patch_count).max(1)];
+        let factor_count = if self.round_trip.corrects() { self.round_trip.factor_count() } else { 0 };
+        let mut factors = vec![0.0f32; members.len() * (rows * factor_count).max(1)];
         let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
             let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
             let patches = self.round_trip.corrects().then_some((&self.round_trip, factors));
@@ -333,7 +338,7 @@ impl<'a> Plan<'a> {
         } else {
             matrix
                 .par_chunks_mut(rows * width)
-                .zip(factors.par_chunks_mut((rows * patch_count).max(1)))
+                .zip(factors.par_chunks_mut((rows * factor_count).max(1)))
                 .enumerate()
                 .map_init(Scratch::default, fill)
                 .collect()
@@ -353,6 +358,8 @@ impl<'a> Plan<'a> {
             ray_directions: relight_directions(self.options.relight_rays),
             ..SrpBake::default()
         };
+        // The same on every call: clusters depend on the plan alone.
+        self.verdict.get_or_init(|| outputs.iter().fold(Verdict::default(), |sum, o| sum + o.verdict));
         let mut sky = vec![0.0; self.receivers.len()];
         let mut order = Vec::with_capacity(self.receivers.len());
         for (members, output) in self.clusters.iter().zip(outputs) {
@@ -376,7 +383,7 @@ impl<'a> Plan<'a> {
     }
 
     /// What every relight ray of every probe meets.
-    fn relight_hits(&self, directions: &[Vec3], lookup: &Lookup) -> Vec<u32> {
+    pub fn relight_hits(&self, directions: &[Vec3], lookup: &Lookup) -> Vec<u32> {
         let chart = &self.atlas.charts.chart;
         let hit = |i: usize| {
             let (probe, direction) = (self.probes[i / directions.len()], directions[i % directions.len()]);
@@ -391,7 +398,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// What the probes see of the receivers' surfaces.
+/// Kinds of light on the receivers' surfaces, and what the probes see of them.
 fn seen_by_probes(
     world: &World<'_>,
     atlas: &Arc<Atlas>,
@@ -400,16 +407,17 @@ fn seen_by_probes(
     probes: &[Vec3],
     options: &BakeOptions,
 ) -> RoundTrip {
-    let mut round_trip = RoundTrip::new(atlas.clone(), receivers, f64::from(options.ridge));
+    let ridge = f64::from(options.ridge);
+    let mut round_trip = RoundTrip::new(world, &reach.space, atlas.clone(), receivers, ridge, options.seed);
     let directions = relight_directions(options.relight_rays.max(round_trip::RAYS));
     let chart = &atlas.charts.chart;
-    let patch = |i: usize| {
+    let texel = |i: usize| {
         let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
         let exposed = |s: &Seen| reach.exposed[chart[s.triangle as usize] as usize][usize::from(!s.front)];
-        let texel = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
-        seen.filter(exposed).map_or(NO_PATCH, |s| round_trip.patch(&s, texel(&s)))
+        let own = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
+        seen.filter(exposed).map_or(NO_RECEIVER, |s| round_trip.texel(&s, own(&s)))
     };
-    let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(patch).collect();
+    let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(texel).collect();
     round_trip.see(&directions, &met, options.order);
     round_trip
 }
@@ -494,6 +502,18 @@ pub fn cluster_report(bake: &SrpBake) -> serde_json::Value {
 }
 
 impl Plan<'_> {
+    /// How far the correction is followed, and relative errors in lighting states that it was not fitted to; null without one.
+    fn correction_report(&self) -> serde_json::Value {
+        let Some(v) = self.verdict.get().filter(|v| v.receivers > 0.0) else { return serde_json::Value::Null };
+        let error = |square: f32| (square / v.light.max(f32::MIN_POSITIVE)).sqrt();
+        serde_json::json!({
+            "ridge": self.options.ridge,
+            "followed": v.followed / v.receivers,
+            "light_error_before": error(v.before),
+            "light_error_after": error(v.after),
+        })
+    }
+
     /// What was decided and what it takes, for reports.
     pub fn report(&self, bake: &SrpBake) -> serde_json::Value {
         let count = bake.clusters.len().max(1) as f64;
@@ -524,6 +544,7 @@ impl Plan<'_> {
             "transport_error": mean_square(&|c| c.loss.transport).sqrt(),
             "light_error": mean_square(&|c| c.loss.light).sqrt(),
             "visibility_known_by_texel": agreeing,
+            "correction": self.correction_report(),
             "rank_histogram": histogram(bake.clusters.iter().map(|c| c.rank)),
         })
     }

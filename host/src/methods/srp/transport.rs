@@ -121,14 +121,13 @@ impl Transport<'_> {
     }
 
     /// Rows of a receiver for the coefficients of `support`: `rows × support.len() × K`, row-major.
-    /// Where `patches` are given, the receiver's form factors (W/m² per unit of radiance) are added to `factors`, `rows` of them
-    /// per patch.
+    /// Where `kinds` of light are given, the receiver's form factors (W/m² per unit of radiance) are added to their rows.
     pub fn rows(
         &self,
         r: &Receiver,
         support: &[u32],
         scratch: &mut Scratch,
-        patches: Option<(&RoundTrip, &mut [f32])>,
+        kinds: Option<(&RoundTrip, &mut [f32])>,
     ) -> (Vec<f32>, Rays) {
         let frame = Frame::new(r.normal);
         let (open, inside) = self.trace(r, &frame, &mut scratch.met);
@@ -148,8 +147,8 @@ impl Transport<'_> {
                 scratch.samples.project(self.order, row, per_ray, &mut rows[at..at + k]);
             }
         }
-        if let Some((patches, factors)) = patches {
-            self.form_factors(&scratch.met, &frame, sent, patches, factors);
+        if let Some((kinds, factors)) = kinds {
+            self.form_factors(&scratch.met, &frame, sent, kinds, factors);
         }
         let all = self.directions.len().max(1) as f32;
         let cosine_weighted = PI * open as f32 / sent;
@@ -157,19 +156,18 @@ impl Transport<'_> {
         (rows, Rays { sky, unseen: unseen as f32 / all, inside: inside as f32 / all })
     }
 
-    /// What a receiver's rays met, by patch.
-    fn form_factors(&self, met: &Met, frame: &Frame, sent: f32, patches: &RoundTrip, factors: &mut [f32]) {
+    /// What a receiver's rays met, by kind of light.
+    fn form_factors(&self, met: &Met, frame: &Frame, sent: f32, kinds: &RoundTrip, factors: &mut [f32]) {
+        let count = kinds.factor_count();
         for ((seen, texel), ray) in met.seen.iter().zip(&met.texel).zip(&met.ray) {
-            let patch = patches.patch(seen, *texel) as usize;
-            if patch >= patches.count {
-                continue;
-            }
+            let texel = kinds.texel(seen, *texel);
             if self.rows == 1 {
-                factors[patch] += PI / sent;
+                kinds.add(factors, texel, PI / sent);
                 continue;
             }
             let y: [f32; 4] = sh::basis(frame.world_from_local(self.directions[*ray as usize]).to_array());
-            (0..4).for_each(|row| factors[row * patches.count + patch] += 2.0 * PI / sent * y[row]);
+            let rows = factors.chunks_exact_mut(count).zip(y);
+            rows.for_each(|(row, y)| kinds.add(row, texel, 2.0 * PI / sent * y));
         }
     }
 
