@@ -95,9 +95,10 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "added_probes",
-            default: "16",
-            allowed: "from 0 to 65536",
-            help: "Probes that may be added where receivers see none. More: fewer dark corners; projection in proportion.",
+            default: "1",
+            allowed: "from 0 to 16",
+            help: "Probes that may be added where receivers see none, as a share of `probes`. More: fewer dark corners; projection in \
+                   proportion.",
         },
         Setting {
             key: "compression",
@@ -238,7 +239,7 @@ impl Options {
                 ridge: parse(&ROW, settings, "correction", |x| (0.0..=1.0).contains(x))?,
                 light_metric: metric == "light",
                 texel_visibility: visibility == "texels",
-                added_probes: parse(&ROW, settings, "added_probes", |n| *n <= 1 << 16)?,
+                added_probes: parse(&ROW, settings, "added_probes", |x| (0.0..=16.0).contains(x))?,
                 rows: parse(&ROW, settings, "rows", |n| *n == 1 || *n == 4)?,
                 ..BakeOptions::default()
             },

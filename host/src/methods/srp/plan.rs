@@ -59,8 +59,8 @@ pub struct BakeOptions {
     pub sharpness: f32,
     /// Largest share of receivers that may see no probe in support before probes are added.
     pub unseen_bound: f32,
-    /// Probes that may be added for that.
-    pub added_probes: u32,
+    /// Probes that may be added for that, as a share of those placed.
+    pub added_probes: f32,
     /// Ridge of the correction of transport by its round trip (see [`round_trip`]), relative to the mean of the diagonal; 0:
     /// not corrected. Lower: nearer to the truth for light like that which it is fitted to, more noise from other light.
     pub ridge: f32,
@@ -93,7 +93,7 @@ impl Default for BakeOptions {
             overlap: 10.0,
             sharpness: 1.0,
             unseen_bound: 0.005,
-            added_probes: 16,
+            added_probes: 1.0,
             ridge: 1e-2,
             texel_visibility: true,
             rows: 1,
@@ -219,12 +219,9 @@ impl<'a> Plan<'a> {
         let manual = options.probe_positions.clone();
         let mut probes =
             manual.clone().unwrap_or_else(|| probes::place(&reach.space, options.placement, options.probes));
-        let mut radius = probes::radius(&probes, &points, options.overlap);
-        let limit = if manual.is_some() { 0 } else { options.added_probes };
-        let coverage = probes::cover(&world, &reach.space, &points, &mut probes, radius, options.unseen_bound, limit);
-        if coverage.added > 0 {
-            radius = radius.min(probes::radius(&probes, &points, options.overlap)).max(f32::MIN_POSITIVE);
-        }
+        let share = if manual.is_some() { 0.0 } else { options.added_probes };
+        let wish = (options.overlap, options.unseen_bound, (share * probes.len() as f32) as u32);
+        let (radius, coverage) = probes::cover(&world, &reach.space, &points, &mut probes, wish);
         let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
         let visibility =
             if options.texel_visibility { Visibility::new(atlas.texels.len(), probes.len()) } else { None };
@@ -535,6 +532,7 @@ impl Plan<'_> {
             "probes": bake.probes.len(),
             "probes_added": self.coverage.added,
             "receivers_without_probe": self.coverage.unseen,
+            "receivers_without_probe_before": self.coverage.unseen_before,
             "support_radius_m": bake.radius,
             "clusters": bake.clusters.len(),
             "mean_rank": sum(&|c| c.rank as usize) / count,

@@ -9,8 +9,14 @@ use rayon::prelude::*;
 
 /// Candidates at most; more would make the removal quadratic in earnest.
 const MAX_CANDIDATES: usize = 6144;
-/// Receivers at most by which the radius and visibility are judged.
+/// Receivers at most by which the radius is judged.
 const MAX_JUDGES: usize = 4096;
+/// Receivers at most by which visibility is judged.
+const MAX_WITNESSES: usize = 1 << 14;
+/// Receivers at a time before which probes may be added.
+const CANDIDATES: usize = 128;
+/// How often probes are added and the radius fitted again.
+const ROUNDS: u32 = 4;
 /// Part of the radius within which the farthest receiver still lies: its weight is then not quite zero.
 const RIM: f32 = 0.9;
 
@@ -69,15 +75,15 @@ fn thin(points: Vec<Vec3>, count: usize) -> Vec<Vec3> {
     alive.into_iter().map(|i| points[i]).collect()
 }
 
-/// Evenly chosen receivers to judge by.
-fn judges(receivers: &[Receiver]) -> impl Iterator<Item = &Receiver> {
-    receivers.iter().step_by(receivers.len().div_ceil(MAX_JUDGES).max(1))
+/// Evenly chosen receivers to judge by, at most about so many.
+fn judges(receivers: &[Receiver], most: usize) -> impl Iterator<Item = &Receiver> {
+    receivers.iter().step_by(receivers.len().div_ceil(most).max(1))
 }
 
 /// Radius at which a receiver lies within `overlap` probes' supports on average, and every one in one at least.
 pub fn radius(probes: &[Vec3], receivers: &[Receiver], overlap: f32) -> f32 {
     let mut distances: Vec<f32> =
-        judges(receivers).flat_map(|r| probes.iter().map(|p| (r.position - *p).length())).collect();
+        judges(receivers, MAX_JUDGES).flat_map(|r| probes.iter().map(|p| (r.position - *p).length())).collect();
     let nearest = receivers
         .par_iter()
         .map(|r| probes.iter().map(|p| (r.position - *p).length()).fold(f32::MAX, f32::min))
@@ -102,46 +108,96 @@ pub struct Coverage {
     pub added: u32,
     /// Share of receivers that no probe in support sees.
     pub unseen: f32,
+    /// Share of receivers that saw none before probes were added.
+    pub unseen_before: f32,
 }
 
-/// Adds probes, at most `limit`, until at most the share `bound` of the receivers sees no probe within the radius.
+/// Adds probes, at most `limit`, until at most the share `bound` of the receivers sees no probe in support, and fits the
+/// radius to each `overlap` (see [`radius`]); gives it. What is left unseen is judged by the radius that is given.
 pub fn cover(
     world: &World<'_>,
     space: &Space,
     receivers: &[Receiver],
     probes: &mut Vec<Vec3>,
-    radius: f32,
-    bound: f32,
-    limit: u32,
-) -> Coverage {
-    let judges: Vec<&Receiver> = judges(receivers).collect();
-    let sees = |r: &Receiver, p: Vec3| {
-        let towards = p - r.position;
-        towards.length() < radius && towards.dot(r.geometric_normal) > 0.0 && world.sees(&seen(r), p)
-    };
-    let mut unseen: Vec<&Receiver> =
-        judges.par_iter().filter(|r| !probes.iter().any(|p| sees(r, *p))).copied().collect();
-    let share = |n: usize| n as f32 / judges.len().max(1) as f32;
-    let mut added = 0;
-    while share(unseen.len()) > bound && added < limit {
-        // Open voxels in front of some of the unseen; the one that most of them see.
-        let candidates = unseen.iter().step_by(unseen.len().div_ceil(64)).filter_map(|r| {
-            let steps = (1..5).map(|k| r.position + r.geometric_normal * (k as f32 * space.grid.voxel_size));
-            steps.filter_map(|p| space.at(p)).find(|i| space.open[*i]).map(|i| space.centre(i))
-        });
-        let candidates: Vec<Vec3> = candidates.collect();
-        let count = |p: &Vec3| unseen.iter().filter(|r| sees(r, *p)).count();
-        let counts: Vec<usize> = candidates.par_iter().map(count).collect();
-        let Some(best) = (0..counts.len()).max_by_key(|i| (counts[*i], usize::MAX - i)).filter(|i| counts[*i] > 0)
-        else {
-            break;
-        };
-        let probe = candidates[best];
-        probes.push(probe);
-        added += 1;
-        unseen.retain(|r| !sees(r, probe));
+    (overlap, bound, limit): (f32, f32, u32),
+) -> (f32, Coverage) {
+    let judges: Vec<&Receiver> = judges(receivers, MAX_WITNESSES).collect();
+    let mut coverage = Coverage::default();
+    // More probes shrink the radius, and with it what each of them lights.
+    for round in 0.. {
+        let radius = radius(probes, receivers, overlap);
+        let dark = |r: &Receiver| !probes.iter().any(|p| sees(world, r, *p, radius));
+        let unseen: Vec<&Receiver> = judges.par_iter().filter(|r| dark(r)).copied().collect();
+        coverage.unseen = unseen.len() as f32 / judges.len().max(1) as f32;
+        if round == 0 {
+            coverage.unseen_before = coverage.unseen;
+        }
+        let allowed = (bound * judges.len() as f32) as usize;
+        let left = limit - coverage.added;
+        let more =
+            if round < ROUNDS { covering(world, space, unseen, radius, allowed, left as usize) } else { Vec::new() };
+        if more.is_empty() {
+            return (radius, coverage);
+        }
+        coverage.added += more.len() as u32;
+        probes.extend(more);
     }
-    Coverage { added, unseen: share(unseen.len()) }
+    unreachable!("a round without probes ends it")
+}
+
+/// Whether a receiver sees a point in support.
+fn sees(world: &World<'_>, r: &Receiver, p: Vec3, radius: f32) -> bool {
+    let towards = p - r.position;
+    towards.length() < radius && towards.dot(r.geometric_normal) > 0.0 && world.sees(&seen(r), p)
+}
+
+/// Few places from which all but `allowed` of some receivers are seen, at most `most`: always the one next that most of
+/// the remaining see (Johnson 1974).
+fn covering(
+    world: &World<'_>,
+    space: &Space,
+    mut unseen: Vec<&Receiver>,
+    radius: f32,
+    allowed: usize,
+    most: usize,
+) -> Vec<Vec3> {
+    let mut chosen = Vec::new();
+    while unseen.len() > allowed && chosen.len() < most {
+        let step = unseen.len().div_ceil(CANDIDATES).max(1);
+        let candidates: Vec<Vec3> =
+            unseen.iter().step_by(step).flat_map(|r| before(world, r, space.grid.voxel_size)).collect();
+        let seen_from = |p: &Vec3| unseen.iter().map(|r| sees(world, r, *p, radius)).collect::<Vec<bool>>();
+        let seen_from: Vec<Vec<bool>> = candidates.par_iter().map(seen_from).collect();
+        let mut left = vec![true; unseen.len()];
+        let before = chosen.len();
+        while chosen.len() < most && left.iter().filter(|l| **l).count() > allowed {
+            let count = |c: &usize| seen_from[*c].iter().zip(&left).filter(|(s, l)| **s && **l).count();
+            let counts: Vec<usize> = (0..candidates.len()).map(|c| count(&c)).collect();
+            let Some(best) = (0..counts.len()).max_by_key(|c| (counts[*c], usize::MAX - c)) else { break };
+            // A candidate whose receivers have been found others is no longer the best of all places.
+            if counts[best] == 0
+                || (chosen.len() > before && counts[best] * 2 < seen_from[best].iter().filter(|s| **s).count())
+            {
+                break;
+            }
+            chosen.push(candidates[best]);
+            left.iter_mut().zip(&seen_from[best]).for_each(|(l, s)| *l &= !s);
+        }
+        if chosen.len() == before {
+            break;
+        }
+        let mut left = left.into_iter();
+        unseen.retain(|_| left.next() == Some(true));
+    }
+    chosen
+}
+
+/// Places in open air in front of a receiver: at a few distances, no farther than the middle of what is open there.
+fn before<'a>(world: &'a World<'_>, r: &'a Receiver, voxel_size: f32) -> impl Iterator<Item = Vec3> + 'a {
+    let open = world.closest_from(r, r.geometric_normal).map_or(f32::MAX, |s| (s.position - r.position).length());
+    let distances = [0.5, 1.0, 2.0, 4.0].map(|d| (d * voxel_size).min(0.5 * open));
+    let apart = (0..4).filter(move |k| *k == 0 || distances[*k] > 1.1 * distances[k - 1]);
+    apart.map(move |k| r.position + r.geometric_normal * distances[k])
 }
 
 fn seen(r: &Receiver) -> Seen {

@@ -9,7 +9,7 @@
 //! `min ‖F − α Λ‖² + ε ‖α − α₀‖²`,  `α' = α₀ + (F − α₀ Λ) Λᵀ (Λ Λᵀ + ε)⁻¹`,
 //!
 //! over kinds of light (columns of `F` and `Λ`), each weighted by how much of it is to be expected:
-//! - patches of several sizes, from a thousandth of the receivers up by fours, their texels lit as strongly as they are on
+//! - patches of several sizes, from a five-hundredth of the receivers up by fours, their texels lit as strongly as they are on
 //!   average in the lighting states of [`super::states`];
 //! - even light everywhere, which keeps the mean;
 //! - the lighting states themselves, most of them.
@@ -36,7 +36,7 @@ use interreflect_kernels::math::sh;
 use std::sync::Arc;
 
 /// Smallest patches at most, about.
-const PATCHES: usize = 1000;
+const PATCHES: usize = 500;
 /// Patches of one size that make one of the next.
 const GROUP: usize = 4;
 /// Standard deviation of the light of patches of one size over the mean light of all.

@@ -159,15 +159,24 @@ impl Transport<'_> {
     /// What a receiver's rays met, by kind of light.
     fn form_factors(&self, met: &Met, frame: &Frame, sent: f32, kinds: &RoundTrip, factors: &mut [f32]) {
         let count = kinds.factor_count();
+        // Neighbours among the rays often meet the same texel: they are added together.
+        let mut run = (NO_TEXEL, 0.0);
         for ((seen, texel), ray) in met.seen.iter().zip(&met.texel).zip(&met.ray) {
             let texel = kinds.texel(seen, *texel);
             if self.rows == 1 {
-                kinds.add(factors, texel, PI / sent);
+                if texel != run.0 {
+                    kinds.add(factors, run.0, run.1 * PI / sent);
+                    run = (texel, 0.0);
+                }
+                run.1 += 1.0;
                 continue;
             }
             let y: [f32; 4] = sh::basis(frame.world_from_local(self.directions[*ray as usize]).to_array());
             let rows = factors.chunks_exact_mut(count).zip(y);
             rows.for_each(|(row, y)| kinds.add(row, texel, 2.0 * PI / sent * y));
+        }
+        if self.rows == 1 {
+            kinds.add(factors, run.0, run.1 * PI / sent);
         }
     }
 
