@@ -17,7 +17,7 @@ struct type_17 {
     member: array<type_15>,
 }
 
-struct type_22 {
+struct type_23 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -42,261 +42,273 @@ struct type_22 {
     member_21: vec4<f32>,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_24 {
+    member: type_23,
 }
 
-struct type_29 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_23;
+var<uniform> params: type_24;
 @group(0) @binding(1) 
 var<storage> facets: type_17;
 @group(0) @binding(2) 
-var<storage, read_write> words: type_29;
+var<storage, read_write> words: type_30;
 
 fn function_() {
-    var phi_203_: bool;
-    var phi_205_: bool;
-    var phi_206_: bool;
-    var phi_207_: bool;
-    var phi_208_: bool;
-    var phi_209_: bool;
-    var phi_210_: bool;
-    var phi_211_: bool;
-    var phi_212_: bool;
-    var phi_339_: bool;
-    var phi_341_: bool;
-    var phi_342_: bool;
-    var phi_343_: bool;
-    var phi_344_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_347_: bool;
-    var phi_348_: bool;
-    var phi_475_: bool;
-    var phi_477_: bool;
-    var phi_478_: bool;
-    var phi_479_: bool;
-    var phi_480_: bool;
-    var phi_481_: bool;
-    var phi_482_: bool;
-    var phi_483_: bool;
-    var phi_484_: bool;
+    var phi_137_: vec3<f32>;
+    var phi_233_: bool;
+    var phi_235_: bool;
+    var phi_236_: bool;
+    var phi_237_: bool;
+    var phi_238_: bool;
+    var phi_239_: bool;
+    var phi_240_: bool;
+    var phi_241_: bool;
+    var phi_242_: bool;
+    var phi_369_: bool;
+    var phi_371_: bool;
+    var phi_372_: bool;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_505_: bool;
+    var phi_507_: bool;
+    var phi_508_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_514_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e26 = gid_1;
-            let _e30 = arrayLength((&words.member));
-            let _e34 = (_e26.x + (_e26.y * 2097152u));
-            let _e37 = params.member.member_5;
-            if (_e34 < _e37) {
-                if (_e34 < arrayLength((&facets.member))) {
+            let _e30 = gid_1;
+            let _e34 = arrayLength((&words.member));
+            let _e38 = (_e30.x + (_e30.y * 2097152u));
+            let _e41 = params.member.member_5;
+            if (_e38 < _e41) {
+                if (_e38 < arrayLength((&facets.member))) {
                 } else {
                     break;
                 }
-                let _e42 = params.member.member_13;
-                let _e46 = params.member.member[3u];
-                let _e47 = (_e42 / _e46);
-                let _e51 = facets.member[_e34].member;
-                let _e58 = facets.member[_e34].member_2;
-                let _e62 = (_e47 * _e47);
-                let _e68 = params.member.member;
-                let _e76 = ((_e51[0] - _e68.x) / _e68.w);
-                let _e77 = ((_e51[1] - _e68.y) / _e68.w);
-                let _e78 = ((_e51[2] - _e68.z) / _e68.w);
-                let _e80 = abs((_e58[0] * _e62));
-                let _e83 = params.member.member_1;
-                let _e84 = floor((_e76 - 0.5f));
-                let _e92 = floor(_e77);
-                let _e100 = floor(_e78);
-                let _e111 = (select(0i, select(select(i32(_e84), i32(-2147483648), (_e84 < -2147483600f)), 2147483647i, (_e84 > 2147483500f)), (_e84 == _e84)) - _e83.x);
-                let _e112 = (select(0i, select(select(i32(_e92), i32(-2147483648), (_e92 < -2147483600f)), 2147483647i, (_e92 > 2147483500f)), (_e92 == _e92)) - _e83.y);
-                let _e113 = (select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < -2147483600f)), 2147483647i, (_e100 > 2147483500f)), (_e100 == _e100)) - _e83.z);
-                let _e118 = floor(((select(16f, _e80, (_e80 < 16f)) * 65536f) + 0.5f));
-                let _e123 = select(select(u32(_e118), 0u, (_e118 < 0f)), 4294967295u, (_e118 > 4294967000f));
-                let _e126 = params.member.member_2;
-                if (_e111 >= 0i) {
-                    if (_e112 >= 0i) {
-                        if (_e113 >= 0i) {
-                            if (_e111 < bitcast<i32>(_e126.x)) {
-                                let _e135 = (_e112 < bitcast<i32>(_e126.y));
-                                if _e135 {
-                                    phi_203_ = (_e113 < bitcast<i32>(_e126.z));
-                                } else {
-                                    phi_203_ = bool();
-                                }
-                                let _e140 = phi_203_;
-                                phi_205_ = _e140;
-                                phi_206_ = select(true, false, _e135);
-                            } else {
-                                phi_205_ = bool();
-                                phi_206_ = true;
-                            }
-                            let _e143 = phi_205_;
-                            let _e145 = phi_206_;
-                            phi_207_ = _e143;
-                            phi_208_ = _e145;
-                        } else {
-                            phi_207_ = bool();
-                            phi_208_ = true;
-                        }
-                        let _e147 = phi_207_;
-                        let _e149 = phi_208_;
-                        phi_209_ = _e147;
-                        phi_210_ = _e149;
-                    } else {
-                        phi_209_ = bool();
-                        phi_210_ = true;
-                    }
-                    let _e151 = phi_209_;
-                    let _e153 = phi_210_;
-                    phi_211_ = _e151;
-                    phi_212_ = _e153;
+                let _e46 = params.member.member_13;
+                let _e50 = params.member.member[3u];
+                let _e51 = (_e46 / _e50);
+                let _e55 = facets.member[_e38].member;
+                let _e62 = facets.member[_e38].member_2;
+                let _e66 = (_e51 * _e51);
+                let _e67 = (_e62[0] * _e66);
+                let _e68 = (_e62[1] * _e66);
+                let _e69 = (_e62[2] * _e66);
+                let _e72 = params.member.member;
+                let _e87 = (((_e67 * _e67) + (_e68 * _e68)) + (_e69 * _e69));
+                if (_e87 >= 0.000000000000000000000000000000000000011754944f) {
+                    let _e90 = (1f / sqrt(_e87));
+                    phi_137_ = vec3<f32>((_e67 * _e90), (_e68 * _e90), (_e69 * _e90));
                 } else {
-                    phi_211_ = bool();
-                    phi_212_ = true;
+                    phi_137_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e155 = phi_211_;
-                let _e157 = phi_212_;
-                if select(_e155, false, _e157) {
-                    if (_e123 > 0u) {
-                        let _e161 = (_e126.x + 1u);
-                        let _e164 = ((_e126.y + 1u) * _e161);
-                        let _e173 = ((((_e164 + _e161) + bitcast<u32>(_e111)) + (bitcast<u32>(_e112) * _e161)) + (bitcast<u32>(_e113) * _e164));
-                        if (_e173 < _e30) {
+                let _e96 = phi_137_;
+                let _e103 = (((_e55[0] - _e72.x) / _e72.w) - (_e96.x * 0.015625f));
+                let _e104 = (((_e55[1] - _e72.y) / _e72.w) - (_e96.y * 0.015625f));
+                let _e105 = (((_e55[2] - _e72.z) / _e72.w) - (_e96.z * 0.015625f));
+                let _e107 = abs(_e67);
+                let _e110 = params.member.member_1;
+                let _e111 = floor((_e103 - 0.5f));
+                let _e119 = floor(_e104);
+                let _e127 = floor(_e105);
+                let _e138 = (select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)) - _e110.x);
+                let _e139 = (select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < -2147483600f)), 2147483647i, (_e119 > 2147483500f)), (_e119 == _e119)) - _e110.y);
+                let _e140 = (select(0i, select(select(i32(_e127), i32(-2147483648), (_e127 < -2147483600f)), 2147483647i, (_e127 > 2147483500f)), (_e127 == _e127)) - _e110.z);
+                let _e145 = floor(((select(16f, _e107, (_e107 < 16f)) * 65536f) + 0.5f));
+                let _e150 = select(select(u32(_e145), 0u, (_e145 < 0f)), 4294967295u, (_e145 > 4294967000f));
+                let _e153 = params.member.member_2;
+                if (_e138 >= 0i) {
+                    if (_e139 >= 0i) {
+                        if (_e140 >= 0i) {
+                            if (_e138 < bitcast<i32>(_e153.x)) {
+                                let _e162 = (_e139 < bitcast<i32>(_e153.y));
+                                if _e162 {
+                                    phi_233_ = (_e140 < bitcast<i32>(_e153.z));
+                                } else {
+                                    phi_233_ = bool();
+                                }
+                                let _e167 = phi_233_;
+                                phi_235_ = _e167;
+                                phi_236_ = select(true, false, _e162);
+                            } else {
+                                phi_235_ = bool();
+                                phi_236_ = true;
+                            }
+                            let _e170 = phi_235_;
+                            let _e172 = phi_236_;
+                            phi_237_ = _e170;
+                            phi_238_ = _e172;
+                        } else {
+                            phi_237_ = bool();
+                            phi_238_ = true;
+                        }
+                        let _e174 = phi_237_;
+                        let _e176 = phi_238_;
+                        phi_239_ = _e174;
+                        phi_240_ = _e176;
+                    } else {
+                        phi_239_ = bool();
+                        phi_240_ = true;
+                    }
+                    let _e178 = phi_239_;
+                    let _e180 = phi_240_;
+                    phi_241_ = _e178;
+                    phi_242_ = _e180;
+                } else {
+                    phi_241_ = bool();
+                    phi_242_ = true;
+                }
+                let _e182 = phi_241_;
+                let _e184 = phi_242_;
+                if select(_e182, false, _e184) {
+                    if (_e150 > 0u) {
+                        let _e188 = (_e153.x + 1u);
+                        let _e191 = ((_e153.y + 1u) * _e188);
+                        let _e200 = ((((_e191 + _e188) + bitcast<u32>(_e138)) + (bitcast<u32>(_e139) * _e188)) + (bitcast<u32>(_e140) * _e191));
+                        if (_e200 < _e34) {
                         } else {
                             break;
                         }
-                        let _e177 = atomicAdd((&words.member[_e173]), _e123);
+                        let _e204 = atomicAdd((&words.member[_e200]), _e150);
                     }
                 }
-                let _e179 = abs((_e58[1] * _e62));
-                let _e180 = floor(_e76);
-                let _e188 = floor((_e77 - 0.5f));
-                let _e196 = (select(0i, select(select(i32(_e180), i32(-2147483648), (_e180 < -2147483600f)), 2147483647i, (_e180 > 2147483500f)), (_e180 == _e180)) - _e83.x);
-                let _e197 = (select(0i, select(select(i32(_e188), i32(-2147483648), (_e188 < -2147483600f)), 2147483647i, (_e188 > 2147483500f)), (_e188 == _e188)) - _e83.y);
-                let _e202 = floor(((select(16f, _e179, (_e179 < 16f)) * 65536f) + 0.5f));
-                let _e207 = select(select(u32(_e202), 0u, (_e202 < 0f)), 4294967295u, (_e202 > 4294967000f));
-                let _e208 = (_e196 >= 0i);
-                if _e208 {
-                    if (_e197 >= 0i) {
-                        if (_e113 >= 0i) {
-                            if (_e196 < bitcast<i32>(_e126.x)) {
-                                let _e216 = (_e197 < bitcast<i32>(_e126.y));
-                                if _e216 {
-                                    phi_339_ = (_e113 < bitcast<i32>(_e126.z));
+                let _e206 = abs(_e68);
+                let _e207 = floor(_e103);
+                let _e215 = floor((_e104 - 0.5f));
+                let _e223 = (select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < -2147483600f)), 2147483647i, (_e207 > 2147483500f)), (_e207 == _e207)) - _e110.x);
+                let _e224 = (select(0i, select(select(i32(_e215), i32(-2147483648), (_e215 < -2147483600f)), 2147483647i, (_e215 > 2147483500f)), (_e215 == _e215)) - _e110.y);
+                let _e229 = floor(((select(16f, _e206, (_e206 < 16f)) * 65536f) + 0.5f));
+                let _e234 = select(select(u32(_e229), 0u, (_e229 < 0f)), 4294967295u, (_e229 > 4294967000f));
+                let _e235 = (_e223 >= 0i);
+                if _e235 {
+                    if (_e224 >= 0i) {
+                        if (_e140 >= 0i) {
+                            if (_e223 < bitcast<i32>(_e153.x)) {
+                                let _e243 = (_e224 < bitcast<i32>(_e153.y));
+                                if _e243 {
+                                    phi_369_ = (_e140 < bitcast<i32>(_e153.z));
                                 } else {
-                                    phi_339_ = bool();
+                                    phi_369_ = bool();
                                 }
-                                let _e221 = phi_339_;
-                                phi_341_ = _e221;
-                                phi_342_ = select(true, false, _e216);
+                                let _e248 = phi_369_;
+                                phi_371_ = _e248;
+                                phi_372_ = select(true, false, _e243);
                             } else {
-                                phi_341_ = bool();
-                                phi_342_ = true;
+                                phi_371_ = bool();
+                                phi_372_ = true;
                             }
-                            let _e224 = phi_341_;
-                            let _e226 = phi_342_;
-                            phi_343_ = _e224;
-                            phi_344_ = _e226;
+                            let _e251 = phi_371_;
+                            let _e253 = phi_372_;
+                            phi_373_ = _e251;
+                            phi_374_ = _e253;
                         } else {
-                            phi_343_ = bool();
-                            phi_344_ = true;
+                            phi_373_ = bool();
+                            phi_374_ = true;
                         }
-                        let _e228 = phi_343_;
-                        let _e230 = phi_344_;
-                        phi_345_ = _e228;
-                        phi_346_ = _e230;
+                        let _e255 = phi_373_;
+                        let _e257 = phi_374_;
+                        phi_375_ = _e255;
+                        phi_376_ = _e257;
                     } else {
-                        phi_345_ = bool();
-                        phi_346_ = true;
+                        phi_375_ = bool();
+                        phi_376_ = true;
                     }
-                    let _e232 = phi_345_;
-                    let _e234 = phi_346_;
-                    phi_347_ = _e232;
-                    phi_348_ = _e234;
+                    let _e259 = phi_375_;
+                    let _e261 = phi_376_;
+                    phi_377_ = _e259;
+                    phi_378_ = _e261;
                 } else {
-                    phi_347_ = bool();
-                    phi_348_ = true;
+                    phi_377_ = bool();
+                    phi_378_ = true;
                 }
-                let _e236 = phi_347_;
-                let _e238 = phi_348_;
-                if select(_e236, false, _e238) {
-                    if (_e207 > 0u) {
-                        let _e242 = (_e126.x + 1u);
-                        let _e245 = ((_e126.y + 1u) * _e242);
-                        let _e246 = (_e245 + _e242);
-                        let _e259 = ((_e246 + ((_e126.z + 1u) * _e245)) + (((_e246 + bitcast<u32>(_e196)) + (bitcast<u32>(_e197) * _e242)) + (bitcast<u32>(_e113) * _e245)));
-                        if (_e259 < _e30) {
+                let _e263 = phi_377_;
+                let _e265 = phi_378_;
+                if select(_e263, false, _e265) {
+                    if (_e234 > 0u) {
+                        let _e269 = (_e153.x + 1u);
+                        let _e272 = ((_e153.y + 1u) * _e269);
+                        let _e273 = (_e272 + _e269);
+                        let _e286 = ((_e273 + ((_e153.z + 1u) * _e272)) + (((_e273 + bitcast<u32>(_e223)) + (bitcast<u32>(_e224) * _e269)) + (bitcast<u32>(_e140) * _e272)));
+                        if (_e286 < _e34) {
                         } else {
                             break;
                         }
-                        let _e263 = atomicAdd((&words.member[_e259]), _e207);
+                        let _e290 = atomicAdd((&words.member[_e286]), _e234);
                     }
                 }
-                let _e265 = abs((_e58[2] * _e62));
-                let _e266 = floor((_e78 - 0.5f));
-                let _e274 = (select(0i, select(select(i32(_e266), i32(-2147483648), (_e266 < -2147483600f)), 2147483647i, (_e266 > 2147483500f)), (_e266 == _e266)) - _e83.z);
-                let _e279 = floor(((select(16f, _e265, (_e265 < 16f)) * 65536f) + 0.5f));
-                let _e284 = select(select(u32(_e279), 0u, (_e279 < 0f)), 4294967295u, (_e279 > 4294967000f));
-                if _e208 {
-                    if (_e112 >= 0i) {
-                        if (_e274 >= 0i) {
-                            if (_e196 < bitcast<i32>(_e126.x)) {
-                                let _e292 = (_e112 < bitcast<i32>(_e126.y));
-                                if _e292 {
-                                    phi_475_ = (_e274 < bitcast<i32>(_e126.z));
+                let _e292 = abs(_e69);
+                let _e293 = floor((_e105 - 0.5f));
+                let _e301 = (select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < -2147483600f)), 2147483647i, (_e293 > 2147483500f)), (_e293 == _e293)) - _e110.z);
+                let _e306 = floor(((select(16f, _e292, (_e292 < 16f)) * 65536f) + 0.5f));
+                let _e311 = select(select(u32(_e306), 0u, (_e306 < 0f)), 4294967295u, (_e306 > 4294967000f));
+                if _e235 {
+                    if (_e139 >= 0i) {
+                        if (_e301 >= 0i) {
+                            if (_e223 < bitcast<i32>(_e153.x)) {
+                                let _e319 = (_e139 < bitcast<i32>(_e153.y));
+                                if _e319 {
+                                    phi_505_ = (_e301 < bitcast<i32>(_e153.z));
                                 } else {
-                                    phi_475_ = bool();
+                                    phi_505_ = bool();
                                 }
-                                let _e297 = phi_475_;
-                                phi_477_ = _e297;
-                                phi_478_ = select(true, false, _e292);
+                                let _e324 = phi_505_;
+                                phi_507_ = _e324;
+                                phi_508_ = select(true, false, _e319);
                             } else {
-                                phi_477_ = bool();
-                                phi_478_ = true;
+                                phi_507_ = bool();
+                                phi_508_ = true;
                             }
-                            let _e300 = phi_477_;
-                            let _e302 = phi_478_;
-                            phi_479_ = _e300;
-                            phi_480_ = _e302;
+                            let _e327 = phi_507_;
+                            let _e329 = phi_508_;
+                            phi_509_ = _e327;
+                            phi_510_ = _e329;
                         } else {
-                            phi_479_ = bool();
-                            phi_480_ = true;
+                            phi_509_ = bool();
+                            phi_510_ = true;
                         }
-                        let _e304 = phi_479_;
-                        let _e306 = phi_480_;
-                        phi_481_ = _e304;
-                        phi_482_ = _e306;
+                        let _e331 = phi_509_;
+                        let _e333 = phi_510_;
+                        phi_511_ = _e331;
+                        phi_512_ = _e333;
                     } else {
-                        phi_481_ = bool();
-                        phi_482_ = true;
+                        phi_511_ = bool();
+                        phi_512_ = true;
                     }
-                    let _e308 = phi_481_;
-                    let _e310 = phi_482_;
-                    phi_483_ = _e308;
-                    phi_484_ = _e310;
+                    let _e335 = phi_511_;
+                    let _e337 = phi_512_;
+                    phi_513_ = _e335;
+                    phi_514_ = _e337;
                 } else {
-                    phi_483_ = bool();
-                    phi_484_ = true;
+                    phi_513_ = bool();
+                    phi_514_ = true;
                 }
-                let _e312 = phi_483_;
-                let _e314 = phi_484_;
-                if select(_e312, false, _e314) {
-                    if (_e284 > 0u) {
-                        let _e318 = (_e126.x + 1u);
-                        let _e321 = ((_e126.y + 1u) * _e318);
-                        let _e322 = (_e321 + _e318);
-                        let _e336 = ((2u * (_e322 + ((_e126.z + 1u) * _e321))) + (((_e322 + bitcast<u32>(_e196)) + (bitcast<u32>(_e112) * _e318)) + (bitcast<u32>(_e274) * _e321)));
-                        if (_e336 < _e30) {
+                let _e339 = phi_513_;
+                let _e341 = phi_514_;
+                if select(_e339, false, _e341) {
+                    if (_e311 > 0u) {
+                        let _e345 = (_e153.x + 1u);
+                        let _e348 = ((_e153.y + 1u) * _e345);
+                        let _e349 = (_e348 + _e345);
+                        let _e363 = ((2u * (_e349 + ((_e153.z + 1u) * _e348))) + (((_e349 + bitcast<u32>(_e223)) + (bitcast<u32>(_e139) * _e345)) + (bitcast<u32>(_e301) * _e348)));
+                        if (_e363 < _e34) {
                         } else {
                             break;
                         }
-                        let _e340 = atomicAdd((&words.member[_e336]), _e284);
+                        let _e367 = atomicAdd((&words.member[_e363]), _e311);
                     }
                 }
             }

@@ -17,7 +17,7 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_23 {
+struct type_24 {
     member: vec4<f32>,
     member_1: vec4<i32>,
     member_2: vec4<u32>,
@@ -42,263 +42,275 @@ struct type_23 {
     member_21: vec4<f32>,
 }
 
-struct type_24 {
-    member: type_23,
+struct type_25 {
+    member: type_24,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<atomic<u32>>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_24;
+var<uniform> params: type_25;
 @group(0) @binding(2) 
-var<storage, read_write> words: type_30;
+var<storage, read_write> words: type_31;
 @group(0) @binding(1) 
 var<storage> texels: type_18;
 
 fn function_() {
-    var phi_216_: bool;
-    var phi_218_: bool;
-    var phi_219_: bool;
-    var phi_220_: bool;
-    var phi_221_: bool;
-    var phi_222_: bool;
-    var phi_223_: bool;
-    var phi_224_: bool;
-    var phi_225_: bool;
-    var phi_352_: bool;
-    var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_357_: bool;
-    var phi_358_: bool;
-    var phi_359_: bool;
-    var phi_360_: bool;
-    var phi_361_: bool;
-    var phi_488_: bool;
-    var phi_490_: bool;
-    var phi_491_: bool;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_495_: bool;
-    var phi_496_: bool;
-    var phi_497_: bool;
+    var phi_150_: vec3<f32>;
+    var phi_246_: bool;
+    var phi_248_: bool;
+    var phi_249_: bool;
+    var phi_250_: bool;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_253_: bool;
+    var phi_254_: bool;
+    var phi_255_: bool;
+    var phi_382_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
+    var phi_387_: bool;
+    var phi_388_: bool;
+    var phi_389_: bool;
+    var phi_390_: bool;
+    var phi_391_: bool;
+    var phi_518_: bool;
+    var phi_520_: bool;
+    var phi_521_: bool;
+    var phi_522_: bool;
+    var phi_523_: bool;
+    var phi_524_: bool;
+    var phi_525_: bool;
+    var phi_526_: bool;
+    var phi_527_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e25 = gid_1;
-            let _e29 = arrayLength((&words.member));
-            let _e33 = (_e25.x + (_e25.y * 2097152u));
-            let _e36 = params.member.member_5;
-            if (_e33 < _e36) {
-                if (_e33 < arrayLength((&texels.member))) {
+            let _e29 = gid_1;
+            let _e33 = arrayLength((&words.member));
+            let _e37 = (_e29.x + (_e29.y * 2097152u));
+            let _e40 = params.member.member_5;
+            if (_e37 < _e40) {
+                if (_e37 < arrayLength((&texels.member))) {
                 } else {
                     break;
                 }
-                let _e42 = texels.member[_e33].member_3;
-                if (_e42 == 1u) {
-                    let _e47 = texels.member[_e33].member_1;
-                    let _e51 = params.member.member[3u];
-                    let _e53 = ((_e47 / _e51) / _e51);
-                    let _e57 = texels.member[_e33].member;
-                    let _e64 = texels.member[_e33].member_2;
-                    let _e69 = select(16f, _e53, (_e53 < 16f));
-                    let _e75 = params.member.member;
-                    let _e83 = ((_e57[0] - _e75.x) / _e75.w);
-                    let _e84 = ((_e57[1] - _e75.y) / _e75.w);
-                    let _e85 = ((_e57[2] - _e75.z) / _e75.w);
-                    let _e87 = abs((_e64[0] * _e69));
-                    let _e90 = params.member.member_1;
-                    let _e91 = floor((_e83 - 0.5f));
-                    let _e99 = floor(_e84);
-                    let _e107 = floor(_e85);
-                    let _e118 = (select(0i, select(select(i32(_e91), i32(-2147483648), (_e91 < -2147483600f)), 2147483647i, (_e91 > 2147483500f)), (_e91 == _e91)) - _e90.x);
-                    let _e119 = (select(0i, select(select(i32(_e99), i32(-2147483648), (_e99 < -2147483600f)), 2147483647i, (_e99 > 2147483500f)), (_e99 == _e99)) - _e90.y);
-                    let _e120 = (select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < -2147483600f)), 2147483647i, (_e107 > 2147483500f)), (_e107 == _e107)) - _e90.z);
-                    let _e125 = floor(((select(16f, _e87, (_e87 < 16f)) * 65536f) + 0.5f));
-                    let _e130 = select(select(u32(_e125), 0u, (_e125 < 0f)), 4294967295u, (_e125 > 4294967000f));
-                    let _e133 = params.member.member_2;
-                    if (_e118 >= 0i) {
-                        if (_e119 >= 0i) {
-                            if (_e120 >= 0i) {
-                                if (_e118 < bitcast<i32>(_e133.x)) {
-                                    let _e142 = (_e119 < bitcast<i32>(_e133.y));
-                                    if _e142 {
-                                        phi_216_ = (_e120 < bitcast<i32>(_e133.z));
-                                    } else {
-                                        phi_216_ = bool();
-                                    }
-                                    let _e147 = phi_216_;
-                                    phi_218_ = _e147;
-                                    phi_219_ = select(true, false, _e142);
-                                } else {
-                                    phi_218_ = bool();
-                                    phi_219_ = true;
-                                }
-                                let _e150 = phi_218_;
-                                let _e152 = phi_219_;
-                                phi_220_ = _e150;
-                                phi_221_ = _e152;
-                            } else {
-                                phi_220_ = bool();
-                                phi_221_ = true;
-                            }
-                            let _e154 = phi_220_;
-                            let _e156 = phi_221_;
-                            phi_222_ = _e154;
-                            phi_223_ = _e156;
-                        } else {
-                            phi_222_ = bool();
-                            phi_223_ = true;
-                        }
-                        let _e158 = phi_222_;
-                        let _e160 = phi_223_;
-                        phi_224_ = _e158;
-                        phi_225_ = _e160;
+                let _e46 = texels.member[_e37].member_3;
+                if (_e46 == 1u) {
+                    let _e51 = texels.member[_e37].member_1;
+                    let _e55 = params.member.member[3u];
+                    let _e57 = ((_e51 / _e55) / _e55);
+                    let _e61 = texels.member[_e37].member;
+                    let _e68 = texels.member[_e37].member_2;
+                    let _e73 = select(16f, _e57, (_e57 < 16f));
+                    let _e74 = (_e68[0] * _e73);
+                    let _e75 = (_e68[1] * _e73);
+                    let _e76 = (_e68[2] * _e73);
+                    let _e79 = params.member.member;
+                    let _e94 = (((_e74 * _e74) + (_e75 * _e75)) + (_e76 * _e76));
+                    if (_e94 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e97 = (1f / sqrt(_e94));
+                        phi_150_ = vec3<f32>((_e74 * _e97), (_e75 * _e97), (_e76 * _e97));
                     } else {
-                        phi_224_ = bool();
-                        phi_225_ = true;
+                        phi_150_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e162 = phi_224_;
-                    let _e164 = phi_225_;
-                    if select(_e162, false, _e164) {
-                        if (_e130 > 0u) {
-                            let _e168 = (_e133.x + 1u);
-                            let _e171 = ((_e133.y + 1u) * _e168);
-                            let _e180 = ((((_e171 + _e168) + bitcast<u32>(_e118)) + (bitcast<u32>(_e119) * _e168)) + (bitcast<u32>(_e120) * _e171));
-                            if (_e180 < _e29) {
+                    let _e103 = phi_150_;
+                    let _e110 = (((_e61[0] - _e79.x) / _e79.w) - (_e103.x * 0.015625f));
+                    let _e111 = (((_e61[1] - _e79.y) / _e79.w) - (_e103.y * 0.015625f));
+                    let _e112 = (((_e61[2] - _e79.z) / _e79.w) - (_e103.z * 0.015625f));
+                    let _e114 = abs(_e74);
+                    let _e117 = params.member.member_1;
+                    let _e118 = floor((_e110 - 0.5f));
+                    let _e126 = floor(_e111);
+                    let _e134 = floor(_e112);
+                    let _e145 = (select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)) - _e117.x);
+                    let _e146 = (select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < -2147483600f)), 2147483647i, (_e126 > 2147483500f)), (_e126 == _e126)) - _e117.y);
+                    let _e147 = (select(0i, select(select(i32(_e134), i32(-2147483648), (_e134 < -2147483600f)), 2147483647i, (_e134 > 2147483500f)), (_e134 == _e134)) - _e117.z);
+                    let _e152 = floor(((select(16f, _e114, (_e114 < 16f)) * 65536f) + 0.5f));
+                    let _e157 = select(select(u32(_e152), 0u, (_e152 < 0f)), 4294967295u, (_e152 > 4294967000f));
+                    let _e160 = params.member.member_2;
+                    if (_e145 >= 0i) {
+                        if (_e146 >= 0i) {
+                            if (_e147 >= 0i) {
+                                if (_e145 < bitcast<i32>(_e160.x)) {
+                                    let _e169 = (_e146 < bitcast<i32>(_e160.y));
+                                    if _e169 {
+                                        phi_246_ = (_e147 < bitcast<i32>(_e160.z));
+                                    } else {
+                                        phi_246_ = bool();
+                                    }
+                                    let _e174 = phi_246_;
+                                    phi_248_ = _e174;
+                                    phi_249_ = select(true, false, _e169);
+                                } else {
+                                    phi_248_ = bool();
+                                    phi_249_ = true;
+                                }
+                                let _e177 = phi_248_;
+                                let _e179 = phi_249_;
+                                phi_250_ = _e177;
+                                phi_251_ = _e179;
+                            } else {
+                                phi_250_ = bool();
+                                phi_251_ = true;
+                            }
+                            let _e181 = phi_250_;
+                            let _e183 = phi_251_;
+                            phi_252_ = _e181;
+                            phi_253_ = _e183;
+                        } else {
+                            phi_252_ = bool();
+                            phi_253_ = true;
+                        }
+                        let _e185 = phi_252_;
+                        let _e187 = phi_253_;
+                        phi_254_ = _e185;
+                        phi_255_ = _e187;
+                    } else {
+                        phi_254_ = bool();
+                        phi_255_ = true;
+                    }
+                    let _e189 = phi_254_;
+                    let _e191 = phi_255_;
+                    if select(_e189, false, _e191) {
+                        if (_e157 > 0u) {
+                            let _e195 = (_e160.x + 1u);
+                            let _e198 = ((_e160.y + 1u) * _e195);
+                            let _e207 = ((((_e198 + _e195) + bitcast<u32>(_e145)) + (bitcast<u32>(_e146) * _e195)) + (bitcast<u32>(_e147) * _e198));
+                            if (_e207 < _e33) {
                             } else {
                                 break;
                             }
-                            let _e184 = atomicAdd((&words.member[_e180]), _e130);
+                            let _e211 = atomicAdd((&words.member[_e207]), _e157);
                         }
                     }
-                    let _e186 = abs((_e64[1] * _e69));
-                    let _e187 = floor(_e83);
-                    let _e195 = floor((_e84 - 0.5f));
-                    let _e203 = (select(0i, select(select(i32(_e187), i32(-2147483648), (_e187 < -2147483600f)), 2147483647i, (_e187 > 2147483500f)), (_e187 == _e187)) - _e90.x);
-                    let _e204 = (select(0i, select(select(i32(_e195), i32(-2147483648), (_e195 < -2147483600f)), 2147483647i, (_e195 > 2147483500f)), (_e195 == _e195)) - _e90.y);
-                    let _e209 = floor(((select(16f, _e186, (_e186 < 16f)) * 65536f) + 0.5f));
-                    let _e214 = select(select(u32(_e209), 0u, (_e209 < 0f)), 4294967295u, (_e209 > 4294967000f));
-                    let _e215 = (_e203 >= 0i);
-                    if _e215 {
-                        if (_e204 >= 0i) {
-                            if (_e120 >= 0i) {
-                                if (_e203 < bitcast<i32>(_e133.x)) {
-                                    let _e223 = (_e204 < bitcast<i32>(_e133.y));
-                                    if _e223 {
-                                        phi_352_ = (_e120 < bitcast<i32>(_e133.z));
+                    let _e213 = abs(_e75);
+                    let _e214 = floor(_e110);
+                    let _e222 = floor((_e111 - 0.5f));
+                    let _e230 = (select(0i, select(select(i32(_e214), i32(-2147483648), (_e214 < -2147483600f)), 2147483647i, (_e214 > 2147483500f)), (_e214 == _e214)) - _e117.x);
+                    let _e231 = (select(0i, select(select(i32(_e222), i32(-2147483648), (_e222 < -2147483600f)), 2147483647i, (_e222 > 2147483500f)), (_e222 == _e222)) - _e117.y);
+                    let _e236 = floor(((select(16f, _e213, (_e213 < 16f)) * 65536f) + 0.5f));
+                    let _e241 = select(select(u32(_e236), 0u, (_e236 < 0f)), 4294967295u, (_e236 > 4294967000f));
+                    let _e242 = (_e230 >= 0i);
+                    if _e242 {
+                        if (_e231 >= 0i) {
+                            if (_e147 >= 0i) {
+                                if (_e230 < bitcast<i32>(_e160.x)) {
+                                    let _e250 = (_e231 < bitcast<i32>(_e160.y));
+                                    if _e250 {
+                                        phi_382_ = (_e147 < bitcast<i32>(_e160.z));
                                     } else {
-                                        phi_352_ = bool();
+                                        phi_382_ = bool();
                                     }
-                                    let _e228 = phi_352_;
-                                    phi_354_ = _e228;
-                                    phi_355_ = select(true, false, _e223);
+                                    let _e255 = phi_382_;
+                                    phi_384_ = _e255;
+                                    phi_385_ = select(true, false, _e250);
                                 } else {
-                                    phi_354_ = bool();
-                                    phi_355_ = true;
+                                    phi_384_ = bool();
+                                    phi_385_ = true;
                                 }
-                                let _e231 = phi_354_;
-                                let _e233 = phi_355_;
-                                phi_356_ = _e231;
-                                phi_357_ = _e233;
+                                let _e258 = phi_384_;
+                                let _e260 = phi_385_;
+                                phi_386_ = _e258;
+                                phi_387_ = _e260;
                             } else {
-                                phi_356_ = bool();
-                                phi_357_ = true;
+                                phi_386_ = bool();
+                                phi_387_ = true;
                             }
-                            let _e235 = phi_356_;
-                            let _e237 = phi_357_;
-                            phi_358_ = _e235;
-                            phi_359_ = _e237;
+                            let _e262 = phi_386_;
+                            let _e264 = phi_387_;
+                            phi_388_ = _e262;
+                            phi_389_ = _e264;
                         } else {
-                            phi_358_ = bool();
-                            phi_359_ = true;
+                            phi_388_ = bool();
+                            phi_389_ = true;
                         }
-                        let _e239 = phi_358_;
-                        let _e241 = phi_359_;
-                        phi_360_ = _e239;
-                        phi_361_ = _e241;
+                        let _e266 = phi_388_;
+                        let _e268 = phi_389_;
+                        phi_390_ = _e266;
+                        phi_391_ = _e268;
                     } else {
-                        phi_360_ = bool();
-                        phi_361_ = true;
+                        phi_390_ = bool();
+                        phi_391_ = true;
                     }
-                    let _e243 = phi_360_;
-                    let _e245 = phi_361_;
-                    if select(_e243, false, _e245) {
-                        if (_e214 > 0u) {
-                            let _e249 = (_e133.x + 1u);
-                            let _e252 = ((_e133.y + 1u) * _e249);
-                            let _e253 = (_e252 + _e249);
-                            let _e266 = ((_e253 + ((_e133.z + 1u) * _e252)) + (((_e253 + bitcast<u32>(_e203)) + (bitcast<u32>(_e204) * _e249)) + (bitcast<u32>(_e120) * _e252)));
-                            if (_e266 < _e29) {
+                    let _e270 = phi_390_;
+                    let _e272 = phi_391_;
+                    if select(_e270, false, _e272) {
+                        if (_e241 > 0u) {
+                            let _e276 = (_e160.x + 1u);
+                            let _e279 = ((_e160.y + 1u) * _e276);
+                            let _e280 = (_e279 + _e276);
+                            let _e293 = ((_e280 + ((_e160.z + 1u) * _e279)) + (((_e280 + bitcast<u32>(_e230)) + (bitcast<u32>(_e231) * _e276)) + (bitcast<u32>(_e147) * _e279)));
+                            if (_e293 < _e33) {
                             } else {
                                 break;
                             }
-                            let _e270 = atomicAdd((&words.member[_e266]), _e214);
+                            let _e297 = atomicAdd((&words.member[_e293]), _e241);
                         }
                     }
-                    let _e272 = abs((_e64[2] * _e69));
-                    let _e273 = floor((_e85 - 0.5f));
-                    let _e281 = (select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273)) - _e90.z);
-                    let _e286 = floor(((select(16f, _e272, (_e272 < 16f)) * 65536f) + 0.5f));
-                    let _e291 = select(select(u32(_e286), 0u, (_e286 < 0f)), 4294967295u, (_e286 > 4294967000f));
-                    if _e215 {
-                        if (_e119 >= 0i) {
-                            if (_e281 >= 0i) {
-                                if (_e203 < bitcast<i32>(_e133.x)) {
-                                    let _e299 = (_e119 < bitcast<i32>(_e133.y));
-                                    if _e299 {
-                                        phi_488_ = (_e281 < bitcast<i32>(_e133.z));
+                    let _e299 = abs(_e76);
+                    let _e300 = floor((_e112 - 0.5f));
+                    let _e308 = (select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < -2147483600f)), 2147483647i, (_e300 > 2147483500f)), (_e300 == _e300)) - _e117.z);
+                    let _e313 = floor(((select(16f, _e299, (_e299 < 16f)) * 65536f) + 0.5f));
+                    let _e318 = select(select(u32(_e313), 0u, (_e313 < 0f)), 4294967295u, (_e313 > 4294967000f));
+                    if _e242 {
+                        if (_e146 >= 0i) {
+                            if (_e308 >= 0i) {
+                                if (_e230 < bitcast<i32>(_e160.x)) {
+                                    let _e326 = (_e146 < bitcast<i32>(_e160.y));
+                                    if _e326 {
+                                        phi_518_ = (_e308 < bitcast<i32>(_e160.z));
                                     } else {
-                                        phi_488_ = bool();
+                                        phi_518_ = bool();
                                     }
-                                    let _e304 = phi_488_;
-                                    phi_490_ = _e304;
-                                    phi_491_ = select(true, false, _e299);
+                                    let _e331 = phi_518_;
+                                    phi_520_ = _e331;
+                                    phi_521_ = select(true, false, _e326);
                                 } else {
-                                    phi_490_ = bool();
-                                    phi_491_ = true;
+                                    phi_520_ = bool();
+                                    phi_521_ = true;
                                 }
-                                let _e307 = phi_490_;
-                                let _e309 = phi_491_;
-                                phi_492_ = _e307;
-                                phi_493_ = _e309;
+                                let _e334 = phi_520_;
+                                let _e336 = phi_521_;
+                                phi_522_ = _e334;
+                                phi_523_ = _e336;
                             } else {
-                                phi_492_ = bool();
-                                phi_493_ = true;
+                                phi_522_ = bool();
+                                phi_523_ = true;
                             }
-                            let _e311 = phi_492_;
-                            let _e313 = phi_493_;
-                            phi_494_ = _e311;
-                            phi_495_ = _e313;
+                            let _e338 = phi_522_;
+                            let _e340 = phi_523_;
+                            phi_524_ = _e338;
+                            phi_525_ = _e340;
                         } else {
-                            phi_494_ = bool();
-                            phi_495_ = true;
+                            phi_524_ = bool();
+                            phi_525_ = true;
                         }
-                        let _e315 = phi_494_;
-                        let _e317 = phi_495_;
-                        phi_496_ = _e315;
-                        phi_497_ = _e317;
+                        let _e342 = phi_524_;
+                        let _e344 = phi_525_;
+                        phi_526_ = _e342;
+                        phi_527_ = _e344;
                     } else {
-                        phi_496_ = bool();
-                        phi_497_ = true;
+                        phi_526_ = bool();
+                        phi_527_ = true;
                     }
-                    let _e319 = phi_496_;
-                    let _e321 = phi_497_;
-                    if select(_e319, false, _e321) {
-                        if (_e291 > 0u) {
-                            let _e325 = (_e133.x + 1u);
-                            let _e328 = ((_e133.y + 1u) * _e325);
-                            let _e329 = (_e328 + _e325);
-                            let _e343 = ((2u * (_e329 + ((_e133.z + 1u) * _e328))) + (((_e329 + bitcast<u32>(_e203)) + (bitcast<u32>(_e119) * _e325)) + (bitcast<u32>(_e281) * _e328)));
-                            if (_e343 < _e29) {
+                    let _e346 = phi_526_;
+                    let _e348 = phi_527_;
+                    if select(_e346, false, _e348) {
+                        if (_e318 > 0u) {
+                            let _e352 = (_e160.x + 1u);
+                            let _e355 = ((_e160.y + 1u) * _e352);
+                            let _e356 = (_e355 + _e352);
+                            let _e370 = ((2u * (_e356 + ((_e160.z + 1u) * _e355))) + (((_e356 + bitcast<u32>(_e230)) + (bitcast<u32>(_e146) * _e352)) + (bitcast<u32>(_e308) * _e355)));
+                            if (_e370 < _e33) {
                             } else {
                                 break;
                             }
-                            let _e347 = atomicAdd((&words.member[_e343]), _e291);
+                            let _e374 = atomicAdd((&words.member[_e370]), _e318);
                         }
                     }
                 }

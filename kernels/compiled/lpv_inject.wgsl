@@ -59,632 +59,632 @@ var<storage, read_write> words: type_29;
 var<storage> texels: type_17;
 
 fn function_() {
-    var phi_203_: bool;
     var phi_205_: bool;
-    var phi_206_: bool;
     var phi_207_: bool;
     var phi_208_: bool;
     var phi_209_: bool;
     var phi_210_: bool;
     var phi_211_: bool;
     var phi_212_: bool;
+    var phi_213_: bool;
+    var phi_214_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = gid_1;
-            let _e36 = arrayLength((&words.member));
-            let _e40 = (_e32.x + (_e32.y * 2097152u));
-            let _e43 = params.member.member_5;
-            if (_e40 < _e43) {
-                if (_e40 < arrayLength((&texels.member))) {
+            let _e33 = gid_1;
+            let _e37 = arrayLength((&words.member));
+            let _e41 = (_e33.x + (_e33.y * 2097152u));
+            let _e44 = params.member.member_5;
+            if (_e41 < _e44) {
+                if (_e41 < arrayLength((&texels.member))) {
                 } else {
                     break;
                 }
-                let _e49 = texels.member[_e40].member_3;
-                if (_e49 == 1u) {
-                    let _e54 = texels.member[_e40].member_4;
-                    let _e61 = texels.member[_e40].member_6;
-                    let _e65 = (_e54[0] * _e61[0]);
-                    let _e66 = (_e54[1] * _e61[1]);
-                    let _e67 = (_e54[2] * _e61[2]);
-                    let _e71 = texels.member[_e40].member;
-                    let _e78 = texels.member[_e40].member_2;
-                    let _e84 = params.member.member_1;
-                    let _e87 = params.member.member;
-                    let _e104 = floor((((_e71[0] - _e87.x) / _e87.w) + (_e78[0] * 0.5f)));
-                    let _e112 = floor((((_e71[1] - _e87.y) / _e87.w) + (_e78[1] * 0.5f)));
-                    let _e120 = floor((((_e71[2] - _e87.z) / _e87.w) + (_e78[2] * 0.5f)));
-                    let _e131 = (select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < -2147483600f)), 2147483647i, (_e104 > 2147483500f)), (_e104 == _e104)) - _e84.x);
-                    let _e132 = (select(0i, select(select(i32(_e112), i32(-2147483648), (_e112 < -2147483600f)), 2147483647i, (_e112 > 2147483500f)), (_e112 == _e112)) - _e84.y);
-                    let _e133 = (select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < -2147483600f)), 2147483647i, (_e120 > 2147483500f)), (_e120 == _e120)) - _e84.z);
-                    let _e136 = params.member.member_2;
-                    if (_e131 >= 0i) {
-                        if (_e132 >= 0i) {
-                            if (_e133 >= 0i) {
-                                if (_e131 < bitcast<i32>(_e136.x)) {
-                                    let _e145 = (_e132 < bitcast<i32>(_e136.y));
-                                    if _e145 {
-                                        phi_203_ = (_e133 < bitcast<i32>(_e136.z));
+                let _e50 = texels.member[_e41].member_3;
+                if (_e50 == 1u) {
+                    let _e55 = texels.member[_e41].member_4;
+                    let _e62 = texels.member[_e41].member_6;
+                    let _e66 = (_e55[0] * _e62[0]);
+                    let _e67 = (_e55[1] * _e62[1]);
+                    let _e68 = (_e55[2] * _e62[2]);
+                    let _e72 = texels.member[_e41].member;
+                    let _e79 = texels.member[_e41].member_2;
+                    let _e85 = params.member.member_1;
+                    let _e88 = params.member.member;
+                    let _e105 = floor((((_e72[0] - _e88.x) / _e88.w) + (_e79[0] * 0.515625f)));
+                    let _e113 = floor((((_e72[1] - _e88.y) / _e88.w) + (_e79[1] * 0.515625f)));
+                    let _e121 = floor((((_e72[2] - _e88.z) / _e88.w) + (_e79[2] * 0.515625f)));
+                    let _e132 = (select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < -2147483600f)), 2147483647i, (_e105 > 2147483500f)), (_e105 == _e105)) - _e85.x);
+                    let _e133 = (select(0i, select(select(i32(_e113), i32(-2147483648), (_e113 < -2147483600f)), 2147483647i, (_e113 > 2147483500f)), (_e113 == _e113)) - _e85.y);
+                    let _e134 = (select(0i, select(select(i32(_e121), i32(-2147483648), (_e121 < -2147483600f)), 2147483647i, (_e121 > 2147483500f)), (_e121 == _e121)) - _e85.z);
+                    let _e137 = params.member.member_2;
+                    if (_e132 >= 0i) {
+                        if (_e133 >= 0i) {
+                            if (_e134 >= 0i) {
+                                if (_e132 < bitcast<i32>(_e137.x)) {
+                                    let _e146 = (_e133 < bitcast<i32>(_e137.y));
+                                    if _e146 {
+                                        phi_205_ = (_e134 < bitcast<i32>(_e137.z));
                                     } else {
-                                        phi_203_ = bool();
+                                        phi_205_ = bool();
                                     }
-                                    let _e150 = phi_203_;
-                                    phi_205_ = _e150;
-                                    phi_206_ = select(true, false, _e145);
+                                    let _e151 = phi_205_;
+                                    phi_207_ = _e151;
+                                    phi_208_ = select(true, false, _e146);
                                 } else {
-                                    phi_205_ = bool();
-                                    phi_206_ = true;
+                                    phi_207_ = bool();
+                                    phi_208_ = true;
                                 }
-                                let _e153 = phi_205_;
-                                let _e155 = phi_206_;
-                                phi_207_ = _e153;
-                                phi_208_ = _e155;
+                                let _e154 = phi_207_;
+                                let _e156 = phi_208_;
+                                phi_209_ = _e154;
+                                phi_210_ = _e156;
                             } else {
-                                phi_207_ = bool();
-                                phi_208_ = true;
+                                phi_209_ = bool();
+                                phi_210_ = true;
                             }
-                            let _e157 = phi_207_;
-                            let _e159 = phi_208_;
-                            phi_209_ = _e157;
-                            phi_210_ = _e159;
+                            let _e158 = phi_209_;
+                            let _e160 = phi_210_;
+                            phi_211_ = _e158;
+                            phi_212_ = _e160;
                         } else {
-                            phi_209_ = bool();
-                            phi_210_ = true;
+                            phi_211_ = bool();
+                            phi_212_ = true;
                         }
-                        let _e161 = phi_209_;
-                        let _e163 = phi_210_;
-                        phi_211_ = _e161;
-                        phi_212_ = _e163;
+                        let _e162 = phi_211_;
+                        let _e164 = phi_212_;
+                        phi_213_ = _e162;
+                        phi_214_ = _e164;
                     } else {
-                        phi_211_ = bool();
-                        phi_212_ = true;
+                        phi_213_ = bool();
+                        phi_214_ = true;
                     }
-                    let _e165 = phi_211_;
-                    let _e167 = phi_212_;
-                    if select(_e165, false, _e167) {
-                        let _e170 = (_e136.x + 1u);
-                        let _e173 = ((_e136.y + 1u) * _e170);
-                        let _e174 = (_e173 + _e170);
-                        let _e178 = (_e174 + ((_e136.z + 1u) * _e173));
-                        let _e186 = (((_e174 + bitcast<u32>(_e131)) + (bitcast<u32>(_e132) * _e170)) + (bitcast<u32>(_e133) * _e173));
-                        let _e189 = params.member.member_16;
-                        if (_e189 <= 1u) {
-                            let _e193 = params.member.member_7;
-                            let _e194 = (_e65 * _e193);
-                            let _e196 = select(0f, _e194, (_e194 > 0f));
-                            let _e198 = select(1073741800f, _e196, (_e196 < 1073741800f));
-                            let _e199 = (3u * _e178);
-                            let _e201 = floor((_e198 + 0.5f));
-                            let _e206 = select(select(u32(_e201), 0u, (_e201 < 0f)), 4294967295u, (_e201 > 4294967000f));
-                            if (_e206 == 0u) {
+                    let _e166 = phi_213_;
+                    let _e168 = phi_214_;
+                    if select(_e166, false, _e168) {
+                        let _e171 = (_e137.x + 1u);
+                        let _e174 = ((_e137.y + 1u) * _e171);
+                        let _e175 = (_e174 + _e171);
+                        let _e179 = (_e175 + ((_e137.z + 1u) * _e174));
+                        let _e187 = (((_e175 + bitcast<u32>(_e132)) + (bitcast<u32>(_e133) * _e171)) + (bitcast<u32>(_e134) * _e174));
+                        let _e190 = params.member.member_16;
+                        if (_e190 <= 1u) {
+                            let _e194 = params.member.member_7;
+                            let _e195 = (_e66 * _e194);
+                            let _e197 = select(0f, _e195, (_e195 > 0f));
+                            let _e199 = select(1073741800f, _e197, (_e197 < 1073741800f));
+                            let _e200 = (3u * _e179);
+                            let _e202 = floor((_e199 + 0.5f));
+                            let _e207 = select(select(u32(_e202), 0u, (_e202 < 0f)), 4294967295u, (_e202 > 4294967000f));
+                            if (_e207 == 0u) {
                             } else {
-                                if (_e186 < _e36) {
+                                if (_e187 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e211 = atomicAdd((&words.member[_e186]), _e206);
-                                if (_e211 >= (1073741824u - select(_e206, 1073741824u, (1073741824u < _e206)))) {
-                                    let _e219 = ((_e178 * 12u) * select(1u, _e189, (1u < _e189)));
-                                    if (_e219 < _e36) {
+                                let _e212 = atomicAdd((&words.member[_e187]), _e207);
+                                if (_e212 >= (1073741824u - select(_e207, 1073741824u, (1073741824u < _e207)))) {
+                                    let _e220 = ((_e179 * 12u) * select(1u, _e190, (1u < _e190)));
+                                    if (_e220 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e223 = atomicOr((&words.member[_e219]), 1u);
+                                    let _e224 = atomicOr((&words.member[_e220]), 1u);
                                 }
-                                let _e224 = (_e198 * 0.6666667f);
-                                let _e228 = (_e186 + _e199);
-                                let _e230 = floor(((_e78[0] * _e224) + 0.5f));
-                                if (_e228 < _e36) {
+                                let _e225 = (_e199 * 0.6666667f);
+                                let _e229 = (_e187 + _e200);
+                                let _e231 = floor(((_e79[0] * _e225) + 0.5f));
+                                if (_e229 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e242 = atomicAdd((&words.member[_e228]), bitcast<u32>(select(0i, select(select(i32(_e230), i32(-2147483648), (_e230 < -2147483600f)), 2147483647i, (_e230 > 2147483500f)), (_e230 == _e230))));
-                                let _e244 = (_e186 + (_e178 * 6u));
-                                let _e246 = floor(((_e78[1] * _e224) + 0.5f));
-                                if (_e244 < _e36) {
+                                let _e243 = atomicAdd((&words.member[_e229]), bitcast<u32>(select(0i, select(select(i32(_e231), i32(-2147483648), (_e231 < -2147483600f)), 2147483647i, (_e231 > 2147483500f)), (_e231 == _e231))));
+                                let _e245 = (_e187 + (_e179 * 6u));
+                                let _e247 = floor(((_e79[1] * _e225) + 0.5f));
+                                if (_e245 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e258 = atomicAdd((&words.member[_e244]), bitcast<u32>(select(0i, select(select(i32(_e246), i32(-2147483648), (_e246 < -2147483600f)), 2147483647i, (_e246 > 2147483500f)), (_e246 == _e246))));
-                                let _e260 = (_e186 + (_e178 * 9u));
-                                let _e262 = floor(((_e78[2] * _e224) + 0.5f));
-                                if (_e260 < _e36) {
+                                let _e259 = atomicAdd((&words.member[_e245]), bitcast<u32>(select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < -2147483600f)), 2147483647i, (_e247 > 2147483500f)), (_e247 == _e247))));
+                                let _e261 = (_e187 + (_e179 * 9u));
+                                let _e263 = floor(((_e79[2] * _e225) + 0.5f));
+                                if (_e261 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e274 = atomicAdd((&words.member[_e260]), bitcast<u32>(select(0i, select(select(i32(_e262), i32(-2147483648), (_e262 < -2147483600f)), 2147483647i, (_e262 > 2147483500f)), (_e262 == _e262))));
+                                let _e275 = atomicAdd((&words.member[_e261]), bitcast<u32>(select(0i, select(select(i32(_e263), i32(-2147483648), (_e263 < -2147483600f)), 2147483647i, (_e263 > 2147483500f)), (_e263 == _e263))));
                             }
-                            let _e275 = (_e66 * _e193);
-                            let _e277 = select(0f, _e275, (_e275 > 0f));
-                            let _e279 = select(1073741800f, _e277, (_e277 < 1073741800f));
-                            let _e280 = (_e178 + _e186);
-                            let _e282 = floor((_e279 + 0.5f));
-                            let _e287 = select(select(u32(_e282), 0u, (_e282 < 0f)), 4294967295u, (_e282 > 4294967000f));
-                            if (_e287 == 0u) {
+                            let _e276 = (_e67 * _e194);
+                            let _e278 = select(0f, _e276, (_e276 > 0f));
+                            let _e280 = select(1073741800f, _e278, (_e278 < 1073741800f));
+                            let _e281 = (_e179 + _e187);
+                            let _e283 = floor((_e280 + 0.5f));
+                            let _e288 = select(select(u32(_e283), 0u, (_e283 < 0f)), 4294967295u, (_e283 > 4294967000f));
+                            if (_e288 == 0u) {
                             } else {
-                                if (_e280 < _e36) {
+                                if (_e281 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e292 = atomicAdd((&words.member[_e280]), _e287);
-                                if (_e292 >= (1073741824u - select(_e287, 1073741824u, (1073741824u < _e287)))) {
-                                    let _e300 = ((_e178 * 12u) * select(1u, _e189, (1u < _e189)));
-                                    if (_e300 < _e36) {
+                                let _e293 = atomicAdd((&words.member[_e281]), _e288);
+                                if (_e293 >= (1073741824u - select(_e288, 1073741824u, (1073741824u < _e288)))) {
+                                    let _e301 = ((_e179 * 12u) * select(1u, _e190, (1u < _e190)));
+                                    if (_e301 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e304 = atomicOr((&words.member[_e300]), 1u);
+                                    let _e305 = atomicOr((&words.member[_e301]), 1u);
                                 }
-                                let _e305 = (_e279 * 0.6666667f);
-                                let _e309 = (_e280 + _e199);
-                                let _e311 = floor(((_e78[0] * _e305) + 0.5f));
-                                if (_e309 < _e36) {
+                                let _e306 = (_e280 * 0.6666667f);
+                                let _e310 = (_e281 + _e200);
+                                let _e312 = floor(((_e79[0] * _e306) + 0.5f));
+                                if (_e310 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e323 = atomicAdd((&words.member[_e309]), bitcast<u32>(select(0i, select(select(i32(_e311), i32(-2147483648), (_e311 < -2147483600f)), 2147483647i, (_e311 > 2147483500f)), (_e311 == _e311))));
-                                let _e325 = (_e280 + (_e178 * 6u));
-                                let _e327 = floor(((_e78[1] * _e305) + 0.5f));
-                                if (_e325 < _e36) {
+                                let _e324 = atomicAdd((&words.member[_e310]), bitcast<u32>(select(0i, select(select(i32(_e312), i32(-2147483648), (_e312 < -2147483600f)), 2147483647i, (_e312 > 2147483500f)), (_e312 == _e312))));
+                                let _e326 = (_e281 + (_e179 * 6u));
+                                let _e328 = floor(((_e79[1] * _e306) + 0.5f));
+                                if (_e326 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e339 = atomicAdd((&words.member[_e325]), bitcast<u32>(select(0i, select(select(i32(_e327), i32(-2147483648), (_e327 < -2147483600f)), 2147483647i, (_e327 > 2147483500f)), (_e327 == _e327))));
-                                let _e341 = (_e280 + (_e178 * 9u));
-                                let _e343 = floor(((_e78[2] * _e305) + 0.5f));
-                                if (_e341 < _e36) {
+                                let _e340 = atomicAdd((&words.member[_e326]), bitcast<u32>(select(0i, select(select(i32(_e328), i32(-2147483648), (_e328 < -2147483600f)), 2147483647i, (_e328 > 2147483500f)), (_e328 == _e328))));
+                                let _e342 = (_e281 + (_e179 * 9u));
+                                let _e344 = floor(((_e79[2] * _e306) + 0.5f));
+                                if (_e342 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e355 = atomicAdd((&words.member[_e341]), bitcast<u32>(select(0i, select(select(i32(_e343), i32(-2147483648), (_e343 < -2147483600f)), 2147483647i, (_e343 > 2147483500f)), (_e343 == _e343))));
+                                let _e356 = atomicAdd((&words.member[_e342]), bitcast<u32>(select(0i, select(select(i32(_e344), i32(-2147483648), (_e344 < -2147483600f)), 2147483647i, (_e344 > 2147483500f)), (_e344 == _e344))));
                             }
-                            let _e356 = (_e67 * _e193);
-                            let _e358 = select(0f, _e356, (_e356 > 0f));
-                            let _e360 = select(1073741800f, _e358, (_e358 < 1073741800f));
-                            let _e362 = ((2u * _e178) + _e186);
-                            let _e364 = floor((_e360 + 0.5f));
-                            let _e369 = select(select(u32(_e364), 0u, (_e364 < 0f)), 4294967295u, (_e364 > 4294967000f));
-                            if (_e369 == 0u) {
+                            let _e357 = (_e68 * _e194);
+                            let _e359 = select(0f, _e357, (_e357 > 0f));
+                            let _e361 = select(1073741800f, _e359, (_e359 < 1073741800f));
+                            let _e363 = ((2u * _e179) + _e187);
+                            let _e365 = floor((_e361 + 0.5f));
+                            let _e370 = select(select(u32(_e365), 0u, (_e365 < 0f)), 4294967295u, (_e365 > 4294967000f));
+                            if (_e370 == 0u) {
                             } else {
-                                if (_e362 < _e36) {
+                                if (_e363 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e374 = atomicAdd((&words.member[_e362]), _e369);
-                                if (_e374 >= (1073741824u - select(_e369, 1073741824u, (1073741824u < _e369)))) {
-                                    let _e382 = ((_e178 * 12u) * select(1u, _e189, (1u < _e189)));
-                                    if (_e382 < _e36) {
+                                let _e375 = atomicAdd((&words.member[_e363]), _e370);
+                                if (_e375 >= (1073741824u - select(_e370, 1073741824u, (1073741824u < _e370)))) {
+                                    let _e383 = ((_e179 * 12u) * select(1u, _e190, (1u < _e190)));
+                                    if (_e383 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e386 = atomicOr((&words.member[_e382]), 1u);
+                                    let _e387 = atomicOr((&words.member[_e383]), 1u);
                                 }
-                                let _e387 = (_e360 * 0.6666667f);
-                                let _e391 = (_e362 + _e199);
-                                let _e393 = floor(((_e78[0] * _e387) + 0.5f));
-                                if (_e391 < _e36) {
+                                let _e388 = (_e361 * 0.6666667f);
+                                let _e392 = (_e363 + _e200);
+                                let _e394 = floor(((_e79[0] * _e388) + 0.5f));
+                                if (_e392 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e405 = atomicAdd((&words.member[_e391]), bitcast<u32>(select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < -2147483600f)), 2147483647i, (_e393 > 2147483500f)), (_e393 == _e393))));
-                                let _e407 = (_e362 + (_e178 * 6u));
-                                let _e409 = floor(((_e78[1] * _e387) + 0.5f));
-                                if (_e407 < _e36) {
+                                let _e406 = atomicAdd((&words.member[_e392]), bitcast<u32>(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < -2147483600f)), 2147483647i, (_e394 > 2147483500f)), (_e394 == _e394))));
+                                let _e408 = (_e363 + (_e179 * 6u));
+                                let _e410 = floor(((_e79[1] * _e388) + 0.5f));
+                                if (_e408 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e421 = atomicAdd((&words.member[_e407]), bitcast<u32>(select(0i, select(select(i32(_e409), i32(-2147483648), (_e409 < -2147483600f)), 2147483647i, (_e409 > 2147483500f)), (_e409 == _e409))));
-                                let _e423 = (_e362 + (_e178 * 9u));
-                                let _e425 = floor(((_e78[2] * _e387) + 0.5f));
-                                if (_e423 < _e36) {
+                                let _e422 = atomicAdd((&words.member[_e408]), bitcast<u32>(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < -2147483600f)), 2147483647i, (_e410 > 2147483500f)), (_e410 == _e410))));
+                                let _e424 = (_e363 + (_e179 * 9u));
+                                let _e426 = floor(((_e79[2] * _e388) + 0.5f));
+                                if (_e424 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e437 = atomicAdd((&words.member[_e423]), bitcast<u32>(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < -2147483600f)), 2147483647i, (_e425 > 2147483500f)), (_e425 == _e425))));
+                                let _e438 = atomicAdd((&words.member[_e424]), bitcast<u32>(select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < -2147483600f)), 2147483647i, (_e426 > 2147483500f)), (_e426 == _e426))));
                             }
                         } else {
-                            let _e438 = (3u * _e178);
-                            let _e439 = (_e178 * 12u);
-                            let _e443 = ((select(0u, 1u, (_e78[0] < 0f)) * _e439) + _e186);
-                            let _e444 = (_e78[0] * _e78[0]);
-                            let _e450 = params.member.member_7;
-                            let _e451 = ((_e65 * _e444) * _e450);
-                            let _e453 = select(0f, _e451, (_e451 > 0f));
-                            let _e455 = select(1073741800f, _e453, (_e453 < 1073741800f));
-                            let _e457 = floor((_e455 + 0.5f));
-                            let _e462 = select(select(u32(_e457), 0u, (_e457 < 0f)), 4294967295u, (_e457 > 4294967000f));
-                            if (_e462 == 0u) {
+                            let _e439 = (3u * _e179);
+                            let _e440 = (_e179 * 12u);
+                            let _e444 = ((select(0u, 1u, (_e79[0] < 0f)) * _e440) + _e187);
+                            let _e445 = (_e79[0] * _e79[0]);
+                            let _e451 = params.member.member_7;
+                            let _e452 = ((_e66 * _e445) * _e451);
+                            let _e454 = select(0f, _e452, (_e452 > 0f));
+                            let _e456 = select(1073741800f, _e454, (_e454 < 1073741800f));
+                            let _e458 = floor((_e456 + 0.5f));
+                            let _e463 = select(select(u32(_e458), 0u, (_e458 < 0f)), 4294967295u, (_e458 > 4294967000f));
+                            if (_e463 == 0u) {
                             } else {
-                                if (_e443 < _e36) {
+                                if (_e444 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e467 = atomicAdd((&words.member[_e443]), _e462);
-                                if (_e467 >= (1073741824u - select(_e462, 1073741824u, (1073741824u < _e462)))) {
-                                    let _e474 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e474 < _e36) {
+                                let _e468 = atomicAdd((&words.member[_e444]), _e463);
+                                if (_e468 >= (1073741824u - select(_e463, 1073741824u, (1073741824u < _e463)))) {
+                                    let _e475 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e475 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e478 = atomicOr((&words.member[_e474]), 1u);
+                                    let _e479 = atomicOr((&words.member[_e475]), 1u);
                                 }
-                                let _e479 = (_e455 * 0.6666667f);
-                                let _e483 = (_e443 + _e438);
-                                let _e485 = floor(((_e78[0] * _e479) + 0.5f));
-                                if (_e483 < _e36) {
+                                let _e480 = (_e456 * 0.6666667f);
+                                let _e484 = (_e444 + _e439);
+                                let _e486 = floor(((_e79[0] * _e480) + 0.5f));
+                                if (_e484 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e497 = atomicAdd((&words.member[_e483]), bitcast<u32>(select(0i, select(select(i32(_e485), i32(-2147483648), (_e485 < -2147483600f)), 2147483647i, (_e485 > 2147483500f)), (_e485 == _e485))));
-                                let _e499 = (_e443 + (_e178 * 6u));
-                                let _e501 = floor(((_e78[1] * _e479) + 0.5f));
-                                if (_e499 < _e36) {
+                                let _e498 = atomicAdd((&words.member[_e484]), bitcast<u32>(select(0i, select(select(i32(_e486), i32(-2147483648), (_e486 < -2147483600f)), 2147483647i, (_e486 > 2147483500f)), (_e486 == _e486))));
+                                let _e500 = (_e444 + (_e179 * 6u));
+                                let _e502 = floor(((_e79[1] * _e480) + 0.5f));
+                                if (_e500 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e513 = atomicAdd((&words.member[_e499]), bitcast<u32>(select(0i, select(select(i32(_e501), i32(-2147483648), (_e501 < -2147483600f)), 2147483647i, (_e501 > 2147483500f)), (_e501 == _e501))));
-                                let _e515 = (_e443 + (_e178 * 9u));
-                                let _e517 = floor(((_e78[2] * _e479) + 0.5f));
-                                if (_e515 < _e36) {
+                                let _e514 = atomicAdd((&words.member[_e500]), bitcast<u32>(select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < -2147483600f)), 2147483647i, (_e502 > 2147483500f)), (_e502 == _e502))));
+                                let _e516 = (_e444 + (_e179 * 9u));
+                                let _e518 = floor(((_e79[2] * _e480) + 0.5f));
+                                if (_e516 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e529 = atomicAdd((&words.member[_e515]), bitcast<u32>(select(0i, select(select(i32(_e517), i32(-2147483648), (_e517 < -2147483600f)), 2147483647i, (_e517 > 2147483500f)), (_e517 == _e517))));
+                                let _e530 = atomicAdd((&words.member[_e516]), bitcast<u32>(select(0i, select(select(i32(_e518), i32(-2147483648), (_e518 < -2147483600f)), 2147483647i, (_e518 > 2147483500f)), (_e518 == _e518))));
                             }
-                            let _e530 = ((_e66 * _e444) * _e450);
-                            let _e532 = select(0f, _e530, (_e530 > 0f));
-                            let _e534 = select(1073741800f, _e532, (_e532 < 1073741800f));
-                            let _e535 = (_e178 + _e443);
-                            let _e537 = floor((_e534 + 0.5f));
-                            let _e542 = select(select(u32(_e537), 0u, (_e537 < 0f)), 4294967295u, (_e537 > 4294967000f));
-                            if (_e542 == 0u) {
+                            let _e531 = ((_e67 * _e445) * _e451);
+                            let _e533 = select(0f, _e531, (_e531 > 0f));
+                            let _e535 = select(1073741800f, _e533, (_e533 < 1073741800f));
+                            let _e536 = (_e179 + _e444);
+                            let _e538 = floor((_e535 + 0.5f));
+                            let _e543 = select(select(u32(_e538), 0u, (_e538 < 0f)), 4294967295u, (_e538 > 4294967000f));
+                            if (_e543 == 0u) {
                             } else {
-                                if (_e535 < _e36) {
+                                if (_e536 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e547 = atomicAdd((&words.member[_e535]), _e542);
-                                if (_e547 >= (1073741824u - select(_e542, 1073741824u, (1073741824u < _e542)))) {
-                                    let _e554 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e554 < _e36) {
+                                let _e548 = atomicAdd((&words.member[_e536]), _e543);
+                                if (_e548 >= (1073741824u - select(_e543, 1073741824u, (1073741824u < _e543)))) {
+                                    let _e555 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e555 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e558 = atomicOr((&words.member[_e554]), 1u);
+                                    let _e559 = atomicOr((&words.member[_e555]), 1u);
                                 }
-                                let _e559 = (_e534 * 0.6666667f);
-                                let _e563 = (_e535 + _e438);
-                                let _e565 = floor(((_e78[0] * _e559) + 0.5f));
-                                if (_e563 < _e36) {
+                                let _e560 = (_e535 * 0.6666667f);
+                                let _e564 = (_e536 + _e439);
+                                let _e566 = floor(((_e79[0] * _e560) + 0.5f));
+                                if (_e564 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e577 = atomicAdd((&words.member[_e563]), bitcast<u32>(select(0i, select(select(i32(_e565), i32(-2147483648), (_e565 < -2147483600f)), 2147483647i, (_e565 > 2147483500f)), (_e565 == _e565))));
-                                let _e579 = (_e535 + (_e178 * 6u));
-                                let _e581 = floor(((_e78[1] * _e559) + 0.5f));
-                                if (_e579 < _e36) {
+                                let _e578 = atomicAdd((&words.member[_e564]), bitcast<u32>(select(0i, select(select(i32(_e566), i32(-2147483648), (_e566 < -2147483600f)), 2147483647i, (_e566 > 2147483500f)), (_e566 == _e566))));
+                                let _e580 = (_e536 + (_e179 * 6u));
+                                let _e582 = floor(((_e79[1] * _e560) + 0.5f));
+                                if (_e580 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e593 = atomicAdd((&words.member[_e579]), bitcast<u32>(select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581))));
-                                let _e595 = (_e535 + (_e178 * 9u));
-                                let _e597 = floor(((_e78[2] * _e559) + 0.5f));
-                                if (_e595 < _e36) {
+                                let _e594 = atomicAdd((&words.member[_e580]), bitcast<u32>(select(0i, select(select(i32(_e582), i32(-2147483648), (_e582 < -2147483600f)), 2147483647i, (_e582 > 2147483500f)), (_e582 == _e582))));
+                                let _e596 = (_e536 + (_e179 * 9u));
+                                let _e598 = floor(((_e79[2] * _e560) + 0.5f));
+                                if (_e596 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e609 = atomicAdd((&words.member[_e595]), bitcast<u32>(select(0i, select(select(i32(_e597), i32(-2147483648), (_e597 < -2147483600f)), 2147483647i, (_e597 > 2147483500f)), (_e597 == _e597))));
+                                let _e610 = atomicAdd((&words.member[_e596]), bitcast<u32>(select(0i, select(select(i32(_e598), i32(-2147483648), (_e598 < -2147483600f)), 2147483647i, (_e598 > 2147483500f)), (_e598 == _e598))));
                             }
-                            let _e610 = ((_e67 * _e444) * _e450);
-                            let _e612 = select(0f, _e610, (_e610 > 0f));
-                            let _e614 = select(1073741800f, _e612, (_e612 < 1073741800f));
-                            let _e615 = (2u * _e178);
-                            let _e616 = (_e615 + _e443);
-                            let _e618 = floor((_e614 + 0.5f));
-                            let _e623 = select(select(u32(_e618), 0u, (_e618 < 0f)), 4294967295u, (_e618 > 4294967000f));
-                            if (_e623 == 0u) {
+                            let _e611 = ((_e68 * _e445) * _e451);
+                            let _e613 = select(0f, _e611, (_e611 > 0f));
+                            let _e615 = select(1073741800f, _e613, (_e613 < 1073741800f));
+                            let _e616 = (2u * _e179);
+                            let _e617 = (_e616 + _e444);
+                            let _e619 = floor((_e615 + 0.5f));
+                            let _e624 = select(select(u32(_e619), 0u, (_e619 < 0f)), 4294967295u, (_e619 > 4294967000f));
+                            if (_e624 == 0u) {
                             } else {
-                                if (_e616 < _e36) {
+                                if (_e617 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e628 = atomicAdd((&words.member[_e616]), _e623);
-                                if (_e628 >= (1073741824u - select(_e623, 1073741824u, (1073741824u < _e623)))) {
-                                    let _e635 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e635 < _e36) {
+                                let _e629 = atomicAdd((&words.member[_e617]), _e624);
+                                if (_e629 >= (1073741824u - select(_e624, 1073741824u, (1073741824u < _e624)))) {
+                                    let _e636 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e636 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e639 = atomicOr((&words.member[_e635]), 1u);
+                                    let _e640 = atomicOr((&words.member[_e636]), 1u);
                                 }
-                                let _e640 = (_e614 * 0.6666667f);
-                                let _e644 = (_e616 + _e438);
-                                let _e646 = floor(((_e78[0] * _e640) + 0.5f));
-                                if (_e644 < _e36) {
+                                let _e641 = (_e615 * 0.6666667f);
+                                let _e645 = (_e617 + _e439);
+                                let _e647 = floor(((_e79[0] * _e641) + 0.5f));
+                                if (_e645 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e658 = atomicAdd((&words.member[_e644]), bitcast<u32>(select(0i, select(select(i32(_e646), i32(-2147483648), (_e646 < -2147483600f)), 2147483647i, (_e646 > 2147483500f)), (_e646 == _e646))));
-                                let _e660 = (_e616 + (_e178 * 6u));
-                                let _e662 = floor(((_e78[1] * _e640) + 0.5f));
-                                if (_e660 < _e36) {
+                                let _e659 = atomicAdd((&words.member[_e645]), bitcast<u32>(select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < -2147483600f)), 2147483647i, (_e647 > 2147483500f)), (_e647 == _e647))));
+                                let _e661 = (_e617 + (_e179 * 6u));
+                                let _e663 = floor(((_e79[1] * _e641) + 0.5f));
+                                if (_e661 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e674 = atomicAdd((&words.member[_e660]), bitcast<u32>(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < -2147483600f)), 2147483647i, (_e662 > 2147483500f)), (_e662 == _e662))));
-                                let _e676 = (_e616 + (_e178 * 9u));
-                                let _e678 = floor(((_e78[2] * _e640) + 0.5f));
-                                if (_e676 < _e36) {
+                                let _e675 = atomicAdd((&words.member[_e661]), bitcast<u32>(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < -2147483600f)), 2147483647i, (_e663 > 2147483500f)), (_e663 == _e663))));
+                                let _e677 = (_e617 + (_e179 * 9u));
+                                let _e679 = floor(((_e79[2] * _e641) + 0.5f));
+                                if (_e677 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e690 = atomicAdd((&words.member[_e676]), bitcast<u32>(select(0i, select(select(i32(_e678), i32(-2147483648), (_e678 < -2147483600f)), 2147483647i, (_e678 > 2147483500f)), (_e678 == _e678))));
+                                let _e691 = atomicAdd((&words.member[_e677]), bitcast<u32>(select(0i, select(select(i32(_e679), i32(-2147483648), (_e679 < -2147483600f)), 2147483647i, (_e679 > 2147483500f)), (_e679 == _e679))));
                             }
-                            let _e695 = (((2u + select(0u, 1u, (_e78[1] < 0f))) * _e439) + _e186);
-                            let _e696 = (_e78[1] * _e78[1]);
-                            let _e700 = ((_e65 * _e696) * _e450);
-                            let _e702 = select(0f, _e700, (_e700 > 0f));
-                            let _e704 = select(1073741800f, _e702, (_e702 < 1073741800f));
-                            let _e706 = floor((_e704 + 0.5f));
-                            let _e711 = select(select(u32(_e706), 0u, (_e706 < 0f)), 4294967295u, (_e706 > 4294967000f));
-                            if (_e711 == 0u) {
+                            let _e696 = (((2u + select(0u, 1u, (_e79[1] < 0f))) * _e440) + _e187);
+                            let _e697 = (_e79[1] * _e79[1]);
+                            let _e701 = ((_e66 * _e697) * _e451);
+                            let _e703 = select(0f, _e701, (_e701 > 0f));
+                            let _e705 = select(1073741800f, _e703, (_e703 < 1073741800f));
+                            let _e707 = floor((_e705 + 0.5f));
+                            let _e712 = select(select(u32(_e707), 0u, (_e707 < 0f)), 4294967295u, (_e707 > 4294967000f));
+                            if (_e712 == 0u) {
                             } else {
-                                if (_e695 < _e36) {
+                                if (_e696 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e716 = atomicAdd((&words.member[_e695]), _e711);
-                                if (_e716 >= (1073741824u - select(_e711, 1073741824u, (1073741824u < _e711)))) {
-                                    let _e723 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e723 < _e36) {
+                                let _e717 = atomicAdd((&words.member[_e696]), _e712);
+                                if (_e717 >= (1073741824u - select(_e712, 1073741824u, (1073741824u < _e712)))) {
+                                    let _e724 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e724 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e727 = atomicOr((&words.member[_e723]), 1u);
+                                    let _e728 = atomicOr((&words.member[_e724]), 1u);
                                 }
-                                let _e728 = (_e704 * 0.6666667f);
-                                let _e732 = (_e695 + _e438);
-                                let _e734 = floor(((_e78[0] * _e728) + 0.5f));
-                                if (_e732 < _e36) {
+                                let _e729 = (_e705 * 0.6666667f);
+                                let _e733 = (_e696 + _e439);
+                                let _e735 = floor(((_e79[0] * _e729) + 0.5f));
+                                if (_e733 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e746 = atomicAdd((&words.member[_e732]), bitcast<u32>(select(0i, select(select(i32(_e734), i32(-2147483648), (_e734 < -2147483600f)), 2147483647i, (_e734 > 2147483500f)), (_e734 == _e734))));
-                                let _e748 = (_e695 + (_e178 * 6u));
-                                let _e750 = floor(((_e78[1] * _e728) + 0.5f));
-                                if (_e748 < _e36) {
+                                let _e747 = atomicAdd((&words.member[_e733]), bitcast<u32>(select(0i, select(select(i32(_e735), i32(-2147483648), (_e735 < -2147483600f)), 2147483647i, (_e735 > 2147483500f)), (_e735 == _e735))));
+                                let _e749 = (_e696 + (_e179 * 6u));
+                                let _e751 = floor(((_e79[1] * _e729) + 0.5f));
+                                if (_e749 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e762 = atomicAdd((&words.member[_e748]), bitcast<u32>(select(0i, select(select(i32(_e750), i32(-2147483648), (_e750 < -2147483600f)), 2147483647i, (_e750 > 2147483500f)), (_e750 == _e750))));
-                                let _e764 = (_e695 + (_e178 * 9u));
-                                let _e766 = floor(((_e78[2] * _e728) + 0.5f));
-                                if (_e764 < _e36) {
+                                let _e763 = atomicAdd((&words.member[_e749]), bitcast<u32>(select(0i, select(select(i32(_e751), i32(-2147483648), (_e751 < -2147483600f)), 2147483647i, (_e751 > 2147483500f)), (_e751 == _e751))));
+                                let _e765 = (_e696 + (_e179 * 9u));
+                                let _e767 = floor(((_e79[2] * _e729) + 0.5f));
+                                if (_e765 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e778 = atomicAdd((&words.member[_e764]), bitcast<u32>(select(0i, select(select(i32(_e766), i32(-2147483648), (_e766 < -2147483600f)), 2147483647i, (_e766 > 2147483500f)), (_e766 == _e766))));
+                                let _e779 = atomicAdd((&words.member[_e765]), bitcast<u32>(select(0i, select(select(i32(_e767), i32(-2147483648), (_e767 < -2147483600f)), 2147483647i, (_e767 > 2147483500f)), (_e767 == _e767))));
                             }
-                            let _e779 = ((_e66 * _e696) * _e450);
-                            let _e781 = select(0f, _e779, (_e779 > 0f));
-                            let _e783 = select(1073741800f, _e781, (_e781 < 1073741800f));
-                            let _e784 = (_e178 + _e695);
-                            let _e786 = floor((_e783 + 0.5f));
-                            let _e791 = select(select(u32(_e786), 0u, (_e786 < 0f)), 4294967295u, (_e786 > 4294967000f));
-                            if (_e791 == 0u) {
+                            let _e780 = ((_e67 * _e697) * _e451);
+                            let _e782 = select(0f, _e780, (_e780 > 0f));
+                            let _e784 = select(1073741800f, _e782, (_e782 < 1073741800f));
+                            let _e785 = (_e179 + _e696);
+                            let _e787 = floor((_e784 + 0.5f));
+                            let _e792 = select(select(u32(_e787), 0u, (_e787 < 0f)), 4294967295u, (_e787 > 4294967000f));
+                            if (_e792 == 0u) {
                             } else {
-                                if (_e784 < _e36) {
+                                if (_e785 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e796 = atomicAdd((&words.member[_e784]), _e791);
-                                if (_e796 >= (1073741824u - select(_e791, 1073741824u, (1073741824u < _e791)))) {
-                                    let _e803 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e803 < _e36) {
+                                let _e797 = atomicAdd((&words.member[_e785]), _e792);
+                                if (_e797 >= (1073741824u - select(_e792, 1073741824u, (1073741824u < _e792)))) {
+                                    let _e804 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e804 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e807 = atomicOr((&words.member[_e803]), 1u);
+                                    let _e808 = atomicOr((&words.member[_e804]), 1u);
                                 }
-                                let _e808 = (_e783 * 0.6666667f);
-                                let _e812 = (_e784 + _e438);
-                                let _e814 = floor(((_e78[0] * _e808) + 0.5f));
-                                if (_e812 < _e36) {
+                                let _e809 = (_e784 * 0.6666667f);
+                                let _e813 = (_e785 + _e439);
+                                let _e815 = floor(((_e79[0] * _e809) + 0.5f));
+                                if (_e813 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e826 = atomicAdd((&words.member[_e812]), bitcast<u32>(select(0i, select(select(i32(_e814), i32(-2147483648), (_e814 < -2147483600f)), 2147483647i, (_e814 > 2147483500f)), (_e814 == _e814))));
-                                let _e828 = (_e784 + (_e178 * 6u));
-                                let _e830 = floor(((_e78[1] * _e808) + 0.5f));
-                                if (_e828 < _e36) {
+                                let _e827 = atomicAdd((&words.member[_e813]), bitcast<u32>(select(0i, select(select(i32(_e815), i32(-2147483648), (_e815 < -2147483600f)), 2147483647i, (_e815 > 2147483500f)), (_e815 == _e815))));
+                                let _e829 = (_e785 + (_e179 * 6u));
+                                let _e831 = floor(((_e79[1] * _e809) + 0.5f));
+                                if (_e829 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e842 = atomicAdd((&words.member[_e828]), bitcast<u32>(select(0i, select(select(i32(_e830), i32(-2147483648), (_e830 < -2147483600f)), 2147483647i, (_e830 > 2147483500f)), (_e830 == _e830))));
-                                let _e844 = (_e784 + (_e178 * 9u));
-                                let _e846 = floor(((_e78[2] * _e808) + 0.5f));
-                                if (_e844 < _e36) {
+                                let _e843 = atomicAdd((&words.member[_e829]), bitcast<u32>(select(0i, select(select(i32(_e831), i32(-2147483648), (_e831 < -2147483600f)), 2147483647i, (_e831 > 2147483500f)), (_e831 == _e831))));
+                                let _e845 = (_e785 + (_e179 * 9u));
+                                let _e847 = floor(((_e79[2] * _e809) + 0.5f));
+                                if (_e845 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e858 = atomicAdd((&words.member[_e844]), bitcast<u32>(select(0i, select(select(i32(_e846), i32(-2147483648), (_e846 < -2147483600f)), 2147483647i, (_e846 > 2147483500f)), (_e846 == _e846))));
+                                let _e859 = atomicAdd((&words.member[_e845]), bitcast<u32>(select(0i, select(select(i32(_e847), i32(-2147483648), (_e847 < -2147483600f)), 2147483647i, (_e847 > 2147483500f)), (_e847 == _e847))));
                             }
-                            let _e859 = ((_e67 * _e696) * _e450);
-                            let _e861 = select(0f, _e859, (_e859 > 0f));
-                            let _e863 = select(1073741800f, _e861, (_e861 < 1073741800f));
-                            let _e864 = (_e615 + _e695);
-                            let _e866 = floor((_e863 + 0.5f));
-                            let _e871 = select(select(u32(_e866), 0u, (_e866 < 0f)), 4294967295u, (_e866 > 4294967000f));
-                            if (_e871 == 0u) {
+                            let _e860 = ((_e68 * _e697) * _e451);
+                            let _e862 = select(0f, _e860, (_e860 > 0f));
+                            let _e864 = select(1073741800f, _e862, (_e862 < 1073741800f));
+                            let _e865 = (_e616 + _e696);
+                            let _e867 = floor((_e864 + 0.5f));
+                            let _e872 = select(select(u32(_e867), 0u, (_e867 < 0f)), 4294967295u, (_e867 > 4294967000f));
+                            if (_e872 == 0u) {
                             } else {
-                                if (_e864 < _e36) {
+                                if (_e865 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e876 = atomicAdd((&words.member[_e864]), _e871);
-                                if (_e876 >= (1073741824u - select(_e871, 1073741824u, (1073741824u < _e871)))) {
-                                    let _e883 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e883 < _e36) {
+                                let _e877 = atomicAdd((&words.member[_e865]), _e872);
+                                if (_e877 >= (1073741824u - select(_e872, 1073741824u, (1073741824u < _e872)))) {
+                                    let _e884 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e884 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e887 = atomicOr((&words.member[_e883]), 1u);
+                                    let _e888 = atomicOr((&words.member[_e884]), 1u);
                                 }
-                                let _e888 = (_e863 * 0.6666667f);
-                                let _e892 = (_e864 + _e438);
-                                let _e894 = floor(((_e78[0] * _e888) + 0.5f));
-                                if (_e892 < _e36) {
+                                let _e889 = (_e864 * 0.6666667f);
+                                let _e893 = (_e865 + _e439);
+                                let _e895 = floor(((_e79[0] * _e889) + 0.5f));
+                                if (_e893 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e906 = atomicAdd((&words.member[_e892]), bitcast<u32>(select(0i, select(select(i32(_e894), i32(-2147483648), (_e894 < -2147483600f)), 2147483647i, (_e894 > 2147483500f)), (_e894 == _e894))));
-                                let _e908 = (_e864 + (_e178 * 6u));
-                                let _e910 = floor(((_e78[1] * _e888) + 0.5f));
-                                if (_e908 < _e36) {
+                                let _e907 = atomicAdd((&words.member[_e893]), bitcast<u32>(select(0i, select(select(i32(_e895), i32(-2147483648), (_e895 < -2147483600f)), 2147483647i, (_e895 > 2147483500f)), (_e895 == _e895))));
+                                let _e909 = (_e865 + (_e179 * 6u));
+                                let _e911 = floor(((_e79[1] * _e889) + 0.5f));
+                                if (_e909 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e922 = atomicAdd((&words.member[_e908]), bitcast<u32>(select(0i, select(select(i32(_e910), i32(-2147483648), (_e910 < -2147483600f)), 2147483647i, (_e910 > 2147483500f)), (_e910 == _e910))));
-                                let _e924 = (_e864 + (_e178 * 9u));
-                                let _e926 = floor(((_e78[2] * _e888) + 0.5f));
-                                if (_e924 < _e36) {
+                                let _e923 = atomicAdd((&words.member[_e909]), bitcast<u32>(select(0i, select(select(i32(_e911), i32(-2147483648), (_e911 < -2147483600f)), 2147483647i, (_e911 > 2147483500f)), (_e911 == _e911))));
+                                let _e925 = (_e865 + (_e179 * 9u));
+                                let _e927 = floor(((_e79[2] * _e889) + 0.5f));
+                                if (_e925 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e938 = atomicAdd((&words.member[_e924]), bitcast<u32>(select(0i, select(select(i32(_e926), i32(-2147483648), (_e926 < -2147483600f)), 2147483647i, (_e926 > 2147483500f)), (_e926 == _e926))));
+                                let _e939 = atomicAdd((&words.member[_e925]), bitcast<u32>(select(0i, select(select(i32(_e927), i32(-2147483648), (_e927 < -2147483600f)), 2147483647i, (_e927 > 2147483500f)), (_e927 == _e927))));
                             }
-                            let _e943 = (((4u + select(0u, 1u, (_e78[2] < 0f))) * _e439) + _e186);
-                            let _e944 = (_e78[2] * _e78[2]);
-                            let _e948 = ((_e65 * _e944) * _e450);
-                            let _e950 = select(0f, _e948, (_e948 > 0f));
-                            let _e952 = select(1073741800f, _e950, (_e950 < 1073741800f));
-                            let _e954 = floor((_e952 + 0.5f));
-                            let _e959 = select(select(u32(_e954), 0u, (_e954 < 0f)), 4294967295u, (_e954 > 4294967000f));
-                            if (_e959 == 0u) {
+                            let _e944 = (((4u + select(0u, 1u, (_e79[2] < 0f))) * _e440) + _e187);
+                            let _e945 = (_e79[2] * _e79[2]);
+                            let _e949 = ((_e66 * _e945) * _e451);
+                            let _e951 = select(0f, _e949, (_e949 > 0f));
+                            let _e953 = select(1073741800f, _e951, (_e951 < 1073741800f));
+                            let _e955 = floor((_e953 + 0.5f));
+                            let _e960 = select(select(u32(_e955), 0u, (_e955 < 0f)), 4294967295u, (_e955 > 4294967000f));
+                            if (_e960 == 0u) {
                             } else {
-                                if (_e943 < _e36) {
+                                if (_e944 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e964 = atomicAdd((&words.member[_e943]), _e959);
-                                if (_e964 >= (1073741824u - select(_e959, 1073741824u, (1073741824u < _e959)))) {
-                                    let _e971 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e971 < _e36) {
+                                let _e965 = atomicAdd((&words.member[_e944]), _e960);
+                                if (_e965 >= (1073741824u - select(_e960, 1073741824u, (1073741824u < _e960)))) {
+                                    let _e972 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e972 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e975 = atomicOr((&words.member[_e971]), 1u);
+                                    let _e976 = atomicOr((&words.member[_e972]), 1u);
                                 }
-                                let _e976 = (_e952 * 0.6666667f);
-                                let _e980 = (_e943 + _e438);
-                                let _e982 = floor(((_e78[0] * _e976) + 0.5f));
-                                if (_e980 < _e36) {
+                                let _e977 = (_e953 * 0.6666667f);
+                                let _e981 = (_e944 + _e439);
+                                let _e983 = floor(((_e79[0] * _e977) + 0.5f));
+                                if (_e981 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e994 = atomicAdd((&words.member[_e980]), bitcast<u32>(select(0i, select(select(i32(_e982), i32(-2147483648), (_e982 < -2147483600f)), 2147483647i, (_e982 > 2147483500f)), (_e982 == _e982))));
-                                let _e996 = (_e943 + (_e178 * 6u));
-                                let _e998 = floor(((_e78[1] * _e976) + 0.5f));
-                                if (_e996 < _e36) {
+                                let _e995 = atomicAdd((&words.member[_e981]), bitcast<u32>(select(0i, select(select(i32(_e983), i32(-2147483648), (_e983 < -2147483600f)), 2147483647i, (_e983 > 2147483500f)), (_e983 == _e983))));
+                                let _e997 = (_e944 + (_e179 * 6u));
+                                let _e999 = floor(((_e79[1] * _e977) + 0.5f));
+                                if (_e997 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1010 = atomicAdd((&words.member[_e996]), bitcast<u32>(select(0i, select(select(i32(_e998), i32(-2147483648), (_e998 < -2147483600f)), 2147483647i, (_e998 > 2147483500f)), (_e998 == _e998))));
-                                let _e1012 = (_e943 + (_e178 * 9u));
-                                let _e1014 = floor(((_e78[2] * _e976) + 0.5f));
-                                if (_e1012 < _e36) {
+                                let _e1011 = atomicAdd((&words.member[_e997]), bitcast<u32>(select(0i, select(select(i32(_e999), i32(-2147483648), (_e999 < -2147483600f)), 2147483647i, (_e999 > 2147483500f)), (_e999 == _e999))));
+                                let _e1013 = (_e944 + (_e179 * 9u));
+                                let _e1015 = floor(((_e79[2] * _e977) + 0.5f));
+                                if (_e1013 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1026 = atomicAdd((&words.member[_e1012]), bitcast<u32>(select(0i, select(select(i32(_e1014), i32(-2147483648), (_e1014 < -2147483600f)), 2147483647i, (_e1014 > 2147483500f)), (_e1014 == _e1014))));
+                                let _e1027 = atomicAdd((&words.member[_e1013]), bitcast<u32>(select(0i, select(select(i32(_e1015), i32(-2147483648), (_e1015 < -2147483600f)), 2147483647i, (_e1015 > 2147483500f)), (_e1015 == _e1015))));
                             }
-                            let _e1027 = ((_e66 * _e944) * _e450);
-                            let _e1029 = select(0f, _e1027, (_e1027 > 0f));
-                            let _e1031 = select(1073741800f, _e1029, (_e1029 < 1073741800f));
-                            let _e1032 = (_e178 + _e943);
-                            let _e1034 = floor((_e1031 + 0.5f));
-                            let _e1039 = select(select(u32(_e1034), 0u, (_e1034 < 0f)), 4294967295u, (_e1034 > 4294967000f));
-                            if (_e1039 == 0u) {
+                            let _e1028 = ((_e67 * _e945) * _e451);
+                            let _e1030 = select(0f, _e1028, (_e1028 > 0f));
+                            let _e1032 = select(1073741800f, _e1030, (_e1030 < 1073741800f));
+                            let _e1033 = (_e179 + _e944);
+                            let _e1035 = floor((_e1032 + 0.5f));
+                            let _e1040 = select(select(u32(_e1035), 0u, (_e1035 < 0f)), 4294967295u, (_e1035 > 4294967000f));
+                            if (_e1040 == 0u) {
                             } else {
-                                if (_e1032 < _e36) {
+                                if (_e1033 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1044 = atomicAdd((&words.member[_e1032]), _e1039);
-                                if (_e1044 >= (1073741824u - select(_e1039, 1073741824u, (1073741824u < _e1039)))) {
-                                    let _e1051 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e1051 < _e36) {
+                                let _e1045 = atomicAdd((&words.member[_e1033]), _e1040);
+                                if (_e1045 >= (1073741824u - select(_e1040, 1073741824u, (1073741824u < _e1040)))) {
+                                    let _e1052 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e1052 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e1055 = atomicOr((&words.member[_e1051]), 1u);
+                                    let _e1056 = atomicOr((&words.member[_e1052]), 1u);
                                 }
-                                let _e1056 = (_e1031 * 0.6666667f);
-                                let _e1060 = (_e1032 + _e438);
-                                let _e1062 = floor(((_e78[0] * _e1056) + 0.5f));
-                                if (_e1060 < _e36) {
+                                let _e1057 = (_e1032 * 0.6666667f);
+                                let _e1061 = (_e1033 + _e439);
+                                let _e1063 = floor(((_e79[0] * _e1057) + 0.5f));
+                                if (_e1061 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1074 = atomicAdd((&words.member[_e1060]), bitcast<u32>(select(0i, select(select(i32(_e1062), i32(-2147483648), (_e1062 < -2147483600f)), 2147483647i, (_e1062 > 2147483500f)), (_e1062 == _e1062))));
-                                let _e1076 = (_e1032 + (_e178 * 6u));
-                                let _e1078 = floor(((_e78[1] * _e1056) + 0.5f));
-                                if (_e1076 < _e36) {
+                                let _e1075 = atomicAdd((&words.member[_e1061]), bitcast<u32>(select(0i, select(select(i32(_e1063), i32(-2147483648), (_e1063 < -2147483600f)), 2147483647i, (_e1063 > 2147483500f)), (_e1063 == _e1063))));
+                                let _e1077 = (_e1033 + (_e179 * 6u));
+                                let _e1079 = floor(((_e79[1] * _e1057) + 0.5f));
+                                if (_e1077 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1090 = atomicAdd((&words.member[_e1076]), bitcast<u32>(select(0i, select(select(i32(_e1078), i32(-2147483648), (_e1078 < -2147483600f)), 2147483647i, (_e1078 > 2147483500f)), (_e1078 == _e1078))));
-                                let _e1092 = (_e1032 + (_e178 * 9u));
-                                let _e1094 = floor(((_e78[2] * _e1056) + 0.5f));
-                                if (_e1092 < _e36) {
+                                let _e1091 = atomicAdd((&words.member[_e1077]), bitcast<u32>(select(0i, select(select(i32(_e1079), i32(-2147483648), (_e1079 < -2147483600f)), 2147483647i, (_e1079 > 2147483500f)), (_e1079 == _e1079))));
+                                let _e1093 = (_e1033 + (_e179 * 9u));
+                                let _e1095 = floor(((_e79[2] * _e1057) + 0.5f));
+                                if (_e1093 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1106 = atomicAdd((&words.member[_e1092]), bitcast<u32>(select(0i, select(select(i32(_e1094), i32(-2147483648), (_e1094 < -2147483600f)), 2147483647i, (_e1094 > 2147483500f)), (_e1094 == _e1094))));
+                                let _e1107 = atomicAdd((&words.member[_e1093]), bitcast<u32>(select(0i, select(select(i32(_e1095), i32(-2147483648), (_e1095 < -2147483600f)), 2147483647i, (_e1095 > 2147483500f)), (_e1095 == _e1095))));
                             }
-                            let _e1107 = ((_e67 * _e944) * _e450);
-                            let _e1109 = select(0f, _e1107, (_e1107 > 0f));
-                            let _e1111 = select(1073741800f, _e1109, (_e1109 < 1073741800f));
-                            let _e1112 = (_e615 + _e943);
-                            let _e1114 = floor((_e1111 + 0.5f));
-                            let _e1119 = select(select(u32(_e1114), 0u, (_e1114 < 0f)), 4294967295u, (_e1114 > 4294967000f));
-                            if (_e1119 == 0u) {
+                            let _e1108 = ((_e68 * _e945) * _e451);
+                            let _e1110 = select(0f, _e1108, (_e1108 > 0f));
+                            let _e1112 = select(1073741800f, _e1110, (_e1110 < 1073741800f));
+                            let _e1113 = (_e616 + _e944);
+                            let _e1115 = floor((_e1112 + 0.5f));
+                            let _e1120 = select(select(u32(_e1115), 0u, (_e1115 < 0f)), 4294967295u, (_e1115 > 4294967000f));
+                            if (_e1120 == 0u) {
                             } else {
-                                if (_e1112 < _e36) {
+                                if (_e1113 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1124 = atomicAdd((&words.member[_e1112]), _e1119);
-                                if (_e1124 >= (1073741824u - select(_e1119, 1073741824u, (1073741824u < _e1119)))) {
-                                    let _e1131 = (_e439 * select(1u, _e189, (1u < _e189)));
-                                    if (_e1131 < _e36) {
+                                let _e1125 = atomicAdd((&words.member[_e1113]), _e1120);
+                                if (_e1125 >= (1073741824u - select(_e1120, 1073741824u, (1073741824u < _e1120)))) {
+                                    let _e1132 = (_e440 * select(1u, _e190, (1u < _e190)));
+                                    if (_e1132 < _e37) {
                                     } else {
                                         break;
                                     }
-                                    let _e1135 = atomicOr((&words.member[_e1131]), 1u);
+                                    let _e1136 = atomicOr((&words.member[_e1132]), 1u);
                                 }
-                                let _e1136 = (_e1111 * 0.6666667f);
-                                let _e1140 = (_e1112 + _e438);
-                                let _e1142 = floor(((_e78[0] * _e1136) + 0.5f));
-                                if (_e1140 < _e36) {
+                                let _e1137 = (_e1112 * 0.6666667f);
+                                let _e1141 = (_e1113 + _e439);
+                                let _e1143 = floor(((_e79[0] * _e1137) + 0.5f));
+                                if (_e1141 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1154 = atomicAdd((&words.member[_e1140]), bitcast<u32>(select(0i, select(select(i32(_e1142), i32(-2147483648), (_e1142 < -2147483600f)), 2147483647i, (_e1142 > 2147483500f)), (_e1142 == _e1142))));
-                                let _e1156 = (_e1112 + (_e178 * 6u));
-                                let _e1158 = floor(((_e78[1] * _e1136) + 0.5f));
-                                if (_e1156 < _e36) {
+                                let _e1155 = atomicAdd((&words.member[_e1141]), bitcast<u32>(select(0i, select(select(i32(_e1143), i32(-2147483648), (_e1143 < -2147483600f)), 2147483647i, (_e1143 > 2147483500f)), (_e1143 == _e1143))));
+                                let _e1157 = (_e1113 + (_e179 * 6u));
+                                let _e1159 = floor(((_e79[1] * _e1137) + 0.5f));
+                                if (_e1157 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1170 = atomicAdd((&words.member[_e1156]), bitcast<u32>(select(0i, select(select(i32(_e1158), i32(-2147483648), (_e1158 < -2147483600f)), 2147483647i, (_e1158 > 2147483500f)), (_e1158 == _e1158))));
-                                let _e1172 = (_e1112 + (_e178 * 9u));
-                                let _e1174 = floor(((_e78[2] * _e1136) + 0.5f));
-                                if (_e1172 < _e36) {
+                                let _e1171 = atomicAdd((&words.member[_e1157]), bitcast<u32>(select(0i, select(select(i32(_e1159), i32(-2147483648), (_e1159 < -2147483600f)), 2147483647i, (_e1159 > 2147483500f)), (_e1159 == _e1159))));
+                                let _e1173 = (_e1113 + (_e179 * 9u));
+                                let _e1175 = floor(((_e79[2] * _e1137) + 0.5f));
+                                if (_e1173 < _e37) {
                                 } else {
                                     break;
                                 }
-                                let _e1186 = atomicAdd((&words.member[_e1172]), bitcast<u32>(select(0i, select(select(i32(_e1174), i32(-2147483648), (_e1174 < -2147483600f)), 2147483647i, (_e1174 > 2147483500f)), (_e1174 == _e1174))));
+                                let _e1187 = atomicAdd((&words.member[_e1173]), bitcast<u32>(select(0i, select(select(i32(_e1175), i32(-2147483648), (_e1175 < -2147483600f)), 2147483647i, (_e1175 > 2147483500f)), (_e1175 == _e1175))));
                             }
                         }
                     }

@@ -35,7 +35,12 @@ struct type_30 {
     member_1: f32,
 }
 
-struct type_34 {
+struct type_33 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_35 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -56,11 +61,11 @@ struct type_34 {
     member_17: vec4<u32>,
 }
 
-struct type_35 {
-    member: type_34,
+struct type_36 {
+    member: type_35,
 }
 
-struct type_37 {
+struct type_38 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: vec3<f32>,
@@ -73,8 +78,8 @@ struct type_37 {
     member_9: i32,
 }
 
-struct type_38 {
-    member: type_37,
+struct type_39 {
+    member: type_38,
     member_1: i32,
     member_2: i32,
     member_3: i32,
@@ -85,11 +90,6 @@ struct type_38 {
     member_8: i32,
     member_9: i32,
     member_10: bool,
-}
-
-struct type_40 {
-    member: f32,
-    member_1: f32,
 }
 
 struct type_43 {
@@ -103,7 +103,7 @@ struct type_48 {
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_35;
+var<uniform> params: type_36;
 @group(0) @binding(1) 
 var<storage> triangles: type_19;
 @group(0) @binding(2) 
@@ -160,7 +160,7 @@ fn function_() {
     var phi_1388_: bool;
     var phi_1389_: bool;
     var phi_1390_: bool;
-    var phi_1399_: type_38;
+    var phi_1399_: type_39;
     var phi_5749_: bool;
     var phi_5367_: i32;
     var phi_5364_: i32;
@@ -222,40 +222,40 @@ fn function_() {
     var phi_5516_: i32;
     var phi_2111_: vec3<f32>;
     var phi_2112_: vec3<f32>;
-    var phi_4846_: type_40;
-    var phi_4849_: type_40;
+    var phi_4846_: type_33;
+    var phi_4849_: type_33;
     var phi_4850_: bool;
-    var phi_4855_: type_40;
-    var phi_4857_: type_40;
-    var phi_4893_: type_40;
-    var phi_4896_: type_40;
+    var phi_4855_: type_33;
+    var phi_4857_: type_33;
+    var phi_4893_: type_33;
+    var phi_4896_: type_33;
     var phi_4897_: bool;
-    var phi_4902_: type_40;
-    var phi_4904_: type_40;
-    var phi_4952_: type_40;
-    var phi_5001_: type_40;
-    var phi_5004_: type_40;
+    var phi_4902_: type_33;
+    var phi_4904_: type_33;
+    var phi_4952_: type_33;
+    var phi_5001_: type_33;
+    var phi_5004_: type_33;
     var phi_5005_: bool;
-    var phi_5010_: type_40;
-    var phi_5012_: type_40;
-    var phi_5048_: type_40;
-    var phi_5051_: type_40;
+    var phi_5010_: type_33;
+    var phi_5012_: type_33;
+    var phi_5048_: type_33;
+    var phi_5051_: type_33;
     var phi_5052_: bool;
-    var phi_5057_: type_40;
-    var phi_5059_: type_40;
-    var phi_5107_: type_40;
-    var phi_5156_: type_40;
-    var phi_5159_: type_40;
+    var phi_5057_: type_33;
+    var phi_5059_: type_33;
+    var phi_5107_: type_33;
+    var phi_5156_: type_33;
+    var phi_5159_: type_33;
     var phi_5160_: bool;
-    var phi_5165_: type_40;
-    var phi_5167_: type_40;
-    var phi_5203_: type_40;
-    var phi_5206_: type_40;
+    var phi_5165_: type_33;
+    var phi_5167_: type_33;
+    var phi_5203_: type_33;
+    var phi_5206_: type_33;
     var phi_5207_: bool;
-    var phi_5212_: type_40;
-    var phi_5214_: type_40;
-    var phi_5262_: type_40;
-    var phi_2154_: type_40;
+    var phi_5212_: type_33;
+    var phi_5214_: type_33;
+    var phi_5262_: type_33;
+    var phi_2154_: type_33;
     var phi_6365_: i32;
     var phi_5656_: i32;
     var phi_5632_: i32;
@@ -657,7 +657,7 @@ fn function_() {
                 let _e316 = select(_e312, _e311, (_e311 < _e312));
                 let _e323 = select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < -2147483600f)), 2147483647i, (_e314 > 2147483500f)), (_e314 == _e314));
                 let _e330 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < -2147483600f)), 2147483647i, (_e316 > 2147483500f)), (_e316 == _e316));
-                let _e331 = type_37(_e246, _e253, _e260, vec3<f32>(_e202, _e205, _e208), _e221, _e239, _e288, _e295, _e323, _e330);
+                let _e331 = type_38(_e246, _e253, _e260, vec3<f32>(_e202, _e205, _e208), _e221, _e239, _e288, _e295, _e323, _e330);
                 if _e213 {
                     phi_1029_ = select(true, false, (_e210 >= _e212));
                 } else {
@@ -860,9 +860,9 @@ fn function_() {
                 let _e613 = phi_1389_;
                 let _e615 = phi_1390_;
                 if select(_e613, true, _e615) {
-                    phi_1399_ = type_38(_e331, _e456, _e524, _e459, _e487, _e494, _e529, _e459, 0i, -1i, _e520);
+                    phi_1399_ = type_39(_e331, _e456, _e524, _e459, _e487, _e494, _e529, _e459, 0i, -1i, _e520);
                 } else {
-                    phi_1399_ = type_38(_e331, _e456, _e524, select(_e525, _e526, (_e526 < _e525)), _e487, _e494, _e529, _e459, 0i, -1i, _e520);
+                    phi_1399_ = type_39(_e331, _e456, _e524, select(_e525, _e526, (_e526 < _e525)), _e487, _e494, _e529, _e459, 0i, -1i, _e520);
                 }
                 let _e619 = phi_1399_;
                 phi_5749_ = _e135;
@@ -1234,21 +1234,21 @@ fn function_() {
                                         if (_e1125 <= 0f) {
                                             let _e1138 = (_e1127 >= 0f);
                                             if _e1138 {
-                                                phi_4846_ = type_40(0f, 1f);
+                                                phi_4846_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4846_ = type_40();
+                                                phi_4846_ = type_33();
                                             }
                                             let _e1140 = phi_4846_;
                                             phi_4849_ = _e1140;
                                             phi_4850_ = select(true, false, _e1138);
                                         } else {
-                                            phi_4849_ = type_40();
+                                            phi_4849_ = type_33();
                                             phi_4850_ = true;
                                         }
                                         let _e1143 = phi_4849_;
                                         let _e1145 = phi_4850_;
                                         if _e1145 {
-                                            phi_4855_ = type_40(1f, 0f);
+                                            phi_4855_ = type_33(1f, 0f);
                                         } else {
                                             phi_4855_ = _e1143;
                                         }
@@ -1257,7 +1257,7 @@ fn function_() {
                                     } else {
                                         let _e1130 = (_e1125 / _e1116);
                                         let _e1131 = (_e1127 / _e1116);
-                                        phi_4857_ = type_40(select(_e1131, _e1130, (_e1130 < _e1131)), select(_e1131, _e1130, (_e1130 > _e1131)));
+                                        phi_4857_ = type_33(select(_e1131, _e1130, (_e1130 < _e1131)), select(_e1131, _e1130, (_e1130 > _e1131)));
                                     }
                                     let _e1149 = phi_4857_;
                                     let _e1152 = f32(_e1068);
@@ -1269,21 +1269,21 @@ fn function_() {
                                         if (_e1154 <= 0f) {
                                             let _e1167 = (_e1156 >= 0f);
                                             if _e1167 {
-                                                phi_4893_ = type_40(0f, 1f);
+                                                phi_4893_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4893_ = type_40();
+                                                phi_4893_ = type_33();
                                             }
                                             let _e1169 = phi_4893_;
                                             phi_4896_ = _e1169;
                                             phi_4897_ = select(true, false, _e1167);
                                         } else {
-                                            phi_4896_ = type_40();
+                                            phi_4896_ = type_33();
                                             phi_4897_ = true;
                                         }
                                         let _e1172 = phi_4896_;
                                         let _e1174 = phi_4897_;
                                         if _e1174 {
-                                            phi_4902_ = type_40(1f, 0f);
+                                            phi_4902_ = type_33(1f, 0f);
                                         } else {
                                             phi_4902_ = _e1172;
                                         }
@@ -1292,7 +1292,7 @@ fn function_() {
                                     } else {
                                         let _e1159 = (_e1154 / _e1119);
                                         let _e1160 = (_e1156 / _e1119);
-                                        phi_4904_ = type_40(select(_e1160, _e1159, (_e1159 < _e1160)), select(_e1160, _e1159, (_e1159 > _e1160)));
+                                        phi_4904_ = type_33(select(_e1160, _e1159, (_e1159 < _e1160)), select(_e1160, _e1159, (_e1159 > _e1160)));
                                     }
                                     let _e1178 = phi_4904_;
                                     let _e1182 = select(_e1178.member, _e1149.member, (_e1149.member > _e1178.member));
@@ -1300,11 +1300,11 @@ fn function_() {
                                     let _e1186 = select(_e1178.member_1, _e1149.member_1, (_e1149.member_1 < _e1178.member_1));
                                     let _e1188 = select(1f, _e1186, (_e1186 < 1f));
                                     if (_e1184 > _e1188) {
-                                        phi_4952_ = type_40(_e619.member.member_5.z, -2f);
+                                        phi_4952_ = type_33(_e619.member.member_5.z, -2f);
                                     } else {
                                         let _e1191 = (_e619.member.member.z + (_e1122 * _e1184));
                                         let _e1193 = (_e619.member.member.z + (_e1122 * _e1188));
-                                        phi_4952_ = type_40(select(_e1193, _e1191, (_e1191 < _e1193)), select(_e1193, _e1191, (_e1191 > _e1193)));
+                                        phi_4952_ = type_33(select(_e1193, _e1191, (_e1191 < _e1193)), select(_e1193, _e1191, (_e1191 > _e1193)));
                                     }
                                     let _e1202 = phi_4952_;
                                     let _e1206 = (_e619.member.member_2.x - _e619.member.member_1.x);
@@ -1316,21 +1316,21 @@ fn function_() {
                                         if (_e1211 <= 0f) {
                                             let _e1223 = (_e1212 >= 0f);
                                             if _e1223 {
-                                                phi_5001_ = type_40(0f, 1f);
+                                                phi_5001_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5001_ = type_40();
+                                                phi_5001_ = type_33();
                                             }
                                             let _e1225 = phi_5001_;
                                             phi_5004_ = _e1225;
                                             phi_5005_ = select(true, false, _e1223);
                                         } else {
-                                            phi_5004_ = type_40();
+                                            phi_5004_ = type_33();
                                             phi_5005_ = true;
                                         }
                                         let _e1228 = phi_5004_;
                                         let _e1230 = phi_5005_;
                                         if _e1230 {
-                                            phi_5010_ = type_40(1f, 0f);
+                                            phi_5010_ = type_33(1f, 0f);
                                         } else {
                                             phi_5010_ = _e1228;
                                         }
@@ -1339,7 +1339,7 @@ fn function_() {
                                     } else {
                                         let _e1215 = (_e1211 / _e1206);
                                         let _e1216 = (_e1212 / _e1206);
-                                        phi_5012_ = type_40(select(_e1216, _e1215, (_e1215 < _e1216)), select(_e1216, _e1215, (_e1215 > _e1216)));
+                                        phi_5012_ = type_33(select(_e1216, _e1215, (_e1215 < _e1216)), select(_e1216, _e1215, (_e1215 > _e1216)));
                                     }
                                     let _e1234 = phi_5012_;
                                     let _e1237 = (_e1153 - _e619.member.member_1.y);
@@ -1348,21 +1348,21 @@ fn function_() {
                                         if (_e1237 <= 0f) {
                                             let _e1249 = (_e1238 >= 0f);
                                             if _e1249 {
-                                                phi_5048_ = type_40(0f, 1f);
+                                                phi_5048_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5048_ = type_40();
+                                                phi_5048_ = type_33();
                                             }
                                             let _e1251 = phi_5048_;
                                             phi_5051_ = _e1251;
                                             phi_5052_ = select(true, false, _e1249);
                                         } else {
-                                            phi_5051_ = type_40();
+                                            phi_5051_ = type_33();
                                             phi_5052_ = true;
                                         }
                                         let _e1254 = phi_5051_;
                                         let _e1256 = phi_5052_;
                                         if _e1256 {
-                                            phi_5057_ = type_40(1f, 0f);
+                                            phi_5057_ = type_33(1f, 0f);
                                         } else {
                                             phi_5057_ = _e1254;
                                         }
@@ -1371,7 +1371,7 @@ fn function_() {
                                     } else {
                                         let _e1241 = (_e1237 / _e1208);
                                         let _e1242 = (_e1238 / _e1208);
-                                        phi_5059_ = type_40(select(_e1242, _e1241, (_e1241 < _e1242)), select(_e1242, _e1241, (_e1241 > _e1242)));
+                                        phi_5059_ = type_33(select(_e1242, _e1241, (_e1241 < _e1242)), select(_e1242, _e1241, (_e1241 > _e1242)));
                                     }
                                     let _e1260 = phi_5059_;
                                     let _e1264 = select(_e1260.member, _e1234.member, (_e1234.member > _e1260.member));
@@ -1379,11 +1379,11 @@ fn function_() {
                                     let _e1268 = select(_e1260.member_1, _e1234.member_1, (_e1234.member_1 < _e1260.member_1));
                                     let _e1270 = select(1f, _e1268, (_e1268 < 1f));
                                     if (_e1266 > _e1270) {
-                                        phi_5107_ = type_40(_e619.member.member_5.z, -2f);
+                                        phi_5107_ = type_33(_e619.member.member_5.z, -2f);
                                     } else {
                                         let _e1273 = (_e619.member.member_1.z + (_e1210 * _e1266));
                                         let _e1275 = (_e619.member.member_1.z + (_e1210 * _e1270));
-                                        phi_5107_ = type_40(select(_e1275, _e1273, (_e1273 < _e1275)), select(_e1275, _e1273, (_e1273 > _e1275)));
+                                        phi_5107_ = type_33(select(_e1275, _e1273, (_e1273 < _e1275)), select(_e1275, _e1273, (_e1273 > _e1275)));
                                     }
                                     let _e1284 = phi_5107_;
                                     let _e1287 = (_e619.member.member.x - _e619.member.member_2.x);
@@ -1395,21 +1395,21 @@ fn function_() {
                                         if (_e1290 <= 0f) {
                                             let _e1302 = (_e1291 >= 0f);
                                             if _e1302 {
-                                                phi_5156_ = type_40(0f, 1f);
+                                                phi_5156_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5156_ = type_40();
+                                                phi_5156_ = type_33();
                                             }
                                             let _e1304 = phi_5156_;
                                             phi_5159_ = _e1304;
                                             phi_5160_ = select(true, false, _e1302);
                                         } else {
-                                            phi_5159_ = type_40();
+                                            phi_5159_ = type_33();
                                             phi_5160_ = true;
                                         }
                                         let _e1307 = phi_5159_;
                                         let _e1309 = phi_5160_;
                                         if _e1309 {
-                                            phi_5165_ = type_40(1f, 0f);
+                                            phi_5165_ = type_33(1f, 0f);
                                         } else {
                                             phi_5165_ = _e1307;
                                         }
@@ -1418,7 +1418,7 @@ fn function_() {
                                     } else {
                                         let _e1294 = (_e1290 / _e1287);
                                         let _e1295 = (_e1291 / _e1287);
-                                        phi_5167_ = type_40(select(_e1295, _e1294, (_e1294 < _e1295)), select(_e1295, _e1294, (_e1294 > _e1295)));
+                                        phi_5167_ = type_33(select(_e1295, _e1294, (_e1294 < _e1295)), select(_e1295, _e1294, (_e1294 > _e1295)));
                                     }
                                     let _e1313 = phi_5167_;
                                     let _e1316 = (_e1153 - _e619.member.member_2.y);
@@ -1427,21 +1427,21 @@ fn function_() {
                                         if (_e1316 <= 0f) {
                                             let _e1328 = (_e1317 >= 0f);
                                             if _e1328 {
-                                                phi_5203_ = type_40(0f, 1f);
+                                                phi_5203_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5203_ = type_40();
+                                                phi_5203_ = type_33();
                                             }
                                             let _e1330 = phi_5203_;
                                             phi_5206_ = _e1330;
                                             phi_5207_ = select(true, false, _e1328);
                                         } else {
-                                            phi_5206_ = type_40();
+                                            phi_5206_ = type_33();
                                             phi_5207_ = true;
                                         }
                                         let _e1333 = phi_5206_;
                                         let _e1335 = phi_5207_;
                                         if _e1335 {
-                                            phi_5212_ = type_40(1f, 0f);
+                                            phi_5212_ = type_33(1f, 0f);
                                         } else {
                                             phi_5212_ = _e1333;
                                         }
@@ -1450,7 +1450,7 @@ fn function_() {
                                     } else {
                                         let _e1320 = (_e1316 / _e1288);
                                         let _e1321 = (_e1317 / _e1288);
-                                        phi_5214_ = type_40(select(_e1321, _e1320, (_e1320 < _e1321)), select(_e1321, _e1320, (_e1320 > _e1321)));
+                                        phi_5214_ = type_33(select(_e1321, _e1320, (_e1320 < _e1321)), select(_e1321, _e1320, (_e1320 > _e1321)));
                                     }
                                     let _e1339 = phi_5214_;
                                     let _e1343 = select(_e1339.member, _e1313.member, (_e1313.member > _e1339.member));
@@ -1458,16 +1458,16 @@ fn function_() {
                                     let _e1347 = select(_e1339.member_1, _e1313.member_1, (_e1313.member_1 < _e1339.member_1));
                                     let _e1349 = select(1f, _e1347, (_e1347 < 1f));
                                     if (_e1345 > _e1349) {
-                                        phi_5262_ = type_40(_e619.member.member_5.z, -2f);
+                                        phi_5262_ = type_33(_e619.member.member_5.z, -2f);
                                     } else {
                                         let _e1352 = (_e619.member.member_2.z + (_e1289 * _e1345));
                                         let _e1354 = (_e619.member.member_2.z + (_e1289 * _e1349));
-                                        phi_5262_ = type_40(select(_e1354, _e1352, (_e1352 < _e1354)), select(_e1354, _e1352, (_e1352 > _e1354)));
+                                        phi_5262_ = type_33(select(_e1354, _e1352, (_e1352 < _e1354)), select(_e1354, _e1352, (_e1352 > _e1354)));
                                     }
                                     let _e1363 = phi_5262_;
                                     let _e1367 = select(_e1284.member, _e1202.member, (_e1202.member < _e1284.member));
                                     let _e1373 = select(_e1284.member_1, _e1202.member_1, (_e1202.member_1 > _e1284.member_1));
-                                    phi_2154_ = type_40((floor(select(_e1363.member, _e1367, (_e1367 < _e1363.member))) - 1f), (floor(select(_e1363.member_1, _e1373, (_e1373 > _e1363.member_1))) + 1f));
+                                    phi_2154_ = type_33((floor(select(_e1363.member, _e1367, (_e1367 < _e1363.member))) - 1f), (floor(select(_e1363.member_1, _e1373, (_e1373 > _e1363.member_1))) + 1f));
                                 } else {
                                     if (_e619.member.member_4 == 0u) {
                                         phi_2112_ = vec3<f32>(_e619.member.member_3.y, _e619.member.member_3.z, _e619.member.member_3.x);
@@ -1483,7 +1483,7 @@ fn function_() {
                                     let _e1083 = phi_2112_;
                                     let _e1100 = (_e619.member.member.z - (((_e1083.x * ((f32(_e1069) + 0.5f) - _e619.member.member.x)) + (_e1083.y * ((f32(_e1068) + 0.5f) - _e619.member.member.y))) / _e1083.z));
                                     let _e1107 = (((0.5f * (abs(_e1083.x) + abs(_e1083.y))) / abs(_e1083.z)) + 0.3f);
-                                    phi_2154_ = type_40((-1f - floor((_e1107 - _e1100))), floor((_e1100 + _e1107)));
+                                    phi_2154_ = type_33((-1f - floor((_e1107 - _e1100))), floor((_e1100 + _e1107)));
                                 }
                                 let _e1380 = phi_2154_;
                                 let _e1383 = f32(_e619.member_4);

@@ -15,7 +15,12 @@ struct type_16 {
     member: array<type_14>,
 }
 
-struct type_23 {
+struct type_22 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_24 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -36,11 +41,11 @@ struct type_23 {
     member_17: vec4<u32>,
 }
 
-struct type_24 {
-    member: type_23,
+struct type_25 {
+    member: type_24,
 }
 
-struct type_26 {
+struct type_27 {
     member: vec3<f32>,
     member_1: vec3<f32>,
     member_2: vec3<f32>,
@@ -53,8 +58,8 @@ struct type_26 {
     member_9: i32,
 }
 
-struct type_27 {
-    member: type_26,
+struct type_28 {
+    member: type_27,
     member_1: i32,
     member_2: i32,
     member_3: i32,
@@ -67,18 +72,13 @@ struct type_27 {
     member_10: bool,
 }
 
-struct type_28 {
-    member: f32,
-    member_1: f32,
-}
-
 struct type_32 {
     member: array<atomic<u32>>,
 }
 
 var<private> gid_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> params: type_24;
+var<uniform> params: type_25;
 @group(0) @binding(1) 
 var<storage> triangles: type_16;
 @group(0) @binding(2) 
@@ -118,7 +118,7 @@ fn function_() {
     var phi_677_: bool;
     var phi_678_: bool;
     var phi_679_: bool;
-    var phi_688_: type_27;
+    var phi_688_: type_28;
     var phi_2815_: i32;
     var phi_2812_: i32;
     var phi_2809_: i32;
@@ -177,42 +177,42 @@ fn function_() {
     var phi_1347_: bool;
     var local_6: bool;
     var phi_2963_: i32;
-    var phi_2279_: type_28;
-    var phi_2283_: type_28;
+    var phi_2279_: type_22;
+    var phi_2283_: type_22;
     var phi_2284_: bool;
-    var phi_2289_: type_28;
-    var phi_2305_: type_28;
-    var phi_2326_: type_28;
-    var phi_2330_: type_28;
+    var phi_2289_: type_22;
+    var phi_2305_: type_22;
+    var phi_2326_: type_22;
+    var phi_2330_: type_22;
     var phi_2331_: bool;
-    var phi_2336_: type_28;
-    var phi_2352_: type_28;
-    var phi_2400_: type_28;
-    var phi_2434_: type_28;
-    var phi_2438_: type_28;
+    var phi_2336_: type_22;
+    var phi_2352_: type_22;
+    var phi_2400_: type_22;
+    var phi_2434_: type_22;
+    var phi_2438_: type_22;
     var phi_2439_: bool;
-    var phi_2444_: type_28;
-    var phi_2460_: type_28;
-    var phi_2481_: type_28;
-    var phi_2485_: type_28;
+    var phi_2444_: type_22;
+    var phi_2460_: type_22;
+    var phi_2481_: type_22;
+    var phi_2485_: type_22;
     var phi_2486_: bool;
-    var phi_2491_: type_28;
-    var phi_2507_: type_28;
-    var phi_2555_: type_28;
-    var phi_2589_: type_28;
-    var phi_2593_: type_28;
+    var phi_2491_: type_22;
+    var phi_2507_: type_22;
+    var phi_2555_: type_22;
+    var phi_2589_: type_22;
+    var phi_2593_: type_22;
     var phi_2594_: bool;
-    var phi_2599_: type_28;
-    var phi_2615_: type_28;
-    var phi_2636_: type_28;
-    var phi_2640_: type_28;
+    var phi_2599_: type_22;
+    var phi_2615_: type_22;
+    var phi_2636_: type_22;
+    var phi_2640_: type_22;
     var phi_2641_: bool;
-    var phi_2646_: type_28;
-    var phi_2662_: type_28;
-    var phi_2710_: type_28;
+    var phi_2646_: type_22;
+    var phi_2662_: type_22;
+    var phi_2710_: type_22;
     var phi_1400_: vec3<f32>;
     var phi_1401_: vec3<f32>;
-    var phi_1443_: type_28;
+    var phi_1443_: type_22;
     var phi_3397_: i32;
     var phi_3104_: i32;
     var phi_3080_: i32;
@@ -403,7 +403,7 @@ fn function_() {
                 let _e269 = select(_e265, _e264, (_e264 < _e265));
                 let _e276 = select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < -2147483600f)), 2147483647i, (_e267 > 2147483500f)), (_e267 == _e267));
                 let _e283 = select(0i, select(select(i32(_e269), i32(-2147483648), (_e269 < -2147483600f)), 2147483647i, (_e269 > 2147483500f)), (_e269 == _e269));
-                let _e284 = type_26(_e199, _e206, _e213, vec3<f32>(_e155, _e158, _e161), _e174, _e192, _e241, _e248, _e276, _e283);
+                let _e284 = type_27(_e199, _e206, _e213, vec3<f32>(_e155, _e158, _e161), _e174, _e192, _e241, _e248, _e276, _e283);
                 if _e166 {
                     phi_441_ = select(true, false, (_e163 >= _e165));
                 } else {
@@ -519,9 +519,9 @@ fn function_() {
                 let _e483 = phi_678_;
                 let _e485 = phi_679_;
                 if select(_e483, true, _e485) {
-                    phi_688_ = type_27(_e284, _e326, _e394, _e329, _e357, _e364, _e399, _e329, 0i, -1i, _e390);
+                    phi_688_ = type_28(_e284, _e326, _e394, _e329, _e357, _e364, _e399, _e329, 0i, -1i, _e390);
                 } else {
-                    phi_688_ = type_27(_e284, _e326, _e394, select(_e395, _e396, (_e396 < _e395)), _e357, _e364, _e399, _e329, 0i, -1i, _e390);
+                    phi_688_ = type_28(_e284, _e326, _e394, select(_e395, _e396, (_e396 < _e395)), _e357, _e364, _e399, _e329, 0i, -1i, _e390);
                 }
                 let _e489 = phi_688_;
                 phi_2815_ = _e489.member_6;
@@ -891,21 +891,21 @@ fn function_() {
                                         if (_e949 <= 0f) {
                                             let _e955 = (_e951 >= 0f);
                                             if _e955 {
-                                                phi_2279_ = type_28(0f, 1f);
+                                                phi_2279_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2279_ = type_28();
+                                                phi_2279_ = type_22();
                                             }
                                             let _e957 = phi_2279_;
                                             phi_2283_ = _e957;
                                             phi_2284_ = select(true, false, _e955);
                                         } else {
-                                            phi_2283_ = type_28();
+                                            phi_2283_ = type_22();
                                             phi_2284_ = true;
                                         }
                                         let _e960 = phi_2283_;
                                         let _e962 = phi_2284_;
                                         if _e962 {
-                                            phi_2289_ = type_28(1f, 0f);
+                                            phi_2289_ = type_22(1f, 0f);
                                         } else {
                                             phi_2289_ = _e960;
                                         }
@@ -914,7 +914,7 @@ fn function_() {
                                     } else {
                                         let _e965 = (_e949 / _e940);
                                         let _e966 = (_e951 / _e940);
-                                        phi_2305_ = type_28(select(_e966, _e965, (_e965 < _e966)), select(_e966, _e965, (_e965 > _e966)));
+                                        phi_2305_ = type_22(select(_e966, _e965, (_e965 < _e966)), select(_e966, _e965, (_e965 > _e966)));
                                     }
                                     let _e973 = phi_2305_;
                                     let _e976 = f32(_e936);
@@ -926,21 +926,21 @@ fn function_() {
                                         if (_e978 <= 0f) {
                                             let _e984 = (_e980 >= 0f);
                                             if _e984 {
-                                                phi_2326_ = type_28(0f, 1f);
+                                                phi_2326_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2326_ = type_28();
+                                                phi_2326_ = type_22();
                                             }
                                             let _e986 = phi_2326_;
                                             phi_2330_ = _e986;
                                             phi_2331_ = select(true, false, _e984);
                                         } else {
-                                            phi_2330_ = type_28();
+                                            phi_2330_ = type_22();
                                             phi_2331_ = true;
                                         }
                                         let _e989 = phi_2330_;
                                         let _e991 = phi_2331_;
                                         if _e991 {
-                                            phi_2336_ = type_28(1f, 0f);
+                                            phi_2336_ = type_22(1f, 0f);
                                         } else {
                                             phi_2336_ = _e989;
                                         }
@@ -949,7 +949,7 @@ fn function_() {
                                     } else {
                                         let _e994 = (_e978 / _e943);
                                         let _e995 = (_e980 / _e943);
-                                        phi_2352_ = type_28(select(_e995, _e994, (_e994 < _e995)), select(_e995, _e994, (_e994 > _e995)));
+                                        phi_2352_ = type_22(select(_e995, _e994, (_e994 < _e995)), select(_e995, _e994, (_e994 > _e995)));
                                     }
                                     let _e1002 = phi_2352_;
                                     let _e1006 = select(_e1002.member, _e973.member, (_e973.member > _e1002.member));
@@ -957,11 +957,11 @@ fn function_() {
                                     let _e1010 = select(_e1002.member_1, _e973.member_1, (_e973.member_1 < _e1002.member_1));
                                     let _e1012 = select(1f, _e1010, (_e1010 < 1f));
                                     if (_e1008 > _e1012) {
-                                        phi_2400_ = type_28(_e489.member.member_5.z, -2f);
+                                        phi_2400_ = type_22(_e489.member.member_5.z, -2f);
                                     } else {
                                         let _e1017 = (_e489.member.member.z + (_e946 * _e1008));
                                         let _e1019 = (_e489.member.member.z + (_e946 * _e1012));
-                                        phi_2400_ = type_28(select(_e1019, _e1017, (_e1017 < _e1019)), select(_e1019, _e1017, (_e1017 > _e1019)));
+                                        phi_2400_ = type_22(select(_e1019, _e1017, (_e1017 < _e1019)), select(_e1019, _e1017, (_e1017 > _e1019)));
                                     }
                                     let _e1026 = phi_2400_;
                                     let _e1030 = (_e489.member.member_2.x - _e489.member.member_1.x);
@@ -973,21 +973,21 @@ fn function_() {
                                         if (_e1035 <= 0f) {
                                             let _e1040 = (_e1036 >= 0f);
                                             if _e1040 {
-                                                phi_2434_ = type_28(0f, 1f);
+                                                phi_2434_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2434_ = type_28();
+                                                phi_2434_ = type_22();
                                             }
                                             let _e1042 = phi_2434_;
                                             phi_2438_ = _e1042;
                                             phi_2439_ = select(true, false, _e1040);
                                         } else {
-                                            phi_2438_ = type_28();
+                                            phi_2438_ = type_22();
                                             phi_2439_ = true;
                                         }
                                         let _e1045 = phi_2438_;
                                         let _e1047 = phi_2439_;
                                         if _e1047 {
-                                            phi_2444_ = type_28(1f, 0f);
+                                            phi_2444_ = type_22(1f, 0f);
                                         } else {
                                             phi_2444_ = _e1045;
                                         }
@@ -996,7 +996,7 @@ fn function_() {
                                     } else {
                                         let _e1050 = (_e1035 / _e1030);
                                         let _e1051 = (_e1036 / _e1030);
-                                        phi_2460_ = type_28(select(_e1051, _e1050, (_e1050 < _e1051)), select(_e1051, _e1050, (_e1050 > _e1051)));
+                                        phi_2460_ = type_22(select(_e1051, _e1050, (_e1050 < _e1051)), select(_e1051, _e1050, (_e1050 > _e1051)));
                                     }
                                     let _e1058 = phi_2460_;
                                     let _e1061 = (_e977 - _e489.member.member_1.y);
@@ -1005,21 +1005,21 @@ fn function_() {
                                         if (_e1061 <= 0f) {
                                             let _e1066 = (_e1062 >= 0f);
                                             if _e1066 {
-                                                phi_2481_ = type_28(0f, 1f);
+                                                phi_2481_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2481_ = type_28();
+                                                phi_2481_ = type_22();
                                             }
                                             let _e1068 = phi_2481_;
                                             phi_2485_ = _e1068;
                                             phi_2486_ = select(true, false, _e1066);
                                         } else {
-                                            phi_2485_ = type_28();
+                                            phi_2485_ = type_22();
                                             phi_2486_ = true;
                                         }
                                         let _e1071 = phi_2485_;
                                         let _e1073 = phi_2486_;
                                         if _e1073 {
-                                            phi_2491_ = type_28(1f, 0f);
+                                            phi_2491_ = type_22(1f, 0f);
                                         } else {
                                             phi_2491_ = _e1071;
                                         }
@@ -1028,7 +1028,7 @@ fn function_() {
                                     } else {
                                         let _e1076 = (_e1061 / _e1032);
                                         let _e1077 = (_e1062 / _e1032);
-                                        phi_2507_ = type_28(select(_e1077, _e1076, (_e1076 < _e1077)), select(_e1077, _e1076, (_e1076 > _e1077)));
+                                        phi_2507_ = type_22(select(_e1077, _e1076, (_e1076 < _e1077)), select(_e1077, _e1076, (_e1076 > _e1077)));
                                     }
                                     let _e1084 = phi_2507_;
                                     let _e1088 = select(_e1084.member, _e1058.member, (_e1058.member > _e1084.member));
@@ -1036,11 +1036,11 @@ fn function_() {
                                     let _e1092 = select(_e1084.member_1, _e1058.member_1, (_e1058.member_1 < _e1084.member_1));
                                     let _e1094 = select(1f, _e1092, (_e1092 < 1f));
                                     if (_e1090 > _e1094) {
-                                        phi_2555_ = type_28(_e489.member.member_5.z, -2f);
+                                        phi_2555_ = type_22(_e489.member.member_5.z, -2f);
                                     } else {
                                         let _e1099 = (_e489.member.member_1.z + (_e1034 * _e1090));
                                         let _e1101 = (_e489.member.member_1.z + (_e1034 * _e1094));
-                                        phi_2555_ = type_28(select(_e1101, _e1099, (_e1099 < _e1101)), select(_e1101, _e1099, (_e1099 > _e1101)));
+                                        phi_2555_ = type_22(select(_e1101, _e1099, (_e1099 < _e1101)), select(_e1101, _e1099, (_e1099 > _e1101)));
                                     }
                                     let _e1108 = phi_2555_;
                                     let _e1111 = (_e489.member.member.x - _e489.member.member_2.x);
@@ -1052,21 +1052,21 @@ fn function_() {
                                         if (_e1114 <= 0f) {
                                             let _e1119 = (_e1115 >= 0f);
                                             if _e1119 {
-                                                phi_2589_ = type_28(0f, 1f);
+                                                phi_2589_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2589_ = type_28();
+                                                phi_2589_ = type_22();
                                             }
                                             let _e1121 = phi_2589_;
                                             phi_2593_ = _e1121;
                                             phi_2594_ = select(true, false, _e1119);
                                         } else {
-                                            phi_2593_ = type_28();
+                                            phi_2593_ = type_22();
                                             phi_2594_ = true;
                                         }
                                         let _e1124 = phi_2593_;
                                         let _e1126 = phi_2594_;
                                         if _e1126 {
-                                            phi_2599_ = type_28(1f, 0f);
+                                            phi_2599_ = type_22(1f, 0f);
                                         } else {
                                             phi_2599_ = _e1124;
                                         }
@@ -1075,7 +1075,7 @@ fn function_() {
                                     } else {
                                         let _e1129 = (_e1114 / _e1111);
                                         let _e1130 = (_e1115 / _e1111);
-                                        phi_2615_ = type_28(select(_e1130, _e1129, (_e1129 < _e1130)), select(_e1130, _e1129, (_e1129 > _e1130)));
+                                        phi_2615_ = type_22(select(_e1130, _e1129, (_e1129 < _e1130)), select(_e1130, _e1129, (_e1129 > _e1130)));
                                     }
                                     let _e1137 = phi_2615_;
                                     let _e1140 = (_e977 - _e489.member.member_2.y);
@@ -1084,21 +1084,21 @@ fn function_() {
                                         if (_e1140 <= 0f) {
                                             let _e1145 = (_e1141 >= 0f);
                                             if _e1145 {
-                                                phi_2636_ = type_28(0f, 1f);
+                                                phi_2636_ = type_22(0f, 1f);
                                             } else {
-                                                phi_2636_ = type_28();
+                                                phi_2636_ = type_22();
                                             }
                                             let _e1147 = phi_2636_;
                                             phi_2640_ = _e1147;
                                             phi_2641_ = select(true, false, _e1145);
                                         } else {
-                                            phi_2640_ = type_28();
+                                            phi_2640_ = type_22();
                                             phi_2641_ = true;
                                         }
                                         let _e1150 = phi_2640_;
                                         let _e1152 = phi_2641_;
                                         if _e1152 {
-                                            phi_2646_ = type_28(1f, 0f);
+                                            phi_2646_ = type_22(1f, 0f);
                                         } else {
                                             phi_2646_ = _e1150;
                                         }
@@ -1107,7 +1107,7 @@ fn function_() {
                                     } else {
                                         let _e1155 = (_e1140 / _e1112);
                                         let _e1156 = (_e1141 / _e1112);
-                                        phi_2662_ = type_28(select(_e1156, _e1155, (_e1155 < _e1156)), select(_e1156, _e1155, (_e1155 > _e1156)));
+                                        phi_2662_ = type_22(select(_e1156, _e1155, (_e1155 < _e1156)), select(_e1156, _e1155, (_e1155 > _e1156)));
                                     }
                                     let _e1163 = phi_2662_;
                                     let _e1167 = select(_e1163.member, _e1137.member, (_e1137.member > _e1163.member));
@@ -1115,16 +1115,16 @@ fn function_() {
                                     let _e1171 = select(_e1163.member_1, _e1137.member_1, (_e1137.member_1 < _e1163.member_1));
                                     let _e1173 = select(1f, _e1171, (_e1171 < 1f));
                                     if (_e1169 > _e1173) {
-                                        phi_2710_ = type_28(_e489.member.member_5.z, -2f);
+                                        phi_2710_ = type_22(_e489.member.member_5.z, -2f);
                                     } else {
                                         let _e1178 = (_e489.member.member_2.z + (_e1113 * _e1169));
                                         let _e1180 = (_e489.member.member_2.z + (_e1113 * _e1173));
-                                        phi_2710_ = type_28(select(_e1180, _e1178, (_e1178 < _e1180)), select(_e1180, _e1178, (_e1178 > _e1180)));
+                                        phi_2710_ = type_22(select(_e1180, _e1178, (_e1178 < _e1180)), select(_e1180, _e1178, (_e1178 > _e1180)));
                                     }
                                     let _e1187 = phi_2710_;
                                     let _e1191 = select(_e1108.member, _e1026.member, (_e1026.member < _e1108.member));
                                     let _e1197 = select(_e1108.member_1, _e1026.member_1, (_e1026.member_1 > _e1108.member_1));
-                                    phi_1443_ = type_28((floor(select(_e1187.member, _e1191, (_e1191 < _e1187.member))) - 1f), (floor(select(_e1187.member_1, _e1197, (_e1197 > _e1187.member_1))) + 1f));
+                                    phi_1443_ = type_22((floor(select(_e1187.member, _e1191, (_e1191 < _e1187.member))) - 1f), (floor(select(_e1187.member_1, _e1197, (_e1197 > _e1187.member_1))) + 1f));
                                 } else {
                                     if (_e489.member.member_4 == 0u) {
                                         phi_1401_ = vec3<f32>(_e489.member.member_3.y, _e489.member.member_3.z, _e489.member.member_3.x);
@@ -1140,7 +1140,7 @@ fn function_() {
                                     let _e1216 = phi_1401_;
                                     let _e1233 = (_e489.member.member.z - (((_e1216.x * ((f32(_e937) + 0.5f) - _e489.member.member.x)) + (_e1216.y * ((f32(_e936) + 0.5f) - _e489.member.member.y))) / _e1216.z));
                                     let _e1240 = (((0.5f * (abs(_e1216.x) + abs(_e1216.y))) / abs(_e1216.z)) + 0.3f);
-                                    phi_1443_ = type_28((-1f - floor((_e1240 - _e1233))), floor((_e1233 + _e1240)));
+                                    phi_1443_ = type_22((-1f - floor((_e1240 - _e1233))), floor((_e1233 + _e1240)));
                                 }
                                 let _e1248 = phi_1443_;
                                 let _e1251 = f32(_e489.member_4);

@@ -329,9 +329,11 @@ fn walls_leak_by_their_thickness() {
             100.0 * last.0,
             100.0 * last.1
         );
-        assert!(last.0 < last.1, "the geometry volume must save some");
+        assert!(last.0 < 0.25 * last.1, "the geometry volume must save most: {last:?}");
+        // At 1 the wall's faces lie on cells' centres.
+        assert!(last.0 < 0.02, "{} at {wall} cells", last.0);
     }
-    assert!(last.0 < 0.05, "{}", last.0);
+    assert!(last.0 < 0.005, "{}", last.0);
 }
 
 #[test]

@@ -14,10 +14,12 @@
 //! Fails for walls that several facets at an angle share (their areas add up, at most to full). Pass before: `rsm.rs`, voxel facets. Pass after: `propagate.rs`.
 
 use super::grid::{cell_of, cells_from_world, element, inside};
+use super::inject::TIE;
 use crate::kernel::AtomicWords;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, min};
+use crate::math::vector::normalize;
 use glam::Vec3;
 #[cfg(not(target_arch = "spirv"))]
 use interreflect_shared::lpv::OPACITY_PLANES;
@@ -27,7 +29,7 @@ use interreflect_shared::voxel::VoxelFacet;
 /// Adds a surface element: `area` is its normal times its area, in cell faces.
 #[inline(always)]
 fn add_area(p: &LpvParams, position: Vec3, area: Vec3, words: &mut impl AtomicWords) {
-    let q = cells_from_world(p.anchor_size, position);
+    let q = cells_from_world(p.anchor_size, position) - normalize(area) * TIE;
     add_axis(p, q - Vec3::new(0.5, 0.0, 0.0), 0, abs(area.x), words);
     add_axis(p, q - Vec3::new(0.0, 0.5, 0.0), 1, abs(area.y), words);
     add_axis(p, q - Vec3::new(0.0, 0.0, 0.5), 2, abs(area.z), words);

@@ -26,6 +26,10 @@ use interreflect_shared::lpv::{FLUX_LIMIT, FLUX_VALUES, LpvLayout, LpvParams, Rs
 pub const LOBE_MOMENT: f32 = 2.0 / 3.0;
 /// Start of light above the surface that reflects it, in cells (Kaplanyan & Dachsbacher 2010, §4.2).
 pub const DISPLACEMENT: f32 = 0.5;
+/// Where a surface lies on cells' centres, rounding would decide piece by piece on which side of them it blocks and in which
+/// cells its light starts, and light would pass between the pieces. So light starts this much higher, in cells, and surfaces
+/// block this much deeper: all of it on the same side.
+pub const TIE: f32 = 1.0 / 64.0;
 
 /// Texels of the pass.
 pub fn items(p: &LpvParams) -> u32 {
@@ -35,7 +39,7 @@ pub fn items(p: &LpvParams) -> u32 {
 /// Adds a lobe of `flux` (W) around `normal`, from a surface at `position`.
 #[inline(always)]
 pub fn add_lobe(p: &LpvParams, position: Vec3, normal: Vec3, flux: Vec3, words: &mut impl AtomicWords) {
-    let cell = cell_of(p.first_cell, cells_from_world(p.anchor_size, position) + normal * DISPLACEMENT);
+    let cell = cell_of(p.first_cell, cells_from_world(p.anchor_size, position) + normal * (DISPLACEMENT + TIE));
     if inside(p.dims, cell) {
         let layout = LpvLayout::new(p.dims);
         let i = element(&layout, cell);

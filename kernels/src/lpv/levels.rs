@@ -85,8 +85,8 @@ struct CoarseCells<R> {
     near: [usize; 2],
     /// The same in the layer beside it.
     far: [usize; 2],
-    /// Weight of the neighbour along each axis.
-    weight: [R; 3],
+    /// Shares along each axis.
+    shares: [Shares<R>; 3],
 }
 
 impl<R: Real> CoarseCells<R> {
@@ -98,49 +98,93 @@ impl<R: Real> CoarseCells<R> {
         let [beside_y, beside_z] = [nearer(row.y, p.coarse_dims.y), nearer(row.z, p.coarse_dims.z)];
         let element = at.i - row.channel as usize * plane;
         let here = c.at(0, y, z) as usize;
-        // Faces are kept by the cell below them: the coarse one on the fine cell's side, and the one to its sibling.
         let odd = R::splat(0.5).lt(R::parity(x));
         let sibling = R::select(odd, R::load(opacity, element - 1), R::load(opacity, element));
-        let along_x = other_weight(R::load_halved(coarse_opacity, here - 1, x + 1), sibling);
-        let wall = coarse_plane + here - if row.y & 1 == 1 { 0 } else { c.pitch as usize };
-        let sibling = plane + element - if row.y & 1 == 1 { l.pitch as usize } else { 0 };
-        let along_y = other_weight(R::load_halved(coarse_opacity, wall, x), R::load(opacity, sibling));
-        let wall = 2 * coarse_plane + here - if row.z & 1 == 1 { 0 } else { c.layer as usize };
-        let sibling = 2 * plane + element - if row.z & 1 == 1 { l.layer as usize } else { 0 };
-        let along_z = other_weight(R::load_halved(coarse_opacity, wall, x), R::load(opacity, sibling));
+        let beyond = R::select(odd, R::load(opacity, element + 1), R::load(opacity, element - 2));
+        let along_x = Shares::new(R::load_halved(coarse_opacity, here - 1, x + 1), sibling, beyond);
+        let f = faces(row.y, l.pitch as usize, c.pitch as usize);
+        let wall = R::load_halved(coarse_opacity, coarse_plane + here - f.wall, x);
+        let next = plane + element + l.pitch as usize;
+        let along_y = Shares::new(wall, R::load(opacity, next - f.sibling), R::load(opacity, next - f.beyond));
+        let f = faces(row.z, l.layer as usize, c.layer as usize);
+        let wall = R::load_halved(coarse_opacity, 2 * coarse_plane + here - f.wall, x);
+        let next = 2 * plane + element + l.layer as usize;
+        let along_z = Shares::new(wall, R::load(opacity, next - f.sibling), R::load(opacity, next - f.beyond));
         // At the border the coarse cell stands for its neighbour.
         let cell_x = R::ramp(at.x as f32, 1.0);
         let last = R::splat(2.0 * p.coarse_dims.x as f32 - 1.5);
-        let inside = R::select(cell_x.lt(R::splat(0.5)), R::splat(0.0), along_x);
-        let along_x = R::select(last.lt(cell_x), R::splat(0.0), inside);
+        let along_x = along_x.here_alone(cell_x.lt(R::splat(0.5))).here_alone(last.lt(cell_x));
         let first = row.channel * c.plane;
         let near = [(first + c.at(0, y, z)) as usize, (first + c.at(0, beside_y, z)) as usize];
         let far = [(first + c.at(0, y, beside_z)) as usize, (first + c.at(0, beside_y, beside_z)) as usize];
-        Self { x, near, far, weight: [along_x, along_y, along_z] }
+        Self { x, near, far, shares: [along_x, along_y, along_z] }
     }
 
     /// A number of the coarser grid, whose elements begin at `base`: linear along each axis.
     #[inline(always)]
     fn interpolated(&self, coarse: &[f32], base: usize) -> R {
-        let [x, y, z] = self.weight;
-        let one = R::splat(1.0);
+        let [x, y, z] = self.shares;
         let rows = [self.near[0], self.near[1], self.far[0], self.far[1]];
-        let mut along_x = [x; 4];
+        let mut along_x = [x.here; 4];
         unroll!(K in 0, 1, 2, 3 => {
-            along_x[K] = R::load_halved(coarse, base + rows[K], self.x) * (one - x) + R::load_beside(coarse, base + rows[K], self.x) * x;
+            let i = base + rows[K];
+            along_x[K] = R::load_halved(coarse, i, self.x) * x.here + R::load_beside(coarse, i, self.x) * x.beside;
         });
-        let near = along_x[0] * (one - y) + along_x[1] * y;
-        let far = along_x[2] * (one - y) + along_x[3] * y;
-        near * (one - z) + far * z
+        let near = along_x[0] * y.here + along_x[1] * y.beside;
+        let far = along_x[2] * y.here + along_x[3] * y.beside;
+        near * z.here + far * z.beside
     }
 }
 
-/// Weight of the coarse neighbour along one axis: ¼ in the open. Where a wall stands between the two coarse centres (`wall`:
-/// its opacity) only one of them is on the cell's side: the neighbour if the wall is between the cell and its sibling
-/// (`sibling`), at whose common face the coarse cell's own centre lies.
+/// Shares of a coarse cell and of its neighbour along one axis.
+#[derive(Clone, Copy)]
+struct Shares<R> {
+    here: R,
+    beside: R,
+}
+
+impl<R: Real> Shares<R> {
+    /// The neighbour's is ¼ in the open. Where a wall stands between the two coarse centres (`wall`: its opacity) only one of
+    /// them is on the cell's side: the neighbour if the wall is between the cell and its sibling (`sibling`), at whose
+    /// common face the coarse cell's own centre lies. If another stands there in the neighbour (`beyond`), the cell is between
+    /// the two faces of a wall, and neither centre is with it.
+    #[inline(always)]
+    fn new(wall: R, sibling: R, beyond: R) -> Self {
+        let one = R::splat(1.0);
+        let (open, over) = (R::splat(0.25) * (one - wall), wall * sibling);
+        Self { here: one - (open + over), beside: open + over * (one - beyond) }
+    }
+    #[inline(always)]
+    fn here_alone(self, mask: R::Mask) -> Self {
+        Self { here: R::select(mask, R::splat(1.0), self.here), beside: R::select(mask, R::splat(0.0), self.beside) }
+    }
+}
+
+/// Where the faces of [`Shares::new`] lie along an axis whose cells are `step` elements apart (`coarse_step` on the coarser
+/// grid). Faces are kept by the cell below them.
+struct Faces {
+    /// Elements from the coarse cell back to the wall's face.
+    wall: usize,
+    /// Elements from the next cell back to the face to the sibling.
+    sibling: usize,
+    /// The same to the neighbour's own face between siblings; any other face where there is no neighbour.
+    beyond: usize,
+}
+
 #[inline(always)]
-fn other_weight<R: Real>(wall: R, sibling: R) -> R {
-    R::splat(0.25) * (R::splat(1.0) - wall) + wall * sibling
+fn faces(cell: u32, step: usize, coarse_step: usize) -> Faces {
+    let odd = cell & 1 == 1;
+    Faces {
+        wall: if odd { 0 } else { coarse_step },
+        sibling: if odd { 2 * step } else { step },
+        beyond: if odd {
+            0
+        } else if cell >= 2 {
+            3 * step
+        } else {
+            step
+        },
+    }
 }
 
 /// Coarse neighbour on the side of a fine cell; at the border the coarse cell itself.
