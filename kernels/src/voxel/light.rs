@@ -17,7 +17,7 @@ use super::case::CasePyramid;
 use super::facet::facet_normal;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
-use crate::math::float::{max, min, sqrt};
+use crate::math::float::{abs, max, min, sqrt};
 use crate::math::rng::hash;
 use crate::math::vector::length;
 use crate::trace::light::DirectSampling;
@@ -35,11 +35,22 @@ const SAG: f32 = 0.61;
 /// Start of shadow rays off a flat facet, in voxels: ten times the rounding of a centroid.
 const FLAT_OFFSET: f32 = 1e-3;
 
+/// Rounding of a position, as a share of its largest coordinate: that of the sum of the grid's corner and the place in it,
+/// and that of the corner.
+const POSITION_ROUNDING: f32 = 2.0 * f32::EPSILON;
+
 /// Offset of rays that leave a facet, in voxels.
 #[inline(always)]
 pub fn facet_sag(facet: &VoxelFacet) -> f32 {
     let mean = length(Vec3::from_array(facet.normal)) / max(facet.area, 1e-12);
     FLAT_OFFSET + SAG * sqrt(min(max(1.0 - mean, 0.0), 0.5))
+}
+
+/// How far a facet's stored position may lie off its plane (m): far from the origin that is more than any share of a voxel,
+/// and a ray that started below its own surface would see no light.
+#[inline(always)]
+fn rounding(position: Vec3) -> f32 {
+    POSITION_ROUNDING * max(max(abs(position.x), abs(position.y)), abs(position.z))
 }
 
 /// Direct irradiance (W/m², w = 0) on side `i & 1` (0 front, 1 back) of facet `i / 2`.
@@ -61,7 +72,7 @@ pub fn inject(
         position: Vec3::from_array(facet.position),
         normal,
         geometric_normal: normal,
-        error: facet_sag(&facet) * p.origin_size.w,
+        error: facet_sag(&facet) * p.origin_size.w + rounding(Vec3::from_array(facet.position)),
     };
     let sampling = DirectSampling {
         light_count: p.light.x,
