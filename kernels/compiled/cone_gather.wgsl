@@ -94,112 +94,23 @@ var<storage> surfels: type_34;
 var<storage, read_write> out: type_30;
 
 fn function_() {
-    var phi_315_: f32;
-    var phi_320_: type_13;
-    var phi_323_: vec3<f32>;
+    var phi_316_: f32;
     var phi_321_: type_13;
-    var phi_346_: type_13;
-    var phi_484_: f32;
-    var phi_492_: f32;
-    var phi_505_: f32;
-    var phi_506_: vec3<f32>;
-    var phi_550_: bool;
-    var phi_559_: u32;
-    var phi_575_: i32;
-    var phi_604_: f32;
-    var phi_621_: i32;
-    var phi_650_: f32;
-    var phi_667_: i32;
-    var phi_696_: f32;
-    var phi_699_: vec3<f32>;
-    var phi_702_: type_41;
-    var phi_704_: type_41;
-    var phi_706_: type_41;
-    var phi_708_: u32;
-    var phi_710_: f32;
-    var phi_712_: f32;
-    var phi_738_: u32;
-    var phi_760_: i32;
-    var phi_761_: u32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_764_: i32;
-    var phi_765_: u32;
-    var phi_766_: f32;
-    var phi_815_: u32;
-    var phi_830_: f32;
-    var phi_912_: f32;
-    var phi_923_: f32;
-    var phi_1006_: f32;
-    var phi_1017_: f32;
-    var phi_1100_: f32;
-    var phi_1127_: f32;
-    var phi_1128_: f32;
-    var phi_1129_: u32;
-    var phi_1130_: u32;
-    var phi_1131_: u32;
-    var phi_1132_: u32;
-    var phi_1133_: f32;
-    var phi_1134_: f32;
-    var phi_1135_: u32;
-    var phi_1136_: u32;
-    var phi_1137_: u32;
-    var phi_1138_: u32;
-    var phi_1139_: u32;
-    var phi_1140_: u32;
-    var phi_1142_: vec4<f32>;
-    var phi_1145_: u32;
-    var phi_1532_: u32;
-    var phi_1544_: vec4<f32>;
-    var phi_1398_: vec4<f32>;
-    var phi_1401_: vec4<f32>;
-    var phi_1403_: u32;
-    var phi_1473_: vec4<f32>;
-    var phi_1474_: vec4<f32>;
-    var phi_1399_: vec4<f32>;
-    var phi_1402_: vec4<f32>;
-    var phi_1404_: u32;
-    var local: vec4<f32>;
-    var local_1: vec4<f32>;
-    var local_2: vec4<f32>;
-    var local_3: vec4<f32>;
-    var local_4: vec4<f32>;
-    var local_5: vec4<f32>;
-    var phi_1497_: vec4<f32>;
-    var phi_1299_: vec4<f32>;
-    var phi_1302_: u32;
-    var phi_1300_: vec4<f32>;
-    var phi_1303_: u32;
-    var phi_1498_: vec4<f32>;
-    var phi_1512_: vec4<f32>;
-    var phi_1545_: vec4<f32>;
-    var phi_1566_: vec4<f32>;
-    var phi_1143_: vec4<f32>;
-    var phi_1146_: u32;
-    var phi_1568_: vec4<f32>;
-    var phi_1608_: vec3<f32>;
-    var phi_1609_: f32;
-    var phi_1610_: f32;
-    var phi_1795_: i32;
-    var phi_1808_: type_41;
-    var phi_1848_: f32;
-    var phi_1726_: i32;
-    var phi_1739_: type_41;
-    var phi_1779_: f32;
-    var phi_1850_: type_41;
-    var phi_1851_: type_41;
-    var phi_1653_: i32;
-    var phi_1666_: type_41;
-    var phi_1706_: f32;
-    var phi_1852_: type_41;
-    var phi_1853_: type_41;
-    var phi_1854_: type_41;
-    var phi_1855_: vec3<f32>;
-    var phi_1856_: type_41;
-    var phi_1857_: type_41;
-    var phi_1858_: type_41;
-    var phi_1859_: f32;
-    var phi_1860_: f32;
+    var phi_324_: vec3<f32>;
+    var phi_322_: type_13;
+    var phi_347_: type_13;
+    var phi_485_: f32;
+    var phi_493_: f32;
+    var phi_506_: f32;
+    var phi_507_: vec3<f32>;
+    var phi_551_: bool;
+    var phi_560_: u32;
+    var phi_576_: i32;
+    var phi_605_: f32;
+    var phi_622_: i32;
+    var phi_651_: f32;
+    var phi_668_: i32;
+    var phi_697_: f32;
     var phi_700_: vec3<f32>;
     var phi_703_: type_41;
     var phi_705_: type_41;
@@ -207,792 +118,781 @@ fn function_() {
     var phi_709_: u32;
     var phi_711_: f32;
     var phi_713_: f32;
-    var phi_1862_: bool;
+    var phi_739_: u32;
+    var phi_761_: i32;
+    var phi_762_: u32;
+    var phi_763_: f32;
+    var phi_764_: f32;
+    var phi_765_: i32;
+    var phi_766_: u32;
+    var phi_767_: f32;
+    var phi_992_: f32;
+    var phi_1122_: f32;
+    var phi_1128_: vec4<f32>;
+    var phi_1131_: u32;
+    var phi_1518_: u32;
+    var phi_1530_: vec4<f32>;
+    var phi_1384_: vec4<f32>;
+    var phi_1387_: vec4<f32>;
+    var phi_1389_: u32;
+    var phi_1459_: vec4<f32>;
+    var phi_1460_: vec4<f32>;
+    var phi_1385_: vec4<f32>;
+    var phi_1388_: vec4<f32>;
+    var phi_1390_: u32;
+    var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var phi_1483_: vec4<f32>;
+    var phi_1285_: vec4<f32>;
+    var phi_1288_: u32;
+    var phi_1286_: vec4<f32>;
+    var phi_1289_: u32;
+    var phi_1484_: vec4<f32>;
+    var phi_1498_: vec4<f32>;
+    var phi_1531_: vec4<f32>;
+    var phi_1552_: vec4<f32>;
+    var phi_1129_: vec4<f32>;
+    var phi_1132_: u32;
+    var phi_1554_: vec4<f32>;
+    var phi_1594_: vec3<f32>;
+    var phi_1595_: f32;
+    var phi_1596_: f32;
+    var phi_1781_: i32;
+    var phi_1794_: type_41;
+    var phi_1834_: f32;
+    var phi_1712_: i32;
+    var phi_1725_: type_41;
+    var phi_1765_: f32;
+    var phi_1836_: type_41;
+    var phi_1837_: type_41;
+    var phi_1639_: i32;
+    var phi_1652_: type_41;
+    var phi_1692_: f32;
+    var phi_1838_: type_41;
+    var phi_1839_: type_41;
+    var phi_1840_: type_41;
+    var phi_1841_: vec3<f32>;
+    var phi_1842_: type_41;
+    var phi_1843_: type_41;
+    var phi_1844_: type_41;
+    var phi_1845_: f32;
+    var phi_1846_: f32;
+    var phi_701_: vec3<f32>;
+    var phi_704_: type_41;
+    var phi_706_: type_41;
+    var phi_708_: type_41;
+    var phi_710_: u32;
+    var phi_712_: f32;
+    var phi_714_: f32;
+    var phi_1848_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: vec3<f32>;
-    var phi_324_: vec3<f32>;
-    var phi_1959_: bool;
+    var phi_325_: vec3<f32>;
+    var phi_1945_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
-    var phi_1903_: vec4<f32>;
+    var phi_1889_: vec4<f32>;
     var local_14: vec4<f32>;
     var local_15: vec4<f32>;
     var local_16: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e77 = gid_1;
-            let _e90 = params.member.member_9;
-            let _e94 = (_e77.x + (_e77.y * 2097152u));
-            if (_e94 < _e90) {
-                if (_e94 < arrayLength((&surfels.member))) {
+            let _e78 = gid_1;
+            let _e91 = params.member.member_9;
+            let _e95 = (_e78.x + (_e78.y * 2097152u));
+            if (_e95 < _e91) {
+                if (_e95 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                let _e100 = surfels.member[_e94].member;
-                let _e104 = surfels.member[_e94].member_1;
-                let _e108 = surfels.member[_e94].member_2;
-                let _e112 = surfels.member[_e94].member_4;
-                if (_e104 == 4294967295u) {
-                    phi_1903_ = vec4<f32>(0f, 0f, 0f, 0f);
+                let _e101 = surfels.member[_e95].member;
+                let _e105 = surfels.member[_e95].member_1;
+                let _e109 = surfels.member[_e95].member_2;
+                let _e113 = surfels.member[_e95].member_4;
+                if (_e105 == 4294967295u) {
+                    phi_1889_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    let _e125 = params.member.member;
-                    let _e138 = params.member.member_12;
-                    let _e142 = (((_e100[0] - _e125.x) / _e125.w) + (_e112[0] * _e138));
-                    let _e143 = (((_e100[1] - _e125.y) / _e125.w) + (_e112[1] * _e138));
-                    let _e144 = (((_e100[2] - _e125.z) / _e125.w) + (_e112[2] * _e138));
-                    let _e148 = bitcast<f32>((1065353216u | (bitcast<u32>(_e108[2]) & 2147483648u)));
-                    let _e150 = (-1f / (_e148 + _e108[2]));
-                    let _e152 = ((_e108[0] * _e108[1]) * _e150);
-                    let _e166 = params.member.member_10;
-                    let _e167 = (_e166 == 0u);
-                    if _e167 {
-                        phi_315_ = 0f;
+                    let _e126 = params.member.member;
+                    let _e139 = params.member.member_12;
+                    let _e143 = (((_e101[0] - _e126.x) / _e126.w) + (_e113[0] * _e139));
+                    let _e144 = (((_e101[1] - _e126.y) / _e126.w) + (_e113[1] * _e139));
+                    let _e145 = (((_e101[2] - _e126.z) / _e126.w) + (_e113[2] * _e139));
+                    let _e149 = bitcast<f32>((1065353216u | (bitcast<u32>(_e109[2]) & 2147483648u)));
+                    let _e151 = (-1f / (_e149 + _e109[2]));
+                    let _e153 = ((_e109[0] * _e109[1]) * _e151);
+                    let _e167 = params.member.member_10;
+                    let _e168 = (_e167 == 0u);
+                    if _e168 {
+                        phi_316_ = 0f;
                     } else {
-                        let _e171 = ((_e94 * 1664525u) + 1013904223u);
-                        let _e173 = (((_e166 * 1664525u) + 1013904223u) + (_e171 * 1013904223u));
-                        let _e175 = (_e171 + (1013904223u * _e173));
-                        let _e179 = (1013904223u + (_e175 * (1013904223u + (_e173 * _e175))));
-                        phi_315_ = (f32((((_e173 ^ (_e173 >> bitcast<u32>(16i))) + ((_e175 ^ (_e175 >> bitcast<u32>(16i))) * (_e179 ^ (_e179 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                        let _e172 = ((_e95 * 1664525u) + 1013904223u);
+                        let _e174 = (((_e167 * 1664525u) + 1013904223u) + (_e172 * 1013904223u));
+                        let _e176 = (_e172 + (1013904223u * _e174));
+                        let _e180 = (1013904223u + (_e176 * (1013904223u + (_e174 * _e176))));
+                        phi_316_ = (f32((((_e174 ^ (_e174 >> bitcast<u32>(16i))) + ((_e176 ^ (_e176 >> bitcast<u32>(16i))) * (_e180 ^ (_e180 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                     }
-                    let _e196 = phi_315_;
-                    let _e199 = params.member.member_7;
-                    phi_320_ = type_13(0u, _e199);
-                    phi_323_ = vec3<f32>(0f, 0f, 0f);
+                    let _e197 = phi_316_;
+                    let _e200 = params.member.member_7;
+                    phi_321_ = type_13(0u, _e200);
+                    phi_324_ = vec3<f32>(0f, 0f, 0f);
                     loop {
-                        let _e202 = phi_320_;
-                        let _e204 = phi_323_;
-                        local_11 = _e204;
-                        local_12 = _e204;
-                        local_13 = _e204;
-                        if (_e202.member < _e202.member_1) {
-                            phi_321_ = type_13((_e202.member + 1u), _e202.member_1);
-                            phi_346_ = type_13(1u, _e202.member);
+                        let _e203 = phi_321_;
+                        let _e205 = phi_324_;
+                        local_11 = _e205;
+                        local_12 = _e205;
+                        local_13 = _e205;
+                        if (_e203.member < _e203.member_1) {
+                            phi_322_ = type_13((_e203.member + 1u), _e203.member_1);
+                            phi_347_ = type_13(1u, _e203.member);
                         } else {
-                            phi_321_ = _e202;
-                            phi_346_ = type_13(0u, type_13().member_1);
+                            phi_322_ = _e203;
+                            phi_347_ = type_13(0u, type_13().member_1);
                         }
-                        let _e217 = phi_321_;
-                        let _e219 = phi_346_;
-                        let _e223 = (bitcast<i32>(_e219.member) != 0i);
-                        if _e223 {
-                            let _e224 = (_e219.member_1 < 16u);
-                            if _e224 {
+                        let _e218 = phi_322_;
+                        let _e220 = phi_347_;
+                        let _e224 = (bitcast<i32>(_e220.member) != 0i);
+                        if _e224 {
+                            let _e225 = (_e220.member_1 < 16u);
+                            if _e225 {
                             } else {
-                                phi_1959_ = true;
+                                phi_1945_ = true;
                                 break;
                             }
-                            let _e228 = params.member.member_3[_e219.member_1];
-                            if _e167 {
-                                phi_505_ = 1.4142135f;
-                                phi_506_ = vec3<f32>(_e228.x, _e228.y, _e228.z);
+                            let _e229 = params.member.member_3[_e220.member_1];
+                            if _e168 {
+                                phi_506_ = 1.4142135f;
+                                phi_507_ = vec3<f32>(_e229.x, _e229.y, _e229.z);
                             } else {
-                                let _e233 = ((_e94 * 1664525u) + 1013904223u);
-                                let _e235 = (((1u + _e219.member_1) * 1664525u) + 1013904223u);
-                                let _e237 = (((_e166 * 1664525u) + 1013904223u) + (_e233 * 1013904223u));
-                                let _e239 = (_e233 + (_e235 * _e237));
-                                let _e241 = (_e235 + (_e237 * _e239));
-                                let _e243 = (1013904223u + (_e239 * _e241));
-                                let _e249 = (_e239 ^ (_e239 >> bitcast<u32>(16i)));
-                                let _e252 = (_e241 ^ (_e241 >> bitcast<u32>(16i)));
-                                let _e257 = ((_e237 ^ (_e237 >> bitcast<u32>(16i))) + (_e249 * (_e243 ^ (_e243 >> bitcast<u32>(16i)))));
-                                let _e259 = (_e249 + (_e252 * _e257));
-                                if _e224 {
+                                let _e234 = ((_e95 * 1664525u) + 1013904223u);
+                                let _e236 = (((1u + _e220.member_1) * 1664525u) + 1013904223u);
+                                let _e238 = (((_e167 * 1664525u) + 1013904223u) + (_e234 * 1013904223u));
+                                let _e240 = (_e234 + (_e236 * _e238));
+                                let _e242 = (_e236 + (_e238 * _e240));
+                                let _e244 = (1013904223u + (_e240 * _e242));
+                                let _e250 = (_e240 ^ (_e240 >> bitcast<u32>(16i)));
+                                let _e253 = (_e242 ^ (_e242 >> bitcast<u32>(16i)));
+                                let _e258 = ((_e238 ^ (_e238 >> bitcast<u32>(16i))) + (_e250 * (_e244 ^ (_e244 >> bitcast<u32>(16i)))));
+                                let _e260 = (_e250 + (_e253 * _e258));
+                                if _e225 {
                                 } else {
-                                    phi_1959_ = true;
+                                    phi_1945_ = true;
                                     break;
                                 }
-                                let _e277 = params.member.member_4[_e219.member_1];
-                                let _e282 = (_e277.y + ((_e277.x - _e277.y) * (f32((_e257 >> bitcast<u32>(8i))) * 0.000000059604645f)));
-                                let _e287 = ((_e277.z + (_e277.w * (f32((_e259 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e196);
-                                let _e291 = floor(((_e287 * 4f) + 0.5f));
-                                let _e297 = ((((6.2831855f * _e287) - (_e291 * 1.5703125f)) - (_e291 * 0.0004837513f)) - (_e291 * 0.0000000754979f));
-                                let _e298 = (_e297 * _e297);
-                                let _e305 = (_e297 + ((_e297 * _e298) * (-0.16666655f + (_e298 * (0.008332161f + (_e298 * -0.00019515296f))))));
-                                let _e314 = ((1f - (0.5f * _e298)) + ((_e298 * _e298) * (0.041666646f + (_e298 * (-0.0013887316f + (_e298 * 0.000024433157f))))));
-                                let _e321 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < -2147483600f)), 2147483647i, (_e291 > 2147483500f)), (_e291 == _e291));
-                                let _e323 = ((_e321 & 1i) == 0i);
-                                let _e324 = select(_e314, _e305, _e323);
-                                let _e325 = select(_e305, _e314, _e323);
-                                if ((_e321 & 2i) == 0i) {
-                                    phi_484_ = _e324;
+                                let _e278 = params.member.member_4[_e220.member_1];
+                                let _e283 = (_e278.y + ((_e278.x - _e278.y) * (f32((_e258 >> bitcast<u32>(8i))) * 0.000000059604645f)));
+                                let _e288 = ((_e278.z + (_e278.w * (f32((_e260 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e197);
+                                let _e292 = floor(((_e288 * 4f) + 0.5f));
+                                let _e298 = ((((6.2831855f * _e288) - (_e292 * 1.5703125f)) - (_e292 * 0.0004837513f)) - (_e292 * 0.0000000754979f));
+                                let _e299 = (_e298 * _e298);
+                                let _e306 = (_e298 + ((_e298 * _e299) * (-0.16666655f + (_e299 * (0.008332161f + (_e299 * -0.00019515296f))))));
+                                let _e315 = ((1f - (0.5f * _e299)) + ((_e299 * _e299) * (0.041666646f + (_e299 * (-0.0013887316f + (_e299 * 0.000024433157f))))));
+                                let _e322 = select(0i, select(select(i32(_e292), i32(-2147483648), (_e292 < -2147483600f)), 2147483647i, (_e292 > 2147483500f)), (_e292 == _e292));
+                                let _e324 = ((_e322 & 1i) == 0i);
+                                let _e325 = select(_e315, _e306, _e324);
+                                let _e326 = select(_e306, _e315, _e324);
+                                if ((_e322 & 2i) == 0i) {
+                                    phi_485_ = _e325;
                                 } else {
-                                    phi_484_ = -(_e324);
+                                    phi_485_ = -(_e325);
                                 }
-                                let _e330 = phi_484_;
-                                if (((_e321 + 1i) & 2i) == 0i) {
-                                    phi_492_ = _e325;
+                                let _e331 = phi_485_;
+                                if (((_e322 + 1i) & 2i) == 0i) {
+                                    phi_493_ = _e326;
                                 } else {
-                                    phi_492_ = -(_e325);
+                                    phi_493_ = -(_e326);
                                 }
-                                let _e336 = phi_492_;
-                                let _e337 = (1f - _e282);
-                                let _e340 = sqrt(select(0f, _e337, (_e337 > 0f)));
-                                phi_505_ = (1f + (f32(((_e252 + (_e257 * _e259)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                                phi_506_ = vec3<f32>((_e340 * _e336), (_e340 * _e330), sqrt(_e282));
+                                let _e337 = phi_493_;
+                                let _e338 = (1f - _e283);
+                                let _e341 = sqrt(select(0f, _e338, (_e338 > 0f)));
+                                phi_506_ = (1f + (f32(((_e253 + (_e258 * _e260)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                                phi_507_ = vec3<f32>((_e341 * _e337), (_e341 * _e331), sqrt(_e283));
                             }
-                            let _e351 = phi_505_;
-                            let _e353 = phi_506_;
-                            let _e356 = params.member.member_11;
-                            let _e359 = params.member.member_13;
-                            let _e377 = ((((1f + (((_e148 * _e108[0]) * _e108[0]) * _e150)) * _e353.x) + (_e152 * _e353.y)) + (_e108[0] * _e353.z));
-                            let _e378 = ((((_e148 * _e152) * _e353.x) + ((_e148 + ((_e108[1] * _e108[1]) * _e150)) * _e353.y)) + (_e108[1] * _e353.z));
-                            let _e379 = ((((-(_e148) * _e108[0]) * _e353.x) + (-(_e108[1]) * _e353.y)) + (_e108[2] * _e353.z));
-                            let _e382 = params.member.member_1;
-                            let _e383 = abs(_e377);
+                            let _e352 = phi_506_;
+                            let _e354 = phi_507_;
+                            let _e357 = params.member.member_11;
+                            let _e360 = params.member.member_13;
+                            let _e378 = ((((1f + (((_e149 * _e109[0]) * _e109[0]) * _e151)) * _e354.x) + (_e153 * _e354.y)) + (_e109[0] * _e354.z));
+                            let _e379 = ((((_e149 * _e153) * _e354.x) + ((_e149 + ((_e109[1] * _e109[1]) * _e151)) * _e354.y)) + (_e109[1] * _e354.z));
+                            let _e380 = ((((-(_e149) * _e109[0]) * _e354.x) + (-(_e109[1]) * _e354.y)) + (_e109[2] * _e354.z));
+                            let _e383 = params.member.member_1;
                             let _e384 = abs(_e378);
                             let _e385 = abs(_e379);
-                            if (_e383 >= _e384) {
-                                phi_550_ = select(true, false, (_e383 >= _e385));
+                            let _e386 = abs(_e380);
+                            if (_e384 >= _e385) {
+                                phi_551_ = select(true, false, (_e384 >= _e386));
                             } else {
-                                phi_550_ = true;
+                                phi_551_ = true;
                             }
-                            let _e390 = phi_550_;
-                            if _e390 {
-                                phi_559_ = select(2u, 1u, (_e384 >= _e385));
+                            let _e391 = phi_551_;
+                            if _e391 {
+                                phi_560_ = select(2u, 1u, (_e385 >= _e386));
                             } else {
-                                phi_559_ = 0u;
+                                phi_560_ = 0u;
                             }
-                            let _e394 = phi_559_;
-                            let _e403 = (_e377 < 0f);
-                            if _e403 {
-                                phi_575_ = (i32(-(floor((0.5f - _e142)))) - 1i);
+                            let _e395 = phi_560_;
+                            let _e404 = (_e378 < 0f);
+                            if _e404 {
+                                phi_576_ = (i32(-(floor((0.5f - _e143)))) - 1i);
                             } else {
-                                phi_575_ = (i32(floor((_e142 - 0.5f))) + 1i);
+                                phi_576_ = (i32(floor((_e143 - 0.5f))) + 1i);
                             }
-                            let _e407 = phi_575_;
-                            if (((_e403 && (_e407 < 0i)) || ((_e377 >= 0f) && (_e407 >= bitcast<i32>(_e382.x)))) || (_e383 < 0.000001f)) {
-                                phi_604_ = 340282350000000000000000000000000000000f;
+                            let _e408 = phi_576_;
+                            if (((_e404 && (_e408 < 0i)) || ((_e378 >= 0f) && (_e408 >= bitcast<i32>(_e383.x)))) || (_e384 < 0.000001f)) {
+                                phi_605_ = 340282350000000000000000000000000000000f;
                             } else {
-                                phi_604_ = (((f32(_e407) + 0.5f) - _e142) / _e377);
+                                phi_605_ = (((f32(_e408) + 0.5f) - _e143) / _e378);
                             }
-                            let _e422 = phi_604_;
-                            let _e432 = (_e378 < 0f);
-                            if _e432 {
-                                phi_621_ = (i32(-(floor((0.5f - _e143)))) - 1i);
+                            let _e423 = phi_605_;
+                            let _e433 = (_e379 < 0f);
+                            if _e433 {
+                                phi_622_ = (i32(-(floor((0.5f - _e144)))) - 1i);
                             } else {
-                                phi_621_ = (i32(floor((_e143 - 0.5f))) + 1i);
+                                phi_622_ = (i32(floor((_e144 - 0.5f))) + 1i);
                             }
-                            let _e436 = phi_621_;
-                            if (((_e432 && (_e436 < 0i)) || ((_e378 >= 0f) && (_e436 >= bitcast<i32>(_e382.y)))) || (_e384 < 0.000001f)) {
-                                phi_650_ = 340282350000000000000000000000000000000f;
+                            let _e437 = phi_622_;
+                            if (((_e433 && (_e437 < 0i)) || ((_e379 >= 0f) && (_e437 >= bitcast<i32>(_e383.y)))) || (_e385 < 0.000001f)) {
+                                phi_651_ = 340282350000000000000000000000000000000f;
                             } else {
-                                phi_650_ = (((f32(_e436) + 0.5f) - _e143) / _e378);
+                                phi_651_ = (((f32(_e437) + 0.5f) - _e144) / _e379);
                             }
-                            let _e451 = phi_650_;
-                            let _e461 = (_e379 < 0f);
-                            if _e461 {
-                                phi_667_ = (i32(-(floor((0.5f - _e144)))) - 1i);
+                            let _e452 = phi_651_;
+                            let _e462 = (_e380 < 0f);
+                            if _e462 {
+                                phi_668_ = (i32(-(floor((0.5f - _e145)))) - 1i);
                             } else {
-                                phi_667_ = (i32(floor((_e144 - 0.5f))) + 1i);
+                                phi_668_ = (i32(floor((_e145 - 0.5f))) + 1i);
                             }
-                            let _e465 = phi_667_;
-                            if (((_e461 && (_e465 < 0i)) || ((_e379 >= 0f) && (_e465 >= bitcast<i32>(_e382.z)))) || (_e385 < 0.000001f)) {
-                                phi_696_ = 340282350000000000000000000000000000000f;
+                            let _e466 = phi_668_;
+                            if (((_e462 && (_e466 < 0i)) || ((_e380 >= 0f) && (_e466 >= bitcast<i32>(_e383.z)))) || (_e386 < 0.000001f)) {
+                                phi_697_ = 340282350000000000000000000000000000000f;
                             } else {
-                                phi_696_ = (((f32(_e465) + 0.5f) - _e144) / _e379);
+                                phi_697_ = (((f32(_e466) + 0.5f) - _e145) / _e380);
                             }
-                            let _e480 = phi_696_;
-                            phi_699_ = vec3<f32>(0f, 0f, 0f);
-                            phi_702_ = type_41(_e144, _e379, 0u, _e465, _e480);
-                            phi_704_ = type_41(_e143, _e378, 0u, _e436, _e451);
-                            phi_706_ = type_41(_e142, _e377, 0u, _e407, _e422);
-                            phi_708_ = 0u;
-                            phi_710_ = 0f;
-                            phi_712_ = 1f;
+                            let _e481 = phi_697_;
+                            phi_700_ = vec3<f32>(0f, 0f, 0f);
+                            phi_703_ = type_41(_e145, _e380, 0u, _e466, _e481);
+                            phi_705_ = type_41(_e144, _e379, 0u, _e437, _e452);
+                            phi_707_ = type_41(_e143, _e378, 0u, _e408, _e423);
+                            phi_709_ = 0u;
+                            phi_711_ = 0f;
+                            phi_713_ = 1f;
                             loop {
-                                let _e483 = phi_699_;
-                                let _e485 = phi_702_;
-                                let _e487 = phi_704_;
-                                let _e489 = phi_706_;
-                                let _e491 = phi_708_;
-                                let _e493 = phi_710_;
-                                let _e495 = phi_712_;
-                                local_6 = _e493;
-                                local_7 = _e495;
-                                local_8 = _e483;
-                                local_9 = _e483;
-                                local_10 = _e483;
-                                if (_e491 < 2048u) {
-                                    if ((_e489.member_4 <= _e487.member_4) && (_e489.member_4 <= _e485.member_4)) {
-                                        phi_738_ = 0u;
+                                let _e484 = phi_700_;
+                                let _e486 = phi_703_;
+                                let _e488 = phi_705_;
+                                let _e490 = phi_707_;
+                                let _e492 = phi_709_;
+                                let _e494 = phi_711_;
+                                let _e496 = phi_713_;
+                                local_6 = _e494;
+                                local_7 = _e496;
+                                local_8 = _e484;
+                                local_9 = _e484;
+                                local_10 = _e484;
+                                if (_e492 < 2048u) {
+                                    if ((_e490.member_4 <= _e488.member_4) && (_e490.member_4 <= _e486.member_4)) {
+                                        phi_739_ = 0u;
                                     } else {
-                                        phi_738_ = select(2u, 1u, (_e487.member_4 <= _e485.member_4));
+                                        phi_739_ = select(2u, 1u, (_e488.member_4 <= _e486.member_4));
                                     }
-                                    let _e507 = phi_738_;
-                                    let _e508 = (_e507 == 0u);
-                                    if _e508 {
-                                        phi_763_ = _e489.member_4;
-                                        phi_764_ = _e489.member_3;
-                                        phi_765_ = _e489.member_2;
-                                        phi_766_ = _e489.member_1;
+                                    let _e508 = phi_739_;
+                                    let _e509 = (_e508 == 0u);
+                                    if _e509 {
+                                        phi_764_ = _e490.member_4;
+                                        phi_765_ = _e490.member_3;
+                                        phi_766_ = _e490.member_2;
+                                        phi_767_ = _e490.member_1;
                                     } else {
-                                        let _e509 = (_e507 == 1u);
-                                        if _e509 {
-                                            phi_760_ = _e487.member_3;
-                                            phi_761_ = _e487.member_2;
-                                            phi_762_ = _e487.member_1;
+                                        let _e510 = (_e508 == 1u);
+                                        if _e510 {
+                                            phi_761_ = _e488.member_3;
+                                            phi_762_ = _e488.member_2;
+                                            phi_763_ = _e488.member_1;
                                         } else {
-                                            phi_760_ = _e485.member_3;
-                                            phi_761_ = _e485.member_2;
-                                            phi_762_ = _e485.member_1;
+                                            phi_761_ = _e486.member_3;
+                                            phi_762_ = _e486.member_2;
+                                            phi_763_ = _e486.member_1;
                                         }
-                                        let _e517 = phi_760_;
-                                        let _e519 = phi_761_;
-                                        let _e521 = phi_762_;
-                                        phi_763_ = select(_e485.member_4, _e487.member_4, _e509);
-                                        phi_764_ = _e517;
-                                        phi_765_ = _e519;
-                                        phi_766_ = _e521;
+                                        let _e518 = phi_761_;
+                                        let _e520 = phi_762_;
+                                        let _e522 = phi_763_;
+                                        phi_764_ = select(_e486.member_4, _e488.member_4, _e510);
+                                        phi_765_ = _e518;
+                                        phi_766_ = _e520;
+                                        phi_767_ = _e522;
                                     }
-                                    let _e527 = phi_763_;
-                                    let _e529 = phi_764_;
-                                    let _e531 = phi_765_;
-                                    let _e533 = phi_766_;
-                                    let _e535 = (1f - _e493);
-                                    let _e536 = (_e495 * _e535);
-                                    let _e538 = ((_e527 >= 340282350000000000000000000000000000000f) || (_e536 < 0.001f));
-                                    if _e538 {
-                                        phi_1855_ = vec3<f32>();
-                                        phi_1856_ = type_41();
-                                        phi_1857_ = type_41();
-                                        phi_1858_ = type_41();
-                                        phi_1859_ = f32();
-                                        phi_1860_ = f32();
+                                    let _e528 = phi_764_;
+                                    let _e530 = phi_765_;
+                                    let _e532 = phi_766_;
+                                    let _e534 = phi_767_;
+                                    let _e536 = (1f - _e494);
+                                    let _e537 = (_e496 * _e536);
+                                    let _e539 = ((_e528 >= 340282350000000000000000000000000000000f) || (_e537 < 0.001f));
+                                    if _e539 {
+                                        phi_1841_ = vec3<f32>();
+                                        phi_1842_ = type_41();
+                                        phi_1843_ = type_41();
+                                        phi_1844_ = type_41();
+                                        phi_1845_ = f32();
+                                        phi_1846_ = f32();
                                     } else {
-                                        let _e545 = (_e533 < 0f);
-                                        let _e549 = params.member.member_2[_e531];
-                                        let _e550 = (_e531 & 31u);
-                                        let _e552 = (1u << bitcast<u32>(_e550));
-                                        let _e553 = (_e552 - 1u);
-                                        let _e556 = ((_e382.x + _e553) >> bitcast<u32>(_e550));
-                                        let _e559 = ((_e382.y + _e553) >> bitcast<u32>(_e550));
-                                        let _e562 = ((_e382.z + _e553) >> bitcast<u32>(_e550));
-                                        let _e564 = (1f / f32(_e552));
-                                        if _e508 {
-                                            phi_815_ = _e556;
+                                        let _e546 = (_e534 < 0f);
+                                        let _e550 = params.member.member_2[_e532];
+                                        let _e551 = (_e532 & 31u);
+                                        let _e553 = (1u << bitcast<u32>(_e551));
+                                        let _e554 = (_e553 - 1u);
+                                        let _e557 = ((_e383.x + _e554) >> bitcast<u32>(_e551));
+                                        let _e560 = ((_e383.y + _e554) >> bitcast<u32>(_e551));
+                                        let _e563 = ((_e383.z + _e554) >> bitcast<u32>(_e551));
+                                        let _e566 = (_e508 == 2u);
+                                        if ((_e530 < 0i) || (_e530 >= bitcast<i32>(select(select(_e560, _e557, _e509), _e563, _e566)))) {
+                                            phi_1554_ = vec4<f32>(0f, 0f, 0f, 0f);
                                         } else {
-                                            phi_815_ = select(_e562, _e559, (_e507 == 1u));
-                                        }
-                                        let _e568 = phi_815_;
-                                        if ((_e529 < 0i) || (_e529 >= bitcast<i32>(_e568))) {
-                                            phi_1568_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                        } else {
-                                            let _e573 = f32(_e529);
-                                            if _e508 {
-                                                phi_830_ = _e573;
+                                            let _e572 = (1f / f32(_e553));
+                                            let _e574 = (((_e143 + (_e378 * _e528)) * _e572) - 0.5f);
+                                            let _e576 = (((_e144 + (_e379 * _e528)) * _e572) - 0.5f);
+                                            let _e578 = (((_e145 + (_e380 * _e528)) * _e572) - 0.5f);
+                                            let _e579 = bitcast<u32>(_e530);
+                                            let _e604 = select(select(_e578, _e576, _e509), _e574, _e566);
+                                            let _e608 = select(select(1u, 2u, _e509), 2u, _e566);
+                                            let _e610 = select(select(_e550.y, _e550.x, _e509), 1u, _e566);
+                                            let _e611 = select(2u, 1u, _e509);
+                                            let _e612 = select(_e611, 0u, _e566);
+                                            let _e613 = floor(_e604);
+                                            let _e615 = i32(_e613);
+                                            let _e617 = (bitcast<i32>(select(select(_e563, _e560, _e509), _e557, _e566)) - 1i);
+                                            let _e622 = ((_e604 >= -0.5f) && (_e604 <= (f32(_e617) + 0.5f)));
+                                            let _e624 = select(0i, _e615, (0i < _e615));
+                                            let _e627 = bitcast<u32>(select(_e624, _e617, (_e617 < _e624)));
+                                            let _e628 = (_e615 + 1i);
+                                            let _e630 = select(0i, _e628, (0i < _e628));
+                                            let _e633 = bitcast<u32>(select(_e630, _e617, (_e617 < _e630)));
+                                            let _e637 = select(select(0f, (_e604 - _e613), (_e615 < _e617)), 1f, (_e615 < 0i));
+                                            let _e638 = (_e608 & 31u);
+                                            let _e646 = (_e612 & 31u);
+                                            let _e651 = (_e608 - 1u);
+                                            let _e654 = ((_e612 + 3u) & 31u);
+                                            if _e622 {
+                                                phi_992_ = (1f - _e637);
                                             } else {
-                                                phi_830_ = (((_e142 + (_e377 * _e527)) * _e564) - 0.5f);
+                                                phi_992_ = 0f;
                                             }
-                                            let _e577 = phi_830_;
-                                            let _e578 = floor(_e577);
-                                            let _e580 = i32(_e578);
-                                            let _e582 = (bitcast<i32>(_e556) - 1i);
-                                            let _e587 = ((_e577 >= -0.5f) && (_e577 <= (f32(_e582) + 0.5f)));
-                                            let _e589 = select(0i, _e580, (0i < _e580));
-                                            let _e592 = bitcast<u32>(select(_e589, _e582, (_e582 < _e589)));
-                                            let _e593 = (_e580 + 1i);
-                                            let _e595 = select(0i, _e593, (0i < _e593));
-                                            let _e598 = bitcast<u32>(select(_e595, _e582, (_e582 < _e595)));
-                                            let _e602 = select(select(0f, (_e577 - _e578), (_e580 < _e582)), 1f, (_e580 < 0i));
-                                            let _e604 = (_e592 >> bitcast<u32>(2u));
-                                            let _e606 = (_e598 >> bitcast<u32>(2u));
-                                            let _e613 = ((_e592 & 1u) | (((_e592 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            let _e620 = ((_e598 & 1u) | (((_e598 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                            if _e587 {
-                                                phi_912_ = (1f - _e602);
+                                            let _e669 = phi_992_;
+                                            let _e672 = select(select(_e574, _e578, _e509), _e576, _e566);
+                                            let _e675 = select(_e611, 2u, _e566);
+                                            let _e677 = select(select(1u, _e550.y, _e509), _e550.x, _e566);
+                                            let _e679 = select(select(0u, 2u, _e509), 1u, _e566);
+                                            let _e680 = floor(_e672);
+                                            let _e682 = i32(_e680);
+                                            let _e684 = (bitcast<i32>(select(select(_e557, _e563, _e509), _e560, _e566)) - 1i);
+                                            let _e689 = ((_e672 >= -0.5f) && (_e672 <= (f32(_e684) + 0.5f)));
+                                            let _e691 = select(0i, _e682, (0i < _e682));
+                                            let _e694 = bitcast<u32>(select(_e691, _e684, (_e684 < _e691)));
+                                            let _e695 = (_e682 + 1i);
+                                            let _e697 = select(0i, _e695, (0i < _e695));
+                                            let _e700 = bitcast<u32>(select(_e697, _e684, (_e684 < _e697)));
+                                            let _e704 = select(select(0f, (_e672 - _e680), (_e682 < _e684)), 1f, (_e682 < 0i));
+                                            let _e705 = (_e675 & 31u);
+                                            let _e713 = (_e679 & 31u);
+                                            let _e718 = (_e675 - 1u);
+                                            let _e721 = ((_e679 + 3u) & 31u);
+                                            if _e689 {
+                                                phi_1122_ = (1f - _e704);
                                             } else {
-                                                phi_912_ = 0f;
+                                                phi_1122_ = 0f;
                                             }
-                                            let _e623 = phi_912_;
-                                            let _e624 = select(0f, _e602, _e587);
-                                            let _e625 = (_e507 == 1u);
-                                            if _e625 {
-                                                phi_923_ = _e573;
-                                            } else {
-                                                phi_923_ = (((_e143 + (_e378 * _e527)) * _e564) - 0.5f);
-                                            }
-                                            let _e629 = phi_923_;
-                                            let _e631 = floor(_e629);
-                                            let _e633 = i32(_e631);
-                                            let _e635 = (bitcast<i32>(_e559) - 1i);
-                                            let _e640 = ((_e629 >= -0.5f) && (_e629 <= (f32(_e635) + 0.5f)));
-                                            let _e642 = select(0i, _e633, (0i < _e633));
-                                            let _e645 = bitcast<u32>(select(_e642, _e635, (_e635 < _e642)));
-                                            let _e646 = (_e633 + 1i);
-                                            let _e648 = select(0i, _e646, (0i < _e646));
-                                            let _e651 = bitcast<u32>(select(_e648, _e635, (_e635 < _e648)));
-                                            let _e655 = select(select(0f, (_e629 - _e631), (_e633 < _e635)), 1f, (_e633 < 0i));
-                                            let _e658 = ((_e645 >> bitcast<u32>(2u)) * _e549.x);
-                                            let _e661 = ((_e651 >> bitcast<u32>(2u)) * _e549.x);
-                                            let _e670 = (((_e645 & 1u) << bitcast<u32>(1u)) | (((_e645 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            let _e679 = (((_e651 & 1u) << bitcast<u32>(1u)) | (((_e651 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                            if _e640 {
-                                                phi_1006_ = (1f - _e655);
-                                            } else {
-                                                phi_1006_ = 0f;
-                                            }
-                                            let _e682 = phi_1006_;
-                                            let _e683 = select(0f, _e655, _e640);
-                                            let _e684 = (_e507 == 2u);
-                                            if _e684 {
-                                                phi_1017_ = _e573;
-                                            } else {
-                                                phi_1017_ = (((_e144 + (_e379 * _e527)) * _e564) - 0.5f);
-                                            }
-                                            let _e688 = phi_1017_;
-                                            let _e690 = floor(_e688);
-                                            let _e692 = i32(_e690);
-                                            let _e694 = (bitcast<i32>(_e562) - 1i);
-                                            let _e699 = ((_e688 >= -0.5f) && (_e688 <= (f32(_e694) + 0.5f)));
-                                            let _e701 = select(0i, _e692, (0i < _e692));
-                                            let _e704 = bitcast<u32>(select(_e701, _e694, (_e694 < _e701)));
-                                            let _e705 = (_e692 + 1i);
-                                            let _e707 = select(0i, _e705, (0i < _e705));
-                                            let _e710 = bitcast<u32>(select(_e707, _e694, (_e694 < _e707)));
-                                            let _e714 = select(select(0f, (_e688 - _e690), (_e692 < _e694)), 1f, (_e692 < 0i));
-                                            let _e717 = ((_e704 >> bitcast<u32>(1u)) * _e549.y);
-                                            let _e720 = ((_e710 >> bitcast<u32>(1u)) * _e549.y);
-                                            let _e723 = ((_e704 & 1u) << bitcast<u32>(2u));
-                                            let _e726 = ((_e710 & 1u) << bitcast<u32>(2u));
-                                            if _e699 {
-                                                phi_1100_ = (1f - _e714);
-                                            } else {
-                                                phi_1100_ = 0f;
-                                            }
-                                            let _e729 = phi_1100_;
-                                            let _e730 = select(0f, _e714, _e699);
-                                            if _e508 {
-                                                phi_1127_ = _e730;
-                                                phi_1128_ = _e729;
-                                                phi_1129_ = _e726;
-                                                phi_1130_ = _e723;
-                                                phi_1131_ = _e720;
-                                                phi_1132_ = _e717;
-                                                phi_1133_ = _e683;
-                                                phi_1134_ = _e682;
-                                                phi_1135_ = _e679;
-                                                phi_1136_ = _e670;
-                                                phi_1137_ = _e661;
-                                                phi_1138_ = _e658;
-                                                phi_1139_ = _e613;
-                                                phi_1140_ = _e604;
-                                            } else {
-                                                phi_1127_ = select(_e683, _e624, _e625);
-                                                phi_1128_ = select(_e682, _e623, _e625);
-                                                phi_1129_ = select(_e679, _e620, _e625);
-                                                phi_1130_ = select(_e670, _e613, _e625);
-                                                phi_1131_ = select(_e661, _e606, _e625);
-                                                phi_1132_ = select(_e658, _e604, _e625);
-                                                phi_1133_ = select(_e624, _e730, _e625);
-                                                phi_1134_ = select(_e623, _e729, _e625);
-                                                phi_1135_ = select(_e620, _e726, _e625);
-                                                phi_1136_ = select(_e613, _e723, _e625);
-                                                phi_1137_ = select(_e606, _e720, _e625);
-                                                phi_1138_ = select(_e604, _e717, _e625);
-                                                phi_1139_ = select(_e723, _e670, _e625);
-                                                phi_1140_ = select(_e717, _e658, _e625);
-                                            }
-                                            let _e746 = phi_1127_;
-                                            let _e748 = phi_1128_;
-                                            let _e750 = phi_1129_;
-                                            let _e752 = phi_1130_;
-                                            let _e754 = phi_1131_;
-                                            let _e756 = phi_1132_;
-                                            let _e758 = phi_1133_;
-                                            let _e760 = phi_1134_;
-                                            let _e762 = phi_1135_;
-                                            let _e764 = phi_1136_;
-                                            let _e766 = phi_1137_;
-                                            let _e768 = phi_1138_;
-                                            let _e770 = phi_1139_;
-                                            let _e772 = phi_1140_;
-                                            phi_1142_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                            phi_1145_ = 0u;
+                                            let _e736 = phi_1122_;
+                                            phi_1128_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                            phi_1131_ = 0u;
                                             loop {
-                                                let _e774 = phi_1142_;
-                                                let _e776 = phi_1145_;
-                                                local_16 = _e774;
-                                                let _e777 = (_e776 < 4u);
-                                                if _e777 {
-                                                    let _e779 = ((_e776 & 1u) == 1u);
-                                                    let _e781 = ((_e776 & 2u) == 2u);
-                                                    let _e784 = (select(_e760, _e758, _e779) * select(_e748, _e746, _e781));
-                                                    let _e790 = (((_e549.z + _e772) + select(_e768, _e766, _e779)) + select(_e756, _e754, _e781));
-                                                    let _e795 = (2u * _e790);
-                                                    let _e797 = cells.member[_e795];
-                                                    let _e799 = (((_e770 | select(_e764, _e762, _e779)) | select(_e752, _e750, _e781)) & 31u);
-                                                    if ((_e784 > 0f) && (((_e797 >> bitcast<u32>(_e799)) & 1u) == 1u)) {
-                                                        let _e807 = params.member.member_8;
-                                                        let _e808 = (_e807 == 1u);
-                                                        if (_e531 == 0u) {
-                                                            let _e834 = (_e790 * 6u);
-                                                            let _e837 = cells.member[(_e795 + 1u)];
-                                                            let _e839 = facet_bits.member[_e834];
-                                                            let _e842 = ((1u << bitcast<u32>(_e799)) - 1u);
-                                                            let _e851 = facet_bits.member[(_e834 + 1u)];
-                                                            let _e861 = facet_bits.member[(_e834 + 2u)];
-                                                            let _e871 = facet_bits.member[(_e834 + 3u)];
-                                                            let _e881 = facet_bits.member[(_e834 + 4u)];
-                                                            let _e891 = facet_bits.member[(_e834 + 5u)];
-                                                            let _e894 = ((((((_e837 + countOneBits((_e839 & _e842))) + countOneBits((_e851 & _e842))) + countOneBits((_e861 & _e842))) + countOneBits((_e871 & _e842))) + countOneBits((_e881 & _e842))) + countOneBits((_e891 & _e842)));
-                                                            let _e898 = (((((((_e839 >> bitcast<u32>(_e799)) & 1u) + ((_e851 >> bitcast<u32>(_e799)) & 1u)) + ((_e861 >> bitcast<u32>(_e799)) & 1u)) + ((_e871 >> bitcast<u32>(_e799)) & 1u)) + ((_e881 >> bitcast<u32>(_e799)) & 1u)) + ((_e891 >> bitcast<u32>(_e799)) & 1u));
-                                                            if _e808 {
-                                                                phi_1299_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                phi_1302_ = _e894;
+                                                let _e739 = phi_1128_;
+                                                let _e741 = phi_1131_;
+                                                local_16 = _e739;
+                                                let _e742 = (_e741 < 4u);
+                                                if _e742 {
+                                                    let _e744 = ((_e741 & 1u) == 1u);
+                                                    let _e746 = ((_e741 & 2u) == 2u);
+                                                    let _e749 = (select(_e669, select(0f, _e637, _e622), _e744) * select(_e736, select(0f, _e704, _e689), _e746));
+                                                    let _e755 = (((_e550.z + ((_e579 >> bitcast<u32>((select(2i, 1i, _e566) & 31i))) * select(select(_e550.x, 1u, _e509), _e550.y, _e566))) + select(((_e627 >> bitcast<u32>(_e638)) * _e610), ((_e633 >> bitcast<u32>(_e638)) * _e610), _e744)) + select(((_e694 >> bitcast<u32>(_e705)) * _e677), ((_e700 >> bitcast<u32>(_e705)) * _e677), _e746));
+                                                    let _e760 = (2u * _e755);
+                                                    let _e762 = cells.member[_e760];
+                                                    let _e764 = ((((((_e579 & 1u) << bitcast<u32>((_e508 & 31u))) | (((_e579 >> bitcast<u32>(1i)) & (select(2u, 1u, _e566) - 1u)) << bitcast<u32>(((_e508 + 3u) & 31u)))) | select((((_e627 & 1u) << bitcast<u32>(_e646)) | (((_e627 >> bitcast<u32>(1i)) & _e651) << bitcast<u32>(_e654))), (((_e633 & 1u) << bitcast<u32>(_e646)) | (((_e633 >> bitcast<u32>(1i)) & _e651) << bitcast<u32>(_e654))), _e744)) | select((((_e694 & 1u) << bitcast<u32>(_e713)) | (((_e694 >> bitcast<u32>(1i)) & _e718) << bitcast<u32>(_e721))), (((_e700 & 1u) << bitcast<u32>(_e713)) | (((_e700 >> bitcast<u32>(1i)) & _e718) << bitcast<u32>(_e721))), _e746)) & 31u);
+                                                    if ((_e749 > 0f) && (((_e762 >> bitcast<u32>(_e764)) & 1u) == 1u)) {
+                                                        let _e772 = params.member.member_8;
+                                                        let _e773 = (_e772 == 1u);
+                                                        if (_e532 == 0u) {
+                                                            let _e799 = (_e755 * 6u);
+                                                            let _e802 = cells.member[(_e760 + 1u)];
+                                                            let _e804 = facet_bits.member[_e799];
+                                                            let _e807 = ((1u << bitcast<u32>(_e764)) - 1u);
+                                                            let _e816 = facet_bits.member[(_e799 + 1u)];
+                                                            let _e826 = facet_bits.member[(_e799 + 2u)];
+                                                            let _e836 = facet_bits.member[(_e799 + 3u)];
+                                                            let _e846 = facet_bits.member[(_e799 + 4u)];
+                                                            let _e856 = facet_bits.member[(_e799 + 5u)];
+                                                            let _e859 = ((((((_e802 + countOneBits((_e804 & _e807))) + countOneBits((_e816 & _e807))) + countOneBits((_e826 & _e807))) + countOneBits((_e836 & _e807))) + countOneBits((_e846 & _e807))) + countOneBits((_e856 & _e807)));
+                                                            let _e863 = (((((((_e804 >> bitcast<u32>(_e764)) & 1u) + ((_e816 >> bitcast<u32>(_e764)) & 1u)) + ((_e826 >> bitcast<u32>(_e764)) & 1u)) + ((_e836 >> bitcast<u32>(_e764)) & 1u)) + ((_e846 >> bitcast<u32>(_e764)) & 1u)) + ((_e856 >> bitcast<u32>(_e764)) & 1u));
+                                                            if _e773 {
+                                                                phi_1285_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1288_ = _e859;
                                                                 loop {
-                                                                    let _e1001 = phi_1299_;
-                                                                    let _e1003 = phi_1302_;
-                                                                    local_15 = _e1001;
-                                                                    let _e1005 = (_e1003 < (_e894 + _e898));
-                                                                    if _e1005 {
-                                                                        let _e1006 = (2u * _e1003);
-                                                                        let _e1009 = radiance.member[_e1006][0u];
-                                                                        let _e1012 = radiance.member[_e1006][1u];
-                                                                        let _e1015 = radiance.member[_e1006][2u];
-                                                                        let _e1016 = (_e1006 + 1u);
-                                                                        let _e1019 = radiance.member[_e1016][0u];
-                                                                        let _e1022 = radiance.member[_e1016][1u];
-                                                                        let _e1025 = radiance.member[_e1016][2u];
-                                                                        let _e1034 = facets.member[_e1003].member_2;
-                                                                        let _e1043 = sqrt((((_e1034[0] * _e1034[0]) + (_e1034[1] * _e1034[1])) + (_e1034[2] * _e1034[2])));
-                                                                        phi_1300_ = vec4<f32>((_e1001.x + (select(_e1019, _e1009, (_e1009 > _e1019)) * _e1043)), (_e1001.y + (select(_e1022, _e1012, (_e1012 > _e1022)) * _e1043)), (_e1001.z + (select(_e1025, _e1015, (_e1015 > _e1025)) * _e1043)), (_e1001.w + _e1043));
-                                                                        phi_1303_ = (_e1003 + 1u);
+                                                                    let _e967 = phi_1285_;
+                                                                    let _e969 = phi_1288_;
+                                                                    local_15 = _e967;
+                                                                    let _e971 = (_e969 < (_e859 + _e863));
+                                                                    if _e971 {
+                                                                        let _e972 = (2u * _e969);
+                                                                        let _e975 = radiance.member[_e972][0u];
+                                                                        let _e978 = radiance.member[_e972][1u];
+                                                                        let _e981 = radiance.member[_e972][2u];
+                                                                        let _e982 = (_e972 + 1u);
+                                                                        let _e985 = radiance.member[_e982][0u];
+                                                                        let _e988 = radiance.member[_e982][1u];
+                                                                        let _e991 = radiance.member[_e982][2u];
+                                                                        let _e1000 = facets.member[_e969].member_2;
+                                                                        let _e1009 = sqrt((((_e1000[0] * _e1000[0]) + (_e1000[1] * _e1000[1])) + (_e1000[2] * _e1000[2])));
+                                                                        phi_1286_ = vec4<f32>((_e967.x + (select(_e985, _e975, (_e975 > _e985)) * _e1009)), (_e967.y + (select(_e988, _e978, (_e978 > _e988)) * _e1009)), (_e967.z + (select(_e991, _e981, (_e981 > _e991)) * _e1009)), (_e967.w + _e1009));
+                                                                        phi_1289_ = (_e969 + 1u);
                                                                     } else {
-                                                                        phi_1300_ = vec4<f32>();
-                                                                        phi_1303_ = u32();
+                                                                        phi_1286_ = vec4<f32>();
+                                                                        phi_1289_ = u32();
                                                                     }
-                                                                    let _e1058 = phi_1300_;
-                                                                    let _e1060 = phi_1303_;
+                                                                    let _e1024 = phi_1286_;
+                                                                    let _e1026 = phi_1289_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1299_ = _e1058;
-                                                                        phi_1302_ = _e1060;
-                                                                        break if !(_e1005);
+                                                                        phi_1285_ = _e1024;
+                                                                        phi_1288_ = _e1026;
+                                                                        break if !(_e971);
                                                                     }
                                                                 }
-                                                                let _e1547 = local_15;
-                                                                phi_1498_ = _e1547;
+                                                                let _e1494 = local_15;
+                                                                phi_1484_ = _e1494;
                                                             } else {
-                                                                let _e899 = select(1f, -1f, _e545);
-                                                                phi_1398_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                phi_1401_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                                phi_1403_ = _e894;
+                                                                let _e864 = select(1f, -1f, _e546);
+                                                                phi_1384_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1387_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                                phi_1389_ = _e859;
                                                                 loop {
-                                                                    let _e904 = phi_1398_;
-                                                                    let _e906 = phi_1401_;
-                                                                    let _e908 = phi_1403_;
-                                                                    local = _e904;
-                                                                    local_1 = _e906;
-                                                                    local_2 = _e904;
-                                                                    local_3 = _e904;
-                                                                    local_4 = _e904;
-                                                                    local_5 = _e906;
-                                                                    local_14 = _e906;
-                                                                    let _e910 = (_e908 < (_e894 + _e898));
-                                                                    if _e910 {
-                                                                        let _e913 = facets.member[_e908].member_2;
-                                                                        let _e922 = -((((select(0f, _e899, _e508) * _e913[0]) + (select(0f, _e899, _e625) * _e913[1])) + (select(0f, _e899, _e684) * _e913[2])));
-                                                                        if (_e922 > 0f) {
-                                                                            let _e945 = radiance.member[(2u * _e908)];
-                                                                            phi_1473_ = _e904;
-                                                                            phi_1474_ = vec4<f32>((_e906.x + (_e945.x * _e922)), (_e906.y + (_e945.y * _e922)), (_e906.z + (_e945.z * _e922)), (_e906.w + _e922));
+                                                                    let _e870 = phi_1384_;
+                                                                    let _e872 = phi_1387_;
+                                                                    let _e874 = phi_1389_;
+                                                                    local = _e870;
+                                                                    local_1 = _e872;
+                                                                    local_2 = _e870;
+                                                                    local_3 = _e870;
+                                                                    local_4 = _e870;
+                                                                    local_5 = _e872;
+                                                                    local_14 = _e872;
+                                                                    let _e876 = (_e874 < (_e859 + _e863));
+                                                                    if _e876 {
+                                                                        let _e879 = facets.member[_e874].member_2;
+                                                                        let _e888 = -((((select(0f, _e864, _e509) * _e879[0]) + (select(0f, _e864, (_e508 == 1u)) * _e879[1])) + (select(0f, _e864, _e566) * _e879[2])));
+                                                                        if (_e888 > 0f) {
+                                                                            let _e911 = radiance.member[(2u * _e874)];
+                                                                            phi_1459_ = _e870;
+                                                                            phi_1460_ = vec4<f32>((_e872.x + (_e911.x * _e888)), (_e872.y + (_e911.y * _e888)), (_e872.z + (_e911.z * _e888)), (_e872.w + _e888));
                                                                         } else {
-                                                                            let _e927 = radiance.member[((2u * _e908) + 1u)];
-                                                                            phi_1473_ = vec4<f32>((_e904.x - (_e927.x * _e922)), (_e904.y - (_e927.y * _e922)), (_e904.z - (_e927.z * _e922)), (_e904.w - _e922));
-                                                                            phi_1474_ = _e906;
+                                                                            let _e893 = radiance.member[((2u * _e874) + 1u)];
+                                                                            phi_1459_ = vec4<f32>((_e870.x - (_e893.x * _e888)), (_e870.y - (_e893.y * _e888)), (_e870.z - (_e893.z * _e888)), (_e870.w - _e888));
+                                                                            phi_1460_ = _e872;
                                                                         }
-                                                                        let _e962 = phi_1473_;
-                                                                        let _e964 = phi_1474_;
-                                                                        phi_1399_ = _e962;
-                                                                        phi_1402_ = _e964;
-                                                                        phi_1404_ = (_e908 + 1u);
+                                                                        let _e928 = phi_1459_;
+                                                                        let _e930 = phi_1460_;
+                                                                        phi_1385_ = _e928;
+                                                                        phi_1388_ = _e930;
+                                                                        phi_1390_ = (_e874 + 1u);
                                                                     } else {
-                                                                        phi_1399_ = vec4<f32>();
-                                                                        phi_1402_ = vec4<f32>();
-                                                                        phi_1404_ = u32();
+                                                                        phi_1385_ = vec4<f32>();
+                                                                        phi_1388_ = vec4<f32>();
+                                                                        phi_1390_ = u32();
                                                                     }
-                                                                    let _e967 = phi_1399_;
-                                                                    let _e969 = phi_1402_;
-                                                                    let _e971 = phi_1404_;
+                                                                    let _e933 = phi_1385_;
+                                                                    let _e935 = phi_1388_;
+                                                                    let _e937 = phi_1390_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1398_ = _e967;
-                                                                        phi_1401_ = _e969;
-                                                                        phi_1403_ = _e971;
-                                                                        break if !(_e910);
+                                                                        phi_1384_ = _e933;
+                                                                        phi_1387_ = _e935;
+                                                                        phi_1389_ = _e937;
+                                                                        break if !(_e876);
                                                                     }
                                                                 }
-                                                                let _e974 = local;
-                                                                let _e977 = local_1;
-                                                                if (_e974.w > _e977.w) {
-                                                                    let _e980 = (_e974.w - _e977.w);
-                                                                    let _e981 = (_e980 / _e974.w);
-                                                                    let _e983 = local_2;
-                                                                    let _e987 = local_3;
-                                                                    let _e991 = local_4;
-                                                                    let _e996 = local_5;
-                                                                    phi_1497_ = (_e996 + vec4<f32>((_e983.x * _e981), (_e987.y * _e981), (_e991.z * _e981), _e980));
+                                                                let _e940 = local;
+                                                                let _e943 = local_1;
+                                                                if (_e940.w > _e943.w) {
+                                                                    let _e946 = (_e940.w - _e943.w);
+                                                                    let _e947 = (_e946 / _e940.w);
+                                                                    let _e949 = local_2;
+                                                                    let _e953 = local_3;
+                                                                    let _e957 = local_4;
+                                                                    let _e962 = local_5;
+                                                                    phi_1483_ = (_e962 + vec4<f32>((_e949.x * _e947), (_e953.y * _e947), (_e957.z * _e947), _e946));
                                                                 } else {
-                                                                    let _e1540 = local_14;
-                                                                    phi_1497_ = _e1540;
+                                                                    let _e1487 = local_14;
+                                                                    phi_1483_ = _e1487;
                                                                 }
-                                                                let _e999 = phi_1497_;
-                                                                phi_1498_ = _e999;
+                                                                let _e965 = phi_1483_;
+                                                                phi_1484_ = _e965;
                                                             }
-                                                            let _e1063 = phi_1498_;
-                                                            if (_e1063.w > 1f) {
-                                                                phi_1512_ = vec4<f32>((_e1063.x / _e1063.w), (_e1063.y / _e1063.w), (_e1063.z / _e1063.w), 1f);
+                                                            let _e1029 = phi_1484_;
+                                                            if (_e1029.w > 1f) {
+                                                                phi_1498_ = vec4<f32>((_e1029.x / _e1029.w), (_e1029.y / _e1029.w), (_e1029.z / _e1029.w), 1f);
                                                             } else {
-                                                                phi_1512_ = _e1063;
+                                                                phi_1498_ = _e1029;
                                                             }
-                                                            let _e1074 = phi_1512_;
-                                                            phi_1545_ = _e1074;
+                                                            let _e1040 = phi_1498_;
+                                                            phi_1531_ = _e1040;
                                                         } else {
-                                                            let _e812 = cells.member[(_e795 + 1u)];
-                                                            let _e818 = (_e812 + countOneBits((_e797 & ((1u << bitcast<u32>(_e799)) - 1u))));
-                                                            if _e808 {
-                                                                phi_1532_ = _e818;
+                                                            let _e777 = cells.member[(_e760 + 1u)];
+                                                            let _e783 = (_e777 + countOneBits((_e762 & ((1u << bitcast<u32>(_e764)) - 1u))));
+                                                            if _e773 {
+                                                                phi_1518_ = _e783;
                                                             } else {
-                                                                phi_1532_ = (((6u * _e818) + (2u * _e507)) + select(0u, 1u, _e545));
+                                                                phi_1518_ = (((6u * _e783) + (2u * _e508)) + select(0u, 1u, _e546));
                                                             }
-                                                            let _e825 = phi_1532_;
-                                                            if ((_e531 & 1u) == 1u) {
-                                                                let _e831 = odd.member[_e825];
-                                                                phi_1544_ = _e831;
+                                                            let _e790 = phi_1518_;
+                                                            if ((_e532 & 1u) == 1u) {
+                                                                let _e796 = odd.member[_e790];
+                                                                phi_1530_ = _e796;
                                                             } else {
-                                                                let _e829 = even.member[_e825];
-                                                                phi_1544_ = _e829;
+                                                                let _e794 = even.member[_e790];
+                                                                phi_1530_ = _e794;
                                                             }
-                                                            let _e833 = phi_1544_;
-                                                            phi_1545_ = _e833;
+                                                            let _e798 = phi_1530_;
+                                                            phi_1531_ = _e798;
                                                         }
-                                                        let _e1076 = phi_1545_;
-                                                        phi_1566_ = vec4<f32>((_e774.x + (_e1076.x * _e784)), (_e774.y + (_e1076.y * _e784)), (_e774.z + (_e1076.z * _e784)), (_e774.w + (_e1076.w * _e784)));
+                                                        let _e1042 = phi_1531_;
+                                                        phi_1552_ = vec4<f32>((_e739.x + (_e1042.x * _e749)), (_e739.y + (_e1042.y * _e749)), (_e739.z + (_e1042.z * _e749)), (_e739.w + (_e1042.w * _e749)));
                                                     } else {
-                                                        phi_1566_ = _e774;
+                                                        phi_1552_ = _e739;
                                                     }
-                                                    let _e1095 = phi_1566_;
-                                                    phi_1143_ = _e1095;
-                                                    phi_1146_ = (_e776 + 1u);
+                                                    let _e1061 = phi_1552_;
+                                                    phi_1129_ = _e1061;
+                                                    phi_1132_ = (_e741 + 1u);
                                                 } else {
-                                                    phi_1143_ = vec4<f32>();
-                                                    phi_1146_ = u32();
+                                                    phi_1129_ = vec4<f32>();
+                                                    phi_1132_ = u32();
                                                 }
-                                                let _e1098 = phi_1143_;
-                                                let _e1100 = phi_1146_;
+                                                let _e1064 = phi_1129_;
+                                                let _e1066 = phi_1132_;
                                                 continue;
                                                 continuing {
-                                                    phi_1142_ = _e1098;
-                                                    phi_1145_ = _e1100;
-                                                    break if !(_e777);
+                                                    phi_1128_ = _e1064;
+                                                    phi_1131_ = _e1066;
+                                                    break if !(_e742);
                                                 }
                                             }
-                                            let _e1555 = local_16;
-                                            phi_1568_ = _e1555;
+                                            let _e1502 = local_16;
+                                            phi_1554_ = _e1502;
                                         }
-                                        let _e1103 = phi_1568_;
-                                        if (_e1103.w > 0f) {
-                                            let _e1110 = select(_e535, _e1103.w, (_e1103.w < _e535));
-                                            let _e1115 = ((_e495 * _e1110) / _e1103.w);
-                                            phi_1608_ = vec3<f32>((_e483.x + (_e1103.x * _e1115)), (_e483.y + (_e1103.y * _e1115)), (_e483.z + (_e1103.z * _e1115)));
-                                            phi_1609_ = (_e493 + _e1110);
-                                            phi_1610_ = _e495;
+                                        let _e1069 = phi_1554_;
+                                        if (_e1069.w > 0f) {
+                                            let _e1076 = select(_e536, _e1069.w, (_e1069.w < _e536));
+                                            let _e1081 = ((_e496 * _e1076) / _e1069.w);
+                                            phi_1594_ = vec3<f32>((_e484.x + (_e1069.x * _e1081)), (_e484.y + (_e1069.y * _e1081)), (_e484.z + (_e1069.z * _e1081)));
+                                            phi_1595_ = (_e494 + _e1076);
+                                            phi_1596_ = _e496;
                                         } else {
-                                            let _e1106 = (_e507 == _e394);
-                                            phi_1608_ = _e483;
-                                            phi_1609_ = select(_e493, 0f, _e1106);
-                                            phi_1610_ = select(_e495, _e536, _e1106);
+                                            let _e1072 = (_e508 == _e395);
+                                            phi_1594_ = _e484;
+                                            phi_1595_ = select(_e494, 0f, _e1072);
+                                            phi_1596_ = select(_e496, _e537, _e1072);
                                         }
-                                        let _e1128 = phi_1608_;
-                                        let _e1130 = phi_1609_;
-                                        let _e1132 = phi_1610_;
-                                        let _e1133 = (_e356 * _e527);
-                                        let _e1135 = ((_e359 * _e138) + ((_e359 * _e353.z) * _e527));
-                                        let _e1137 = select(_e1135, _e1133, (_e1133 < _e1135));
-                                        let _e1144 = ((bitcast<u32>((select(1f, _e1137, (_e1137 > 1f)) * _e351)) >> bitcast<u32>(23i)) - 127u);
-                                        let _e1146 = (_e382.w - 1u);
-                                        let _e1148 = select(_e1144, _e1146, (_e1146 < _e1144));
-                                        if _e508 {
-                                            let _e1299 = (_e489.member_1 < 0f);
-                                            if _e1299 {
-                                                phi_1653_ = (_e489.member_3 - 1i);
+                                        let _e1094 = phi_1594_;
+                                        let _e1096 = phi_1595_;
+                                        let _e1098 = phi_1596_;
+                                        let _e1099 = (_e357 * _e528);
+                                        let _e1101 = ((_e360 * _e139) + ((_e360 * _e354.z) * _e528));
+                                        let _e1103 = select(_e1101, _e1099, (_e1099 < _e1101));
+                                        let _e1110 = ((bitcast<u32>((select(1f, _e1103, (_e1103 > 1f)) * _e352)) >> bitcast<u32>(23i)) - 127u);
+                                        let _e1112 = (_e383.w - 1u);
+                                        let _e1114 = select(_e1110, _e1112, (_e1112 < _e1110));
+                                        if _e509 {
+                                            let _e1265 = (_e490.member_1 < 0f);
+                                            if _e1265 {
+                                                phi_1639_ = (_e490.member_3 - 1i);
                                             } else {
-                                                phi_1653_ = (_e489.member_3 + 1i);
+                                                phi_1639_ = (_e490.member_3 + 1i);
                                             }
-                                            let _e1307 = phi_1653_;
-                                            let _e1313 = type_41(_e489.member, _e489.member_1, _e489.member_2, _e1307, _e489.member_4);
-                                            if ((((_e489.member_3 & 1i) == 0i) == _e1299) && (_e1148 > _e489.member_2)) {
-                                                let _e1323 = type_41(_e1313.member, _e1313.member_1, (_e489.member_2 + 1u), _e1313.member_3, _e1313.member_4);
-                                                phi_1666_ = type_41(_e1323.member, _e1323.member_1, _e1323.member_2, (_e1307 >> bitcast<u32>(1i)), _e1323.member_4);
+                                            let _e1273 = phi_1639_;
+                                            let _e1279 = type_41(_e490.member, _e490.member_1, _e490.member_2, _e1273, _e490.member_4);
+                                            if ((((_e490.member_3 & 1i) == 0i) == _e1265) && (_e1114 > _e490.member_2)) {
+                                                let _e1289 = type_41(_e1279.member, _e1279.member_1, (_e490.member_2 + 1u), _e1279.member_3, _e1279.member_4);
+                                                phi_1652_ = type_41(_e1289.member, _e1289.member_1, _e1289.member_2, (_e1273 >> bitcast<u32>(1i)), _e1289.member_4);
                                             } else {
-                                                phi_1666_ = _e1313;
+                                                phi_1652_ = _e1279;
                                             }
-                                            let _e1333 = phi_1666_;
-                                            let _e1335 = (_e1333.member_2 & 31u);
-                                            let _e1337 = (1u << bitcast<u32>(_e1335));
-                                            if ((((_e1333.member_1 < 0f) && (_e1333.member_3 < 0i)) || ((_e1333.member_1 >= 0f) && (_e1333.member_3 >= bitcast<i32>((((_e382.x + _e1337) - 1u) >> bitcast<u32>(_e1335)))))) || (abs(_e1333.member_1) < 0.000001f)) {
-                                                phi_1706_ = 340282350000000000000000000000000000000f;
+                                            let _e1299 = phi_1652_;
+                                            let _e1301 = (_e1299.member_2 & 31u);
+                                            let _e1303 = (1u << bitcast<u32>(_e1301));
+                                            if ((((_e1299.member_1 < 0f) && (_e1299.member_3 < 0i)) || ((_e1299.member_1 >= 0f) && (_e1299.member_3 >= bitcast<i32>((((_e383.x + _e1303) - 1u) >> bitcast<u32>(_e1301)))))) || (abs(_e1299.member_1) < 0.000001f)) {
+                                                phi_1692_ = 340282350000000000000000000000000000000f;
                                             } else {
-                                                phi_1706_ = ((((f32(_e1333.member_3) + 0.5f) * f32(_e1337)) - _e1333.member) / _e1333.member_1);
+                                                phi_1692_ = ((((f32(_e1299.member_3) + 0.5f) * f32(_e1303)) - _e1299.member) / _e1299.member_1);
                                             }
-                                            let _e1363 = phi_1706_;
-                                            phi_1852_ = _e485;
-                                            phi_1853_ = _e487;
-                                            phi_1854_ = type_41(_e1333.member, _e1333.member_1, _e1333.member_2, _e1333.member_3, _e1363);
+                                            let _e1329 = phi_1692_;
+                                            phi_1838_ = _e486;
+                                            phi_1839_ = _e488;
+                                            phi_1840_ = type_41(_e1299.member, _e1299.member_1, _e1299.member_2, _e1299.member_3, _e1329);
                                         } else {
-                                            if (_e507 == 1u) {
-                                                let _e1223 = (_e487.member_1 < 0f);
-                                                if _e1223 {
-                                                    phi_1726_ = (_e487.member_3 - 1i);
+                                            if (_e508 == 1u) {
+                                                let _e1189 = (_e488.member_1 < 0f);
+                                                if _e1189 {
+                                                    phi_1712_ = (_e488.member_3 - 1i);
                                                 } else {
-                                                    phi_1726_ = (_e487.member_3 + 1i);
+                                                    phi_1712_ = (_e488.member_3 + 1i);
                                                 }
-                                                let _e1231 = phi_1726_;
-                                                let _e1237 = type_41(_e487.member, _e487.member_1, _e487.member_2, _e1231, _e487.member_4);
-                                                if ((((_e487.member_3 & 1i) == 0i) == _e1223) && (_e1148 > _e487.member_2)) {
-                                                    let _e1247 = type_41(_e1237.member, _e1237.member_1, (_e487.member_2 + 1u), _e1237.member_3, _e1237.member_4);
-                                                    phi_1739_ = type_41(_e1247.member, _e1247.member_1, _e1247.member_2, (_e1231 >> bitcast<u32>(1i)), _e1247.member_4);
+                                                let _e1197 = phi_1712_;
+                                                let _e1203 = type_41(_e488.member, _e488.member_1, _e488.member_2, _e1197, _e488.member_4);
+                                                if ((((_e488.member_3 & 1i) == 0i) == _e1189) && (_e1114 > _e488.member_2)) {
+                                                    let _e1213 = type_41(_e1203.member, _e1203.member_1, (_e488.member_2 + 1u), _e1203.member_3, _e1203.member_4);
+                                                    phi_1725_ = type_41(_e1213.member, _e1213.member_1, _e1213.member_2, (_e1197 >> bitcast<u32>(1i)), _e1213.member_4);
                                                 } else {
-                                                    phi_1739_ = _e1237;
+                                                    phi_1725_ = _e1203;
                                                 }
-                                                let _e1257 = phi_1739_;
-                                                let _e1259 = (_e1257.member_2 & 31u);
-                                                let _e1261 = (1u << bitcast<u32>(_e1259));
-                                                if ((((_e1257.member_1 < 0f) && (_e1257.member_3 < 0i)) || ((_e1257.member_1 >= 0f) && (_e1257.member_3 >= bitcast<i32>((((_e382.y + _e1261) - 1u) >> bitcast<u32>(_e1259)))))) || (abs(_e1257.member_1) < 0.000001f)) {
-                                                    phi_1779_ = 340282350000000000000000000000000000000f;
+                                                let _e1223 = phi_1725_;
+                                                let _e1225 = (_e1223.member_2 & 31u);
+                                                let _e1227 = (1u << bitcast<u32>(_e1225));
+                                                if ((((_e1223.member_1 < 0f) && (_e1223.member_3 < 0i)) || ((_e1223.member_1 >= 0f) && (_e1223.member_3 >= bitcast<i32>((((_e383.y + _e1227) - 1u) >> bitcast<u32>(_e1225)))))) || (abs(_e1223.member_1) < 0.000001f)) {
+                                                    phi_1765_ = 340282350000000000000000000000000000000f;
                                                 } else {
-                                                    phi_1779_ = ((((f32(_e1257.member_3) + 0.5f) * f32(_e1261)) - _e1257.member) / _e1257.member_1);
+                                                    phi_1765_ = ((((f32(_e1223.member_3) + 0.5f) * f32(_e1227)) - _e1223.member) / _e1223.member_1);
                                                 }
-                                                let _e1287 = phi_1779_;
-                                                phi_1850_ = _e485;
-                                                phi_1851_ = type_41(_e1257.member, _e1257.member_1, _e1257.member_2, _e1257.member_3, _e1287);
+                                                let _e1253 = phi_1765_;
+                                                phi_1836_ = _e486;
+                                                phi_1837_ = type_41(_e1223.member, _e1223.member_1, _e1223.member_2, _e1223.member_3, _e1253);
                                             } else {
-                                                let _e1151 = (_e485.member_1 < 0f);
-                                                if _e1151 {
-                                                    phi_1795_ = (_e485.member_3 - 1i);
+                                                let _e1117 = (_e486.member_1 < 0f);
+                                                if _e1117 {
+                                                    phi_1781_ = (_e486.member_3 - 1i);
                                                 } else {
-                                                    phi_1795_ = (_e485.member_3 + 1i);
+                                                    phi_1781_ = (_e486.member_3 + 1i);
                                                 }
-                                                let _e1159 = phi_1795_;
-                                                let _e1165 = type_41(_e485.member, _e485.member_1, _e485.member_2, _e1159, _e485.member_4);
-                                                if ((((_e485.member_3 & 1i) == 0i) == _e1151) && (_e1148 > _e485.member_2)) {
-                                                    let _e1175 = type_41(_e1165.member, _e1165.member_1, (_e485.member_2 + 1u), _e1165.member_3, _e1165.member_4);
-                                                    phi_1808_ = type_41(_e1175.member, _e1175.member_1, _e1175.member_2, (_e1159 >> bitcast<u32>(1i)), _e1175.member_4);
+                                                let _e1125 = phi_1781_;
+                                                let _e1131 = type_41(_e486.member, _e486.member_1, _e486.member_2, _e1125, _e486.member_4);
+                                                if ((((_e486.member_3 & 1i) == 0i) == _e1117) && (_e1114 > _e486.member_2)) {
+                                                    let _e1141 = type_41(_e1131.member, _e1131.member_1, (_e486.member_2 + 1u), _e1131.member_3, _e1131.member_4);
+                                                    phi_1794_ = type_41(_e1141.member, _e1141.member_1, _e1141.member_2, (_e1125 >> bitcast<u32>(1i)), _e1141.member_4);
                                                 } else {
-                                                    phi_1808_ = _e1165;
+                                                    phi_1794_ = _e1131;
                                                 }
-                                                let _e1185 = phi_1808_;
-                                                let _e1187 = (_e1185.member_2 & 31u);
-                                                let _e1189 = (1u << bitcast<u32>(_e1187));
-                                                if ((((_e1185.member_1 < 0f) && (_e1185.member_3 < 0i)) || ((_e1185.member_1 >= 0f) && (_e1185.member_3 >= bitcast<i32>((((_e382.z + _e1189) - 1u) >> bitcast<u32>(_e1187)))))) || (abs(_e1185.member_1) < 0.000001f)) {
-                                                    phi_1848_ = 340282350000000000000000000000000000000f;
+                                                let _e1151 = phi_1794_;
+                                                let _e1153 = (_e1151.member_2 & 31u);
+                                                let _e1155 = (1u << bitcast<u32>(_e1153));
+                                                if ((((_e1151.member_1 < 0f) && (_e1151.member_3 < 0i)) || ((_e1151.member_1 >= 0f) && (_e1151.member_3 >= bitcast<i32>((((_e383.z + _e1155) - 1u) >> bitcast<u32>(_e1153)))))) || (abs(_e1151.member_1) < 0.000001f)) {
+                                                    phi_1834_ = 340282350000000000000000000000000000000f;
                                                 } else {
-                                                    phi_1848_ = ((((f32(_e1185.member_3) + 0.5f) * f32(_e1189)) - _e1185.member) / _e1185.member_1);
+                                                    phi_1834_ = ((((f32(_e1151.member_3) + 0.5f) * f32(_e1155)) - _e1151.member) / _e1151.member_1);
                                                 }
-                                                let _e1215 = phi_1848_;
-                                                phi_1850_ = type_41(_e1185.member, _e1185.member_1, _e1185.member_2, _e1185.member_3, _e1215);
-                                                phi_1851_ = _e487;
+                                                let _e1181 = phi_1834_;
+                                                phi_1836_ = type_41(_e1151.member, _e1151.member_1, _e1151.member_2, _e1151.member_3, _e1181);
+                                                phi_1837_ = _e488;
                                             }
-                                            let _e1295 = phi_1850_;
-                                            let _e1297 = phi_1851_;
-                                            phi_1852_ = _e1295;
-                                            phi_1853_ = _e1297;
-                                            phi_1854_ = _e489;
+                                            let _e1261 = phi_1836_;
+                                            let _e1263 = phi_1837_;
+                                            phi_1838_ = _e1261;
+                                            phi_1839_ = _e1263;
+                                            phi_1840_ = _e490;
                                         }
-                                        let _e1371 = phi_1852_;
-                                        let _e1373 = phi_1853_;
-                                        let _e1375 = phi_1854_;
-                                        phi_1855_ = _e1128;
-                                        phi_1856_ = _e1371;
-                                        phi_1857_ = _e1373;
-                                        phi_1858_ = _e1375;
-                                        phi_1859_ = _e1130;
-                                        phi_1860_ = _e1132;
+                                        let _e1337 = phi_1838_;
+                                        let _e1339 = phi_1839_;
+                                        let _e1341 = phi_1840_;
+                                        phi_1841_ = _e1094;
+                                        phi_1842_ = _e1337;
+                                        phi_1843_ = _e1339;
+                                        phi_1844_ = _e1341;
+                                        phi_1845_ = _e1096;
+                                        phi_1846_ = _e1098;
                                     }
-                                    let _e1377 = phi_1855_;
-                                    let _e1379 = phi_1856_;
-                                    let _e1381 = phi_1857_;
-                                    let _e1383 = phi_1858_;
-                                    let _e1385 = phi_1859_;
-                                    let _e1387 = phi_1860_;
-                                    phi_700_ = _e1377;
-                                    phi_703_ = _e1379;
-                                    phi_705_ = _e1381;
-                                    phi_707_ = _e1383;
-                                    phi_709_ = (_e491 + 1u);
-                                    phi_711_ = _e1385;
-                                    phi_713_ = _e1387;
-                                    phi_1862_ = select(true, false, _e538);
+                                    let _e1343 = phi_1841_;
+                                    let _e1345 = phi_1842_;
+                                    let _e1347 = phi_1843_;
+                                    let _e1349 = phi_1844_;
+                                    let _e1351 = phi_1845_;
+                                    let _e1353 = phi_1846_;
+                                    phi_701_ = _e1343;
+                                    phi_704_ = _e1345;
+                                    phi_706_ = _e1347;
+                                    phi_708_ = _e1349;
+                                    phi_710_ = (_e492 + 1u);
+                                    phi_712_ = _e1351;
+                                    phi_714_ = _e1353;
+                                    phi_1848_ = select(true, false, _e539);
                                 } else {
-                                    phi_700_ = vec3<f32>();
-                                    phi_703_ = type_41();
-                                    phi_705_ = type_41();
-                                    phi_707_ = type_41();
-                                    phi_709_ = u32();
-                                    phi_711_ = f32();
-                                    phi_713_ = f32();
-                                    phi_1862_ = false;
+                                    phi_701_ = vec3<f32>();
+                                    phi_704_ = type_41();
+                                    phi_706_ = type_41();
+                                    phi_708_ = type_41();
+                                    phi_710_ = u32();
+                                    phi_712_ = f32();
+                                    phi_714_ = f32();
+                                    phi_1848_ = false;
                                 }
-                                let _e1390 = phi_700_;
-                                let _e1392 = phi_703_;
-                                let _e1394 = phi_705_;
-                                let _e1396 = phi_707_;
-                                let _e1398 = phi_709_;
-                                let _e1400 = phi_711_;
-                                let _e1402 = phi_713_;
-                                let _e1404 = phi_1862_;
+                                let _e1356 = phi_701_;
+                                let _e1358 = phi_704_;
+                                let _e1360 = phi_706_;
+                                let _e1362 = phi_708_;
+                                let _e1364 = phi_710_;
+                                let _e1366 = phi_712_;
+                                let _e1368 = phi_714_;
+                                let _e1370 = phi_1848_;
                                 continue;
                                 continuing {
-                                    phi_699_ = _e1390;
-                                    phi_702_ = _e1392;
-                                    phi_704_ = _e1394;
-                                    phi_706_ = _e1396;
-                                    phi_708_ = _e1398;
-                                    phi_710_ = _e1400;
-                                    phi_712_ = _e1402;
-                                    break if !(_e1404);
+                                    phi_700_ = _e1356;
+                                    phi_703_ = _e1358;
+                                    phi_705_ = _e1360;
+                                    phi_707_ = _e1362;
+                                    phi_709_ = _e1364;
+                                    phi_711_ = _e1366;
+                                    phi_713_ = _e1368;
+                                    break if !(_e1370);
                                 }
                             }
-                            let _e1407 = local_6;
-                            let _e1410 = local_7;
-                            let _e1411 = (_e1410 * (1f - _e1407));
-                            let _e1413 = local_8;
-                            let _e1416 = local_9;
-                            let _e1419 = local_10;
-                            let _e1423 = params.member.member_5;
-                            phi_324_ = vec3<f32>((_e204.x + ((_e1413.x + (_e1423.x * _e1411)) * _e228.w)), (_e204.y + ((_e1416.y + (_e1423.y * _e1411)) * _e228.w)), (_e204.z + ((_e1419.z + (_e1423.z * _e1411)) * _e228.w)));
+                            let _e1373 = local_6;
+                            let _e1376 = local_7;
+                            let _e1377 = (_e1376 * (1f - _e1373));
+                            let _e1379 = local_8;
+                            let _e1382 = local_9;
+                            let _e1385 = local_10;
+                            let _e1389 = params.member.member_5;
+                            phi_325_ = vec3<f32>((_e205.x + ((_e1379.x + (_e1389.x * _e1377)) * _e229.w)), (_e205.y + ((_e1382.y + (_e1389.y * _e1377)) * _e229.w)), (_e205.z + ((_e1385.z + (_e1389.z * _e1377)) * _e229.w)));
                         } else {
-                            phi_324_ = vec3<f32>();
+                            phi_325_ = vec3<f32>();
                         }
-                        let _e1445 = phi_324_;
+                        let _e1411 = phi_325_;
                         continue;
                         continuing {
-                            phi_320_ = _e217;
-                            phi_323_ = _e1445;
-                            phi_1959_ = false;
-                            break if !(_e223);
+                            phi_321_ = _e218;
+                            phi_324_ = _e1411;
+                            phi_1945_ = false;
+                            break if !(_e224);
                         }
                     }
-                    let _e1448 = phi_1959_;
-                    if _e1448 {
+                    let _e1414 = phi_1945_;
+                    if _e1414 {
                         break;
                     }
-                    let _e1450 = local_11;
-                    let _e1454 = local_12;
-                    let _e1458 = local_13;
-                    phi_1903_ = vec4<f32>((_e1450.x * 3.1415927f), (_e1454.y * 3.1415927f), (_e1458.z * 3.1415927f), 0f);
+                    let _e1416 = local_11;
+                    let _e1420 = local_12;
+                    let _e1424 = local_13;
+                    phi_1889_ = vec4<f32>((_e1416.x * 3.1415927f), (_e1420.y * 3.1415927f), (_e1424.z * 3.1415927f), 0f);
                 }
-                let _e1463 = phi_1903_;
-                if (_e94 < arrayLength((&out.member))) {
+                let _e1429 = phi_1889_;
+                if (_e95 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e94] = _e1463;
+                out.member[_e95] = _e1429;
             }
             break;
         }

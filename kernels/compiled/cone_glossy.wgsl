@@ -89,790 +89,690 @@ var<storage> surfels: type_33;
 var<storage, read_write> out: type_29;
 
 fn function_() {
-    var phi_182_: vec3<f32>;
-    var phi_272_: bool;
-    var phi_281_: u32;
-    var phi_297_: i32;
-    var phi_326_: f32;
-    var phi_343_: i32;
-    var phi_372_: f32;
-    var phi_389_: i32;
-    var phi_418_: f32;
-    var phi_421_: vec3<f32>;
-    var phi_424_: type_40;
+    var phi_184_: vec3<f32>;
+    var phi_274_: bool;
+    var phi_283_: u32;
+    var phi_299_: i32;
+    var phi_328_: f32;
+    var phi_345_: i32;
+    var phi_374_: f32;
+    var phi_391_: i32;
+    var phi_420_: f32;
+    var phi_423_: vec3<f32>;
     var phi_426_: type_40;
     var phi_428_: type_40;
-    var phi_430_: u32;
-    var phi_432_: f32;
+    var phi_430_: type_40;
+    var phi_432_: u32;
     var phi_434_: f32;
-    var phi_460_: u32;
-    var phi_482_: i32;
-    var phi_483_: u32;
-    var phi_484_: f32;
-    var phi_485_: f32;
-    var phi_486_: i32;
-    var phi_487_: u32;
-    var phi_488_: f32;
-    var phi_537_: u32;
-    var phi_552_: f32;
-    var phi_634_: f32;
-    var phi_645_: f32;
-    var phi_728_: f32;
-    var phi_739_: f32;
-    var phi_822_: f32;
-    var phi_849_: f32;
-    var phi_850_: f32;
-    var phi_851_: u32;
-    var phi_852_: u32;
-    var phi_853_: u32;
+    var phi_436_: f32;
+    var phi_462_: u32;
+    var phi_484_: i32;
+    var phi_485_: u32;
+    var phi_486_: f32;
+    var phi_487_: f32;
+    var phi_488_: i32;
+    var phi_489_: u32;
+    var phi_490_: f32;
+    var phi_715_: f32;
+    var phi_845_: f32;
+    var phi_851_: vec4<f32>;
     var phi_854_: u32;
-    var phi_855_: f32;
-    var phi_856_: f32;
-    var phi_857_: u32;
-    var phi_858_: u32;
-    var phi_859_: u32;
-    var phi_860_: u32;
-    var phi_861_: u32;
-    var phi_862_: u32;
-    var phi_864_: vec4<f32>;
-    var phi_867_: u32;
-    var phi_1254_: u32;
-    var phi_1266_: vec4<f32>;
-    var phi_1120_: vec4<f32>;
-    var phi_1123_: vec4<f32>;
-    var phi_1125_: u32;
-    var phi_1195_: vec4<f32>;
-    var phi_1196_: vec4<f32>;
-    var phi_1121_: vec4<f32>;
-    var phi_1124_: vec4<f32>;
-    var phi_1126_: u32;
+    var phi_1241_: u32;
+    var phi_1253_: vec4<f32>;
+    var phi_1107_: vec4<f32>;
+    var phi_1110_: vec4<f32>;
+    var phi_1112_: u32;
+    var phi_1182_: vec4<f32>;
+    var phi_1183_: vec4<f32>;
+    var phi_1108_: vec4<f32>;
+    var phi_1111_: vec4<f32>;
+    var phi_1113_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1219_: vec4<f32>;
-    var phi_1021_: vec4<f32>;
-    var phi_1024_: u32;
-    var phi_1022_: vec4<f32>;
-    var phi_1025_: u32;
-    var phi_1220_: vec4<f32>;
-    var phi_1234_: vec4<f32>;
-    var phi_1267_: vec4<f32>;
-    var phi_1288_: vec4<f32>;
-    var phi_865_: vec4<f32>;
-    var phi_868_: u32;
-    var phi_1290_: vec4<f32>;
-    var phi_1330_: vec3<f32>;
-    var phi_1331_: f32;
-    var phi_1332_: f32;
-    var phi_1517_: i32;
-    var phi_1530_: type_40;
-    var phi_1570_: f32;
-    var phi_1448_: i32;
-    var phi_1461_: type_40;
-    var phi_1501_: f32;
-    var phi_1572_: type_40;
-    var phi_1573_: type_40;
-    var phi_1375_: i32;
-    var phi_1388_: type_40;
-    var phi_1428_: f32;
-    var phi_1574_: type_40;
-    var phi_1575_: type_40;
-    var phi_1576_: type_40;
-    var phi_1577_: vec3<f32>;
-    var phi_1578_: type_40;
-    var phi_1579_: type_40;
-    var phi_1580_: type_40;
-    var phi_1581_: f32;
-    var phi_1582_: f32;
-    var phi_422_: vec3<f32>;
-    var phi_425_: type_40;
+    var phi_1206_: vec4<f32>;
+    var phi_1008_: vec4<f32>;
+    var phi_1011_: u32;
+    var phi_1009_: vec4<f32>;
+    var phi_1012_: u32;
+    var phi_1207_: vec4<f32>;
+    var phi_1221_: vec4<f32>;
+    var phi_1254_: vec4<f32>;
+    var phi_1275_: vec4<f32>;
+    var phi_852_: vec4<f32>;
+    var phi_855_: u32;
+    var phi_1277_: vec4<f32>;
+    var phi_1317_: vec3<f32>;
+    var phi_1318_: f32;
+    var phi_1319_: f32;
+    var phi_1504_: i32;
+    var phi_1517_: type_40;
+    var phi_1557_: f32;
+    var phi_1435_: i32;
+    var phi_1448_: type_40;
+    var phi_1488_: f32;
+    var phi_1559_: type_40;
+    var phi_1560_: type_40;
+    var phi_1362_: i32;
+    var phi_1375_: type_40;
+    var phi_1415_: f32;
+    var phi_1561_: type_40;
+    var phi_1562_: type_40;
+    var phi_1563_: type_40;
+    var phi_1564_: vec3<f32>;
+    var phi_1565_: type_40;
+    var phi_1566_: type_40;
+    var phi_1567_: type_40;
+    var phi_1568_: f32;
+    var phi_1569_: f32;
+    var phi_424_: vec3<f32>;
     var phi_427_: type_40;
     var phi_429_: type_40;
-    var phi_431_: u32;
-    var phi_433_: f32;
+    var phi_431_: type_40;
+    var phi_433_: u32;
     var phi_435_: f32;
-    var phi_1584_: bool;
+    var phi_437_: f32;
+    var phi_1571_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: vec3<f32>;
-    var phi_1606_: vec4<f32>;
+    var phi_1593_: vec4<f32>;
     var local_11: vec4<f32>;
     var local_12: vec4<f32>;
     var local_13: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e51 = gid_1;
-            let _e63 = (_e51.x + (_e51.y * 2097152u));
-            let _e64 = (_e63 < arrayLength((&out.member)));
-            if _e64 {
-                let _e68 = surfels.member[_e63].member_1;
-                if (_e68 == 4294967295u) {
-                    phi_1606_ = vec4<f32>(0f, 0f, 0f, 0f);
+            let _e53 = gid_1;
+            let _e65 = (_e53.x + (_e53.y * 2097152u));
+            let _e66 = (_e65 < arrayLength((&out.member)));
+            if _e66 {
+                let _e70 = surfels.member[_e65].member_1;
+                if (_e70 == 4294967295u) {
+                    phi_1593_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    let _e73 = surfels.member[_e63].member;
-                    let _e79 = params.member.member_6;
-                    let _e83 = (_e79.x - _e73[0]);
-                    let _e84 = (_e79.y - _e73[1]);
-                    let _e85 = (_e79.z - _e73[2]);
-                    let _e90 = (((_e83 * _e83) + (_e84 * _e84)) + (_e85 * _e85));
-                    if (_e90 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e93 = (1f / sqrt(_e90));
-                        phi_182_ = vec3<f32>((_e83 * _e93), (_e84 * _e93), (_e85 * _e93));
+                    let _e75 = surfels.member[_e65].member;
+                    let _e81 = params.member.member_6;
+                    let _e85 = (_e81.x - _e75[0]);
+                    let _e86 = (_e81.y - _e75[1]);
+                    let _e87 = (_e81.z - _e75[2]);
+                    let _e92 = (((_e85 * _e85) + (_e86 * _e86)) + (_e87 * _e87));
+                    if (_e92 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e95 = (1f / sqrt(_e92));
+                        phi_184_ = vec3<f32>((_e85 * _e95), (_e86 * _e95), (_e87 * _e95));
                     } else {
-                        phi_182_ = vec3<f32>(0f, 0f, 0f);
+                        phi_184_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e99 = phi_182_;
-                    let _e103 = surfels.member[_e63].member_2;
-                    let _e115 = (2f * (((_e99.x * _e103[0]) + (_e99.y * _e103[1])) + (_e99.z * _e103[2])));
-                    let _e119 = ((_e103[0] * _e115) - _e99.x);
-                    let _e120 = ((_e103[1] * _e115) - _e99.y);
-                    let _e121 = ((_e103[2] * _e115) - _e99.z);
-                    let _e124 = params.member.member;
-                    let _e138 = surfels.member[_e63].member_4;
-                    let _e144 = params.member.member_12;
-                    let _e148 = (((_e73[0] - _e124.x) / _e124.w) + (_e138[0] * _e144));
-                    let _e149 = (((_e73[1] - _e124.y) / _e124.w) + (_e138[1] * _e144));
-                    let _e150 = (((_e73[2] - _e124.z) / _e124.w) + (_e138[2] * _e144));
-                    let _e154 = params.member.member_6[3u];
-                    let _e158 = params.member.member_13;
-                    let _e164 = (((_e119 * _e138[0]) + (_e120 * _e138[1])) + (_e121 * _e138[2]));
-                    let _e170 = params.member.member_1;
-                    let _e171 = abs(_e119);
-                    let _e172 = abs(_e120);
+                    let _e101 = phi_184_;
+                    let _e105 = surfels.member[_e65].member_2;
+                    let _e117 = (2f * (((_e101.x * _e105[0]) + (_e101.y * _e105[1])) + (_e101.z * _e105[2])));
+                    let _e121 = ((_e105[0] * _e117) - _e101.x);
+                    let _e122 = ((_e105[1] * _e117) - _e101.y);
+                    let _e123 = ((_e105[2] * _e117) - _e101.z);
+                    let _e126 = params.member.member;
+                    let _e140 = surfels.member[_e65].member_4;
+                    let _e146 = params.member.member_12;
+                    let _e150 = (((_e75[0] - _e126.x) / _e126.w) + (_e140[0] * _e146));
+                    let _e151 = (((_e75[1] - _e126.y) / _e126.w) + (_e140[1] * _e146));
+                    let _e152 = (((_e75[2] - _e126.z) / _e126.w) + (_e140[2] * _e146));
+                    let _e156 = params.member.member_6[3u];
+                    let _e160 = params.member.member_13;
+                    let _e166 = (((_e121 * _e140[0]) + (_e122 * _e140[1])) + (_e123 * _e140[2]));
+                    let _e172 = params.member.member_1;
                     let _e173 = abs(_e121);
-                    if (_e171 >= _e172) {
-                        phi_272_ = select(true, false, (_e171 >= _e173));
+                    let _e174 = abs(_e122);
+                    let _e175 = abs(_e123);
+                    if (_e173 >= _e174) {
+                        phi_274_ = select(true, false, (_e173 >= _e175));
                     } else {
-                        phi_272_ = true;
+                        phi_274_ = true;
                     }
-                    let _e178 = phi_272_;
-                    if _e178 {
-                        phi_281_ = select(2u, 1u, (_e172 >= _e173));
+                    let _e180 = phi_274_;
+                    if _e180 {
+                        phi_283_ = select(2u, 1u, (_e174 >= _e175));
                     } else {
-                        phi_281_ = 0u;
+                        phi_283_ = 0u;
                     }
-                    let _e182 = phi_281_;
-                    let _e191 = (_e119 < 0f);
-                    if _e191 {
-                        phi_297_ = (i32(-(floor((0.5f - _e148)))) - 1i);
+                    let _e184 = phi_283_;
+                    let _e193 = (_e121 < 0f);
+                    if _e193 {
+                        phi_299_ = (i32(-(floor((0.5f - _e150)))) - 1i);
                     } else {
-                        phi_297_ = (i32(floor((_e148 - 0.5f))) + 1i);
+                        phi_299_ = (i32(floor((_e150 - 0.5f))) + 1i);
                     }
-                    let _e195 = phi_297_;
-                    if (((_e191 && (_e195 < 0i)) || ((_e119 >= 0f) && (_e195 >= bitcast<i32>(_e170.x)))) || (_e171 < 0.000001f)) {
-                        phi_326_ = 340282350000000000000000000000000000000f;
+                    let _e197 = phi_299_;
+                    if (((_e193 && (_e197 < 0i)) || ((_e121 >= 0f) && (_e197 >= bitcast<i32>(_e172.x)))) || (_e173 < 0.000001f)) {
+                        phi_328_ = 340282350000000000000000000000000000000f;
                     } else {
-                        phi_326_ = (((f32(_e195) + 0.5f) - _e148) / _e119);
+                        phi_328_ = (((f32(_e197) + 0.5f) - _e150) / _e121);
                     }
-                    let _e210 = phi_326_;
-                    let _e220 = (_e120 < 0f);
-                    if _e220 {
-                        phi_343_ = (i32(-(floor((0.5f - _e149)))) - 1i);
+                    let _e212 = phi_328_;
+                    let _e222 = (_e122 < 0f);
+                    if _e222 {
+                        phi_345_ = (i32(-(floor((0.5f - _e151)))) - 1i);
                     } else {
-                        phi_343_ = (i32(floor((_e149 - 0.5f))) + 1i);
+                        phi_345_ = (i32(floor((_e151 - 0.5f))) + 1i);
                     }
-                    let _e224 = phi_343_;
-                    if (((_e220 && (_e224 < 0i)) || ((_e120 >= 0f) && (_e224 >= bitcast<i32>(_e170.y)))) || (_e172 < 0.000001f)) {
-                        phi_372_ = 340282350000000000000000000000000000000f;
+                    let _e226 = phi_345_;
+                    if (((_e222 && (_e226 < 0i)) || ((_e122 >= 0f) && (_e226 >= bitcast<i32>(_e172.y)))) || (_e174 < 0.000001f)) {
+                        phi_374_ = 340282350000000000000000000000000000000f;
                     } else {
-                        phi_372_ = (((f32(_e224) + 0.5f) - _e149) / _e120);
+                        phi_374_ = (((f32(_e226) + 0.5f) - _e151) / _e122);
                     }
-                    let _e239 = phi_372_;
-                    let _e249 = (_e121 < 0f);
-                    if _e249 {
-                        phi_389_ = (i32(-(floor((0.5f - _e150)))) - 1i);
+                    let _e241 = phi_374_;
+                    let _e251 = (_e123 < 0f);
+                    if _e251 {
+                        phi_391_ = (i32(-(floor((0.5f - _e152)))) - 1i);
                     } else {
-                        phi_389_ = (i32(floor((_e150 - 0.5f))) + 1i);
+                        phi_391_ = (i32(floor((_e152 - 0.5f))) + 1i);
                     }
-                    let _e253 = phi_389_;
-                    if (((_e249 && (_e253 < 0i)) || ((_e121 >= 0f) && (_e253 >= bitcast<i32>(_e170.z)))) || (_e173 < 0.000001f)) {
-                        phi_418_ = 340282350000000000000000000000000000000f;
+                    let _e255 = phi_391_;
+                    if (((_e251 && (_e255 < 0i)) || ((_e123 >= 0f) && (_e255 >= bitcast<i32>(_e172.z)))) || (_e175 < 0.000001f)) {
+                        phi_420_ = 340282350000000000000000000000000000000f;
                     } else {
-                        phi_418_ = (((f32(_e253) + 0.5f) - _e150) / _e121);
+                        phi_420_ = (((f32(_e255) + 0.5f) - _e152) / _e123);
                     }
-                    let _e268 = phi_418_;
-                    phi_421_ = vec3<f32>(0f, 0f, 0f);
-                    phi_424_ = type_40(_e150, _e121, 0u, _e253, _e268);
-                    phi_426_ = type_40(_e149, _e120, 0u, _e224, _e239);
-                    phi_428_ = type_40(_e148, _e119, 0u, _e195, _e210);
-                    phi_430_ = 0u;
-                    phi_432_ = 0f;
-                    phi_434_ = 1f;
+                    let _e270 = phi_420_;
+                    phi_423_ = vec3<f32>(0f, 0f, 0f);
+                    phi_426_ = type_40(_e152, _e123, 0u, _e255, _e270);
+                    phi_428_ = type_40(_e151, _e122, 0u, _e226, _e241);
+                    phi_430_ = type_40(_e150, _e121, 0u, _e197, _e212);
+                    phi_432_ = 0u;
+                    phi_434_ = 0f;
+                    phi_436_ = 1f;
                     loop {
-                        let _e271 = phi_421_;
-                        let _e273 = phi_424_;
+                        let _e273 = phi_423_;
                         let _e275 = phi_426_;
                         let _e277 = phi_428_;
                         let _e279 = phi_430_;
                         let _e281 = phi_432_;
                         let _e283 = phi_434_;
-                        local_6 = _e281;
-                        local_7 = _e283;
-                        local_8 = _e271;
-                        local_9 = _e271;
-                        local_10 = _e271;
-                        if (_e279 < 2048u) {
-                            if ((_e277.member_4 <= _e275.member_4) && (_e277.member_4 <= _e273.member_4)) {
-                                phi_460_ = 0u;
+                        let _e285 = phi_436_;
+                        local_6 = _e283;
+                        local_7 = _e285;
+                        local_8 = _e273;
+                        local_9 = _e273;
+                        local_10 = _e273;
+                        if (_e281 < 2048u) {
+                            if ((_e279.member_4 <= _e277.member_4) && (_e279.member_4 <= _e275.member_4)) {
+                                phi_462_ = 0u;
                             } else {
-                                phi_460_ = select(2u, 1u, (_e275.member_4 <= _e273.member_4));
+                                phi_462_ = select(2u, 1u, (_e277.member_4 <= _e275.member_4));
                             }
-                            let _e295 = phi_460_;
-                            let _e296 = (_e295 == 0u);
-                            if _e296 {
-                                phi_485_ = _e277.member_4;
-                                phi_486_ = _e277.member_3;
-                                phi_487_ = _e277.member_2;
-                                phi_488_ = _e277.member_1;
+                            let _e297 = phi_462_;
+                            let _e298 = (_e297 == 0u);
+                            if _e298 {
+                                phi_487_ = _e279.member_4;
+                                phi_488_ = _e279.member_3;
+                                phi_489_ = _e279.member_2;
+                                phi_490_ = _e279.member_1;
                             } else {
-                                let _e297 = (_e295 == 1u);
-                                if _e297 {
-                                    phi_482_ = _e275.member_3;
-                                    phi_483_ = _e275.member_2;
-                                    phi_484_ = _e275.member_1;
+                                let _e299 = (_e297 == 1u);
+                                if _e299 {
+                                    phi_484_ = _e277.member_3;
+                                    phi_485_ = _e277.member_2;
+                                    phi_486_ = _e277.member_1;
                                 } else {
-                                    phi_482_ = _e273.member_3;
-                                    phi_483_ = _e273.member_2;
-                                    phi_484_ = _e273.member_1;
+                                    phi_484_ = _e275.member_3;
+                                    phi_485_ = _e275.member_2;
+                                    phi_486_ = _e275.member_1;
                                 }
-                                let _e305 = phi_482_;
-                                let _e307 = phi_483_;
-                                let _e309 = phi_484_;
-                                phi_485_ = select(_e273.member_4, _e275.member_4, _e297);
-                                phi_486_ = _e305;
-                                phi_487_ = _e307;
-                                phi_488_ = _e309;
+                                let _e307 = phi_484_;
+                                let _e309 = phi_485_;
+                                let _e311 = phi_486_;
+                                phi_487_ = select(_e275.member_4, _e277.member_4, _e299);
+                                phi_488_ = _e307;
+                                phi_489_ = _e309;
+                                phi_490_ = _e311;
                             }
-                            let _e315 = phi_485_;
-                            let _e317 = phi_486_;
-                            let _e319 = phi_487_;
-                            let _e321 = phi_488_;
-                            let _e323 = (1f - _e281);
-                            let _e324 = (_e283 * _e323);
-                            let _e326 = ((_e315 >= 340282350000000000000000000000000000000f) || (_e324 < 0.001f));
-                            if _e326 {
-                                phi_1577_ = vec3<f32>();
-                                phi_1578_ = type_40();
-                                phi_1579_ = type_40();
-                                phi_1580_ = type_40();
-                                phi_1581_ = f32();
-                                phi_1582_ = f32();
+                            let _e317 = phi_487_;
+                            let _e319 = phi_488_;
+                            let _e321 = phi_489_;
+                            let _e323 = phi_490_;
+                            let _e325 = (1f - _e283);
+                            let _e326 = (_e285 * _e325);
+                            let _e328 = ((_e317 >= 340282350000000000000000000000000000000f) || (_e326 < 0.001f));
+                            if _e328 {
+                                phi_1564_ = vec3<f32>();
+                                phi_1565_ = type_40();
+                                phi_1566_ = type_40();
+                                phi_1567_ = type_40();
+                                phi_1568_ = f32();
+                                phi_1569_ = f32();
                             } else {
-                                let _e333 = (_e321 < 0f);
-                                let _e337 = params.member.member_2[_e319];
-                                let _e338 = (_e319 & 31u);
-                                let _e340 = (1u << bitcast<u32>(_e338));
-                                let _e341 = (_e340 - 1u);
-                                let _e344 = ((_e170.x + _e341) >> bitcast<u32>(_e338));
-                                let _e347 = ((_e170.y + _e341) >> bitcast<u32>(_e338));
-                                let _e350 = ((_e170.z + _e341) >> bitcast<u32>(_e338));
-                                let _e352 = (1f / f32(_e340));
-                                if _e296 {
-                                    phi_537_ = _e344;
+                                let _e335 = (_e323 < 0f);
+                                let _e339 = params.member.member_2[_e321];
+                                let _e340 = (_e321 & 31u);
+                                let _e342 = (1u << bitcast<u32>(_e340));
+                                let _e343 = (_e342 - 1u);
+                                let _e346 = ((_e172.x + _e343) >> bitcast<u32>(_e340));
+                                let _e349 = ((_e172.y + _e343) >> bitcast<u32>(_e340));
+                                let _e352 = ((_e172.z + _e343) >> bitcast<u32>(_e340));
+                                let _e355 = (_e297 == 2u);
+                                if ((_e319 < 0i) || (_e319 >= bitcast<i32>(select(select(_e349, _e346, _e298), _e352, _e355)))) {
+                                    phi_1277_ = vec4<f32>(0f, 0f, 0f, 0f);
                                 } else {
-                                    phi_537_ = select(_e350, _e347, (_e295 == 1u));
-                                }
-                                let _e356 = phi_537_;
-                                if ((_e317 < 0i) || (_e317 >= bitcast<i32>(_e356))) {
-                                    phi_1290_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                } else {
-                                    let _e361 = f32(_e317);
-                                    if _e296 {
-                                        phi_552_ = _e361;
+                                    let _e361 = (1f / f32(_e342));
+                                    let _e363 = (((_e150 + (_e121 * _e317)) * _e361) - 0.5f);
+                                    let _e365 = (((_e151 + (_e122 * _e317)) * _e361) - 0.5f);
+                                    let _e367 = (((_e152 + (_e123 * _e317)) * _e361) - 0.5f);
+                                    let _e368 = bitcast<u32>(_e319);
+                                    let _e393 = select(select(_e367, _e365, _e298), _e363, _e355);
+                                    let _e397 = select(select(1u, 2u, _e298), 2u, _e355);
+                                    let _e399 = select(select(_e339.y, _e339.x, _e298), 1u, _e355);
+                                    let _e400 = select(2u, 1u, _e298);
+                                    let _e401 = select(_e400, 0u, _e355);
+                                    let _e402 = floor(_e393);
+                                    let _e404 = i32(_e402);
+                                    let _e406 = (bitcast<i32>(select(select(_e352, _e349, _e298), _e346, _e355)) - 1i);
+                                    let _e411 = ((_e393 >= -0.5f) && (_e393 <= (f32(_e406) + 0.5f)));
+                                    let _e413 = select(0i, _e404, (0i < _e404));
+                                    let _e416 = bitcast<u32>(select(_e413, _e406, (_e406 < _e413)));
+                                    let _e417 = (_e404 + 1i);
+                                    let _e419 = select(0i, _e417, (0i < _e417));
+                                    let _e422 = bitcast<u32>(select(_e419, _e406, (_e406 < _e419)));
+                                    let _e426 = select(select(0f, (_e393 - _e402), (_e404 < _e406)), 1f, (_e404 < 0i));
+                                    let _e427 = (_e397 & 31u);
+                                    let _e435 = (_e401 & 31u);
+                                    let _e440 = (_e397 - 1u);
+                                    let _e443 = ((_e401 + 3u) & 31u);
+                                    if _e411 {
+                                        phi_715_ = (1f - _e426);
                                     } else {
-                                        phi_552_ = (((_e148 + (_e119 * _e315)) * _e352) - 0.5f);
+                                        phi_715_ = 0f;
                                     }
-                                    let _e365 = phi_552_;
-                                    let _e366 = floor(_e365);
-                                    let _e368 = i32(_e366);
-                                    let _e370 = (bitcast<i32>(_e344) - 1i);
-                                    let _e375 = ((_e365 >= -0.5f) && (_e365 <= (f32(_e370) + 0.5f)));
-                                    let _e377 = select(0i, _e368, (0i < _e368));
-                                    let _e380 = bitcast<u32>(select(_e377, _e370, (_e370 < _e377)));
-                                    let _e381 = (_e368 + 1i);
-                                    let _e383 = select(0i, _e381, (0i < _e381));
-                                    let _e386 = bitcast<u32>(select(_e383, _e370, (_e370 < _e383)));
-                                    let _e390 = select(select(0f, (_e365 - _e366), (_e368 < _e370)), 1f, (_e368 < 0i));
-                                    let _e392 = (_e380 >> bitcast<u32>(2u));
-                                    let _e394 = (_e386 >> bitcast<u32>(2u));
-                                    let _e401 = ((_e380 & 1u) | (((_e380 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                    let _e408 = ((_e386 & 1u) | (((_e386 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(3u)));
-                                    if _e375 {
-                                        phi_634_ = (1f - _e390);
+                                    let _e458 = phi_715_;
+                                    let _e461 = select(select(_e363, _e367, _e298), _e365, _e355);
+                                    let _e464 = select(_e400, 2u, _e355);
+                                    let _e466 = select(select(1u, _e339.y, _e298), _e339.x, _e355);
+                                    let _e468 = select(select(0u, 2u, _e298), 1u, _e355);
+                                    let _e469 = floor(_e461);
+                                    let _e471 = i32(_e469);
+                                    let _e473 = (bitcast<i32>(select(select(_e346, _e352, _e298), _e349, _e355)) - 1i);
+                                    let _e478 = ((_e461 >= -0.5f) && (_e461 <= (f32(_e473) + 0.5f)));
+                                    let _e480 = select(0i, _e471, (0i < _e471));
+                                    let _e483 = bitcast<u32>(select(_e480, _e473, (_e473 < _e480)));
+                                    let _e484 = (_e471 + 1i);
+                                    let _e486 = select(0i, _e484, (0i < _e484));
+                                    let _e489 = bitcast<u32>(select(_e486, _e473, (_e473 < _e486)));
+                                    let _e493 = select(select(0f, (_e461 - _e469), (_e471 < _e473)), 1f, (_e471 < 0i));
+                                    let _e494 = (_e464 & 31u);
+                                    let _e502 = (_e468 & 31u);
+                                    let _e507 = (_e464 - 1u);
+                                    let _e510 = ((_e468 + 3u) & 31u);
+                                    if _e478 {
+                                        phi_845_ = (1f - _e493);
                                     } else {
-                                        phi_634_ = 0f;
+                                        phi_845_ = 0f;
                                     }
-                                    let _e411 = phi_634_;
-                                    let _e412 = select(0f, _e390, _e375);
-                                    let _e413 = (_e295 == 1u);
-                                    if _e413 {
-                                        phi_645_ = _e361;
-                                    } else {
-                                        phi_645_ = (((_e149 + (_e120 * _e315)) * _e352) - 0.5f);
-                                    }
-                                    let _e417 = phi_645_;
-                                    let _e419 = floor(_e417);
-                                    let _e421 = i32(_e419);
-                                    let _e423 = (bitcast<i32>(_e347) - 1i);
-                                    let _e428 = ((_e417 >= -0.5f) && (_e417 <= (f32(_e423) + 0.5f)));
-                                    let _e430 = select(0i, _e421, (0i < _e421));
-                                    let _e433 = bitcast<u32>(select(_e430, _e423, (_e423 < _e430)));
-                                    let _e434 = (_e421 + 1i);
-                                    let _e436 = select(0i, _e434, (0i < _e434));
-                                    let _e439 = bitcast<u32>(select(_e436, _e423, (_e423 < _e436)));
-                                    let _e443 = select(select(0f, (_e417 - _e419), (_e421 < _e423)), 1f, (_e421 < 0i));
-                                    let _e446 = ((_e433 >> bitcast<u32>(2u)) * _e337.x);
-                                    let _e449 = ((_e439 >> bitcast<u32>(2u)) * _e337.x);
-                                    let _e458 = (((_e433 & 1u) << bitcast<u32>(1u)) | (((_e433 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                    let _e467 = (((_e439 & 1u) << bitcast<u32>(1u)) | (((_e439 >> bitcast<u32>(1i)) & 1u) << bitcast<u32>(4u)));
-                                    if _e428 {
-                                        phi_728_ = (1f - _e443);
-                                    } else {
-                                        phi_728_ = 0f;
-                                    }
-                                    let _e470 = phi_728_;
-                                    let _e471 = select(0f, _e443, _e428);
-                                    let _e472 = (_e295 == 2u);
-                                    if _e472 {
-                                        phi_739_ = _e361;
-                                    } else {
-                                        phi_739_ = (((_e150 + (_e121 * _e315)) * _e352) - 0.5f);
-                                    }
-                                    let _e476 = phi_739_;
-                                    let _e478 = floor(_e476);
-                                    let _e480 = i32(_e478);
-                                    let _e482 = (bitcast<i32>(_e350) - 1i);
-                                    let _e487 = ((_e476 >= -0.5f) && (_e476 <= (f32(_e482) + 0.5f)));
-                                    let _e489 = select(0i, _e480, (0i < _e480));
-                                    let _e492 = bitcast<u32>(select(_e489, _e482, (_e482 < _e489)));
-                                    let _e493 = (_e480 + 1i);
-                                    let _e495 = select(0i, _e493, (0i < _e493));
-                                    let _e498 = bitcast<u32>(select(_e495, _e482, (_e482 < _e495)));
-                                    let _e502 = select(select(0f, (_e476 - _e478), (_e480 < _e482)), 1f, (_e480 < 0i));
-                                    let _e505 = ((_e492 >> bitcast<u32>(1u)) * _e337.y);
-                                    let _e508 = ((_e498 >> bitcast<u32>(1u)) * _e337.y);
-                                    let _e511 = ((_e492 & 1u) << bitcast<u32>(2u));
-                                    let _e514 = ((_e498 & 1u) << bitcast<u32>(2u));
-                                    if _e487 {
-                                        phi_822_ = (1f - _e502);
-                                    } else {
-                                        phi_822_ = 0f;
-                                    }
-                                    let _e517 = phi_822_;
-                                    let _e518 = select(0f, _e502, _e487);
-                                    if _e296 {
-                                        phi_849_ = _e518;
-                                        phi_850_ = _e517;
-                                        phi_851_ = _e514;
-                                        phi_852_ = _e511;
-                                        phi_853_ = _e508;
-                                        phi_854_ = _e505;
-                                        phi_855_ = _e471;
-                                        phi_856_ = _e470;
-                                        phi_857_ = _e467;
-                                        phi_858_ = _e458;
-                                        phi_859_ = _e449;
-                                        phi_860_ = _e446;
-                                        phi_861_ = _e401;
-                                        phi_862_ = _e392;
-                                    } else {
-                                        phi_849_ = select(_e471, _e412, _e413);
-                                        phi_850_ = select(_e470, _e411, _e413);
-                                        phi_851_ = select(_e467, _e408, _e413);
-                                        phi_852_ = select(_e458, _e401, _e413);
-                                        phi_853_ = select(_e449, _e394, _e413);
-                                        phi_854_ = select(_e446, _e392, _e413);
-                                        phi_855_ = select(_e412, _e518, _e413);
-                                        phi_856_ = select(_e411, _e517, _e413);
-                                        phi_857_ = select(_e408, _e514, _e413);
-                                        phi_858_ = select(_e401, _e511, _e413);
-                                        phi_859_ = select(_e394, _e508, _e413);
-                                        phi_860_ = select(_e392, _e505, _e413);
-                                        phi_861_ = select(_e511, _e458, _e413);
-                                        phi_862_ = select(_e505, _e446, _e413);
-                                    }
-                                    let _e534 = phi_849_;
-                                    let _e536 = phi_850_;
-                                    let _e538 = phi_851_;
-                                    let _e540 = phi_852_;
-                                    let _e542 = phi_853_;
-                                    let _e544 = phi_854_;
-                                    let _e546 = phi_855_;
-                                    let _e548 = phi_856_;
-                                    let _e550 = phi_857_;
-                                    let _e552 = phi_858_;
-                                    let _e554 = phi_859_;
-                                    let _e556 = phi_860_;
-                                    let _e558 = phi_861_;
-                                    let _e560 = phi_862_;
-                                    phi_864_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                    phi_867_ = 0u;
+                                    let _e525 = phi_845_;
+                                    phi_851_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                    phi_854_ = 0u;
                                     loop {
-                                        let _e562 = phi_864_;
-                                        let _e564 = phi_867_;
-                                        local_13 = _e562;
-                                        let _e565 = (_e564 < 4u);
-                                        if _e565 {
-                                            let _e567 = ((_e564 & 1u) == 1u);
-                                            let _e569 = ((_e564 & 2u) == 2u);
-                                            let _e572 = (select(_e548, _e546, _e567) * select(_e536, _e534, _e569));
-                                            let _e578 = (((_e337.z + _e560) + select(_e556, _e554, _e567)) + select(_e544, _e542, _e569));
-                                            let _e583 = (2u * _e578);
-                                            let _e585 = cells.member[_e583];
-                                            let _e587 = (((_e558 | select(_e552, _e550, _e567)) | select(_e540, _e538, _e569)) & 31u);
-                                            if ((_e572 > 0f) && (((_e585 >> bitcast<u32>(_e587)) & 1u) == 1u)) {
-                                                let _e595 = params.member.member_8;
-                                                let _e596 = (_e595 == 1u);
-                                                if (_e319 == 0u) {
-                                                    let _e622 = (_e578 * 6u);
-                                                    let _e625 = cells.member[(_e583 + 1u)];
-                                                    let _e627 = facet_bits.member[_e622];
-                                                    let _e630 = ((1u << bitcast<u32>(_e587)) - 1u);
-                                                    let _e639 = facet_bits.member[(_e622 + 1u)];
-                                                    let _e649 = facet_bits.member[(_e622 + 2u)];
-                                                    let _e659 = facet_bits.member[(_e622 + 3u)];
-                                                    let _e669 = facet_bits.member[(_e622 + 4u)];
-                                                    let _e679 = facet_bits.member[(_e622 + 5u)];
-                                                    let _e682 = ((((((_e625 + countOneBits((_e627 & _e630))) + countOneBits((_e639 & _e630))) + countOneBits((_e649 & _e630))) + countOneBits((_e659 & _e630))) + countOneBits((_e669 & _e630))) + countOneBits((_e679 & _e630)));
-                                                    let _e686 = (((((((_e627 >> bitcast<u32>(_e587)) & 1u) + ((_e639 >> bitcast<u32>(_e587)) & 1u)) + ((_e649 >> bitcast<u32>(_e587)) & 1u)) + ((_e659 >> bitcast<u32>(_e587)) & 1u)) + ((_e669 >> bitcast<u32>(_e587)) & 1u)) + ((_e679 >> bitcast<u32>(_e587)) & 1u));
-                                                    if _e596 {
-                                                        phi_1021_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                        phi_1024_ = _e682;
+                                        let _e528 = phi_851_;
+                                        let _e530 = phi_854_;
+                                        local_13 = _e528;
+                                        let _e531 = (_e530 < 4u);
+                                        if _e531 {
+                                            let _e533 = ((_e530 & 1u) == 1u);
+                                            let _e535 = ((_e530 & 2u) == 2u);
+                                            let _e538 = (select(_e458, select(0f, _e426, _e411), _e533) * select(_e525, select(0f, _e493, _e478), _e535));
+                                            let _e544 = (((_e339.z + ((_e368 >> bitcast<u32>((select(2i, 1i, _e355) & 31i))) * select(select(_e339.x, 1u, _e298), _e339.y, _e355))) + select(((_e416 >> bitcast<u32>(_e427)) * _e399), ((_e422 >> bitcast<u32>(_e427)) * _e399), _e533)) + select(((_e483 >> bitcast<u32>(_e494)) * _e466), ((_e489 >> bitcast<u32>(_e494)) * _e466), _e535));
+                                            let _e549 = (2u * _e544);
+                                            let _e551 = cells.member[_e549];
+                                            let _e553 = ((((((_e368 & 1u) << bitcast<u32>((_e297 & 31u))) | (((_e368 >> bitcast<u32>(1i)) & (select(2u, 1u, _e355) - 1u)) << bitcast<u32>(((_e297 + 3u) & 31u)))) | select((((_e416 & 1u) << bitcast<u32>(_e435)) | (((_e416 >> bitcast<u32>(1i)) & _e440) << bitcast<u32>(_e443))), (((_e422 & 1u) << bitcast<u32>(_e435)) | (((_e422 >> bitcast<u32>(1i)) & _e440) << bitcast<u32>(_e443))), _e533)) | select((((_e483 & 1u) << bitcast<u32>(_e502)) | (((_e483 >> bitcast<u32>(1i)) & _e507) << bitcast<u32>(_e510))), (((_e489 & 1u) << bitcast<u32>(_e502)) | (((_e489 >> bitcast<u32>(1i)) & _e507) << bitcast<u32>(_e510))), _e535)) & 31u);
+                                            if ((_e538 > 0f) && (((_e551 >> bitcast<u32>(_e553)) & 1u) == 1u)) {
+                                                let _e561 = params.member.member_8;
+                                                let _e562 = (_e561 == 1u);
+                                                if (_e321 == 0u) {
+                                                    let _e588 = (_e544 * 6u);
+                                                    let _e591 = cells.member[(_e549 + 1u)];
+                                                    let _e593 = facet_bits.member[_e588];
+                                                    let _e596 = ((1u << bitcast<u32>(_e553)) - 1u);
+                                                    let _e605 = facet_bits.member[(_e588 + 1u)];
+                                                    let _e615 = facet_bits.member[(_e588 + 2u)];
+                                                    let _e625 = facet_bits.member[(_e588 + 3u)];
+                                                    let _e635 = facet_bits.member[(_e588 + 4u)];
+                                                    let _e645 = facet_bits.member[(_e588 + 5u)];
+                                                    let _e648 = ((((((_e591 + countOneBits((_e593 & _e596))) + countOneBits((_e605 & _e596))) + countOneBits((_e615 & _e596))) + countOneBits((_e625 & _e596))) + countOneBits((_e635 & _e596))) + countOneBits((_e645 & _e596)));
+                                                    let _e652 = (((((((_e593 >> bitcast<u32>(_e553)) & 1u) + ((_e605 >> bitcast<u32>(_e553)) & 1u)) + ((_e615 >> bitcast<u32>(_e553)) & 1u)) + ((_e625 >> bitcast<u32>(_e553)) & 1u)) + ((_e635 >> bitcast<u32>(_e553)) & 1u)) + ((_e645 >> bitcast<u32>(_e553)) & 1u));
+                                                    if _e562 {
+                                                        phi_1008_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1011_ = _e648;
                                                         loop {
-                                                            let _e789 = phi_1021_;
-                                                            let _e791 = phi_1024_;
-                                                            local_12 = _e789;
-                                                            let _e793 = (_e791 < (_e682 + _e686));
-                                                            if _e793 {
-                                                                let _e794 = (2u * _e791);
-                                                                let _e797 = radiance.member[_e794][0u];
-                                                                let _e800 = radiance.member[_e794][1u];
-                                                                let _e803 = radiance.member[_e794][2u];
-                                                                let _e804 = (_e794 + 1u);
-                                                                let _e807 = radiance.member[_e804][0u];
-                                                                let _e810 = radiance.member[_e804][1u];
-                                                                let _e813 = radiance.member[_e804][2u];
-                                                                let _e822 = facets.member[_e791].member_2;
-                                                                let _e831 = sqrt((((_e822[0] * _e822[0]) + (_e822[1] * _e822[1])) + (_e822[2] * _e822[2])));
-                                                                phi_1022_ = vec4<f32>((_e789.x + (select(_e807, _e797, (_e797 > _e807)) * _e831)), (_e789.y + (select(_e810, _e800, (_e800 > _e810)) * _e831)), (_e789.z + (select(_e813, _e803, (_e803 > _e813)) * _e831)), (_e789.w + _e831));
-                                                                phi_1025_ = (_e791 + 1u);
+                                                            let _e756 = phi_1008_;
+                                                            let _e758 = phi_1011_;
+                                                            local_12 = _e756;
+                                                            let _e760 = (_e758 < (_e648 + _e652));
+                                                            if _e760 {
+                                                                let _e761 = (2u * _e758);
+                                                                let _e764 = radiance.member[_e761][0u];
+                                                                let _e767 = radiance.member[_e761][1u];
+                                                                let _e770 = radiance.member[_e761][2u];
+                                                                let _e771 = (_e761 + 1u);
+                                                                let _e774 = radiance.member[_e771][0u];
+                                                                let _e777 = radiance.member[_e771][1u];
+                                                                let _e780 = radiance.member[_e771][2u];
+                                                                let _e789 = facets.member[_e758].member_2;
+                                                                let _e798 = sqrt((((_e789[0] * _e789[0]) + (_e789[1] * _e789[1])) + (_e789[2] * _e789[2])));
+                                                                phi_1009_ = vec4<f32>((_e756.x + (select(_e774, _e764, (_e764 > _e774)) * _e798)), (_e756.y + (select(_e777, _e767, (_e767 > _e777)) * _e798)), (_e756.z + (select(_e780, _e770, (_e770 > _e780)) * _e798)), (_e756.w + _e798));
+                                                                phi_1012_ = (_e758 + 1u);
                                                             } else {
-                                                                phi_1022_ = vec4<f32>();
-                                                                phi_1025_ = u32();
+                                                                phi_1009_ = vec4<f32>();
+                                                                phi_1012_ = u32();
                                                             }
-                                                            let _e846 = phi_1022_;
-                                                            let _e848 = phi_1025_;
+                                                            let _e813 = phi_1009_;
+                                                            let _e815 = phi_1012_;
                                                             continue;
                                                             continuing {
-                                                                phi_1021_ = _e846;
-                                                                phi_1024_ = _e848;
-                                                                break if !(_e793);
+                                                                phi_1008_ = _e813;
+                                                                phi_1011_ = _e815;
+                                                                break if !(_e760);
                                                             }
                                                         }
-                                                        let _e1298 = local_12;
-                                                        phi_1220_ = _e1298;
+                                                        let _e1246 = local_12;
+                                                        phi_1207_ = _e1246;
                                                     } else {
-                                                        let _e687 = select(1f, -1f, _e333);
-                                                        phi_1120_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                        phi_1123_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                        phi_1125_ = _e682;
+                                                        let _e653 = select(1f, -1f, _e335);
+                                                        phi_1107_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1110_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                        phi_1112_ = _e648;
                                                         loop {
-                                                            let _e692 = phi_1120_;
-                                                            let _e694 = phi_1123_;
-                                                            let _e696 = phi_1125_;
-                                                            local = _e692;
-                                                            local_1 = _e694;
-                                                            local_2 = _e692;
-                                                            local_3 = _e692;
-                                                            local_4 = _e692;
-                                                            local_5 = _e694;
-                                                            local_11 = _e694;
-                                                            let _e698 = (_e696 < (_e682 + _e686));
-                                                            if _e698 {
-                                                                let _e701 = facets.member[_e696].member_2;
-                                                                let _e710 = -((((select(0f, _e687, _e296) * _e701[0]) + (select(0f, _e687, _e413) * _e701[1])) + (select(0f, _e687, _e472) * _e701[2])));
-                                                                if (_e710 > 0f) {
-                                                                    let _e733 = radiance.member[(2u * _e696)];
-                                                                    phi_1195_ = _e692;
-                                                                    phi_1196_ = vec4<f32>((_e694.x + (_e733.x * _e710)), (_e694.y + (_e733.y * _e710)), (_e694.z + (_e733.z * _e710)), (_e694.w + _e710));
+                                                            let _e659 = phi_1107_;
+                                                            let _e661 = phi_1110_;
+                                                            let _e663 = phi_1112_;
+                                                            local = _e659;
+                                                            local_1 = _e661;
+                                                            local_2 = _e659;
+                                                            local_3 = _e659;
+                                                            local_4 = _e659;
+                                                            local_5 = _e661;
+                                                            local_11 = _e661;
+                                                            let _e665 = (_e663 < (_e648 + _e652));
+                                                            if _e665 {
+                                                                let _e668 = facets.member[_e663].member_2;
+                                                                let _e677 = -((((select(0f, _e653, _e298) * _e668[0]) + (select(0f, _e653, (_e297 == 1u)) * _e668[1])) + (select(0f, _e653, _e355) * _e668[2])));
+                                                                if (_e677 > 0f) {
+                                                                    let _e700 = radiance.member[(2u * _e663)];
+                                                                    phi_1182_ = _e659;
+                                                                    phi_1183_ = vec4<f32>((_e661.x + (_e700.x * _e677)), (_e661.y + (_e700.y * _e677)), (_e661.z + (_e700.z * _e677)), (_e661.w + _e677));
                                                                 } else {
-                                                                    let _e715 = radiance.member[((2u * _e696) + 1u)];
-                                                                    phi_1195_ = vec4<f32>((_e692.x - (_e715.x * _e710)), (_e692.y - (_e715.y * _e710)), (_e692.z - (_e715.z * _e710)), (_e692.w - _e710));
-                                                                    phi_1196_ = _e694;
+                                                                    let _e682 = radiance.member[((2u * _e663) + 1u)];
+                                                                    phi_1182_ = vec4<f32>((_e659.x - (_e682.x * _e677)), (_e659.y - (_e682.y * _e677)), (_e659.z - (_e682.z * _e677)), (_e659.w - _e677));
+                                                                    phi_1183_ = _e661;
                                                                 }
-                                                                let _e750 = phi_1195_;
-                                                                let _e752 = phi_1196_;
-                                                                phi_1121_ = _e750;
-                                                                phi_1124_ = _e752;
-                                                                phi_1126_ = (_e696 + 1u);
+                                                                let _e717 = phi_1182_;
+                                                                let _e719 = phi_1183_;
+                                                                phi_1108_ = _e717;
+                                                                phi_1111_ = _e719;
+                                                                phi_1113_ = (_e663 + 1u);
                                                             } else {
-                                                                phi_1121_ = vec4<f32>();
-                                                                phi_1124_ = vec4<f32>();
-                                                                phi_1126_ = u32();
+                                                                phi_1108_ = vec4<f32>();
+                                                                phi_1111_ = vec4<f32>();
+                                                                phi_1113_ = u32();
                                                             }
-                                                            let _e755 = phi_1121_;
-                                                            let _e757 = phi_1124_;
-                                                            let _e759 = phi_1126_;
+                                                            let _e722 = phi_1108_;
+                                                            let _e724 = phi_1111_;
+                                                            let _e726 = phi_1113_;
                                                             continue;
                                                             continuing {
-                                                                phi_1120_ = _e755;
-                                                                phi_1123_ = _e757;
-                                                                phi_1125_ = _e759;
-                                                                break if !(_e698);
+                                                                phi_1107_ = _e722;
+                                                                phi_1110_ = _e724;
+                                                                phi_1112_ = _e726;
+                                                                break if !(_e665);
                                                             }
                                                         }
-                                                        let _e762 = local;
-                                                        let _e765 = local_1;
-                                                        if (_e762.w > _e765.w) {
-                                                            let _e768 = (_e762.w - _e765.w);
-                                                            let _e769 = (_e768 / _e762.w);
-                                                            let _e771 = local_2;
-                                                            let _e775 = local_3;
-                                                            let _e779 = local_4;
-                                                            let _e784 = local_5;
-                                                            phi_1219_ = (_e784 + vec4<f32>((_e771.x * _e769), (_e775.y * _e769), (_e779.z * _e769), _e768));
+                                                        let _e729 = local;
+                                                        let _e732 = local_1;
+                                                        if (_e729.w > _e732.w) {
+                                                            let _e735 = (_e729.w - _e732.w);
+                                                            let _e736 = (_e735 / _e729.w);
+                                                            let _e738 = local_2;
+                                                            let _e742 = local_3;
+                                                            let _e746 = local_4;
+                                                            let _e751 = local_5;
+                                                            phi_1206_ = (_e751 + vec4<f32>((_e738.x * _e736), (_e742.y * _e736), (_e746.z * _e736), _e735));
                                                         } else {
-                                                            let _e1291 = local_11;
-                                                            phi_1219_ = _e1291;
+                                                            let _e1239 = local_11;
+                                                            phi_1206_ = _e1239;
                                                         }
-                                                        let _e787 = phi_1219_;
-                                                        phi_1220_ = _e787;
+                                                        let _e754 = phi_1206_;
+                                                        phi_1207_ = _e754;
                                                     }
-                                                    let _e851 = phi_1220_;
-                                                    if (_e851.w > 1f) {
-                                                        phi_1234_ = vec4<f32>((_e851.x / _e851.w), (_e851.y / _e851.w), (_e851.z / _e851.w), 1f);
+                                                    let _e818 = phi_1207_;
+                                                    if (_e818.w > 1f) {
+                                                        phi_1221_ = vec4<f32>((_e818.x / _e818.w), (_e818.y / _e818.w), (_e818.z / _e818.w), 1f);
                                                     } else {
-                                                        phi_1234_ = _e851;
+                                                        phi_1221_ = _e818;
                                                     }
-                                                    let _e862 = phi_1234_;
-                                                    phi_1267_ = _e862;
+                                                    let _e829 = phi_1221_;
+                                                    phi_1254_ = _e829;
                                                 } else {
-                                                    let _e600 = cells.member[(_e583 + 1u)];
-                                                    let _e606 = (_e600 + countOneBits((_e585 & ((1u << bitcast<u32>(_e587)) - 1u))));
-                                                    if _e596 {
-                                                        phi_1254_ = _e606;
+                                                    let _e566 = cells.member[(_e549 + 1u)];
+                                                    let _e572 = (_e566 + countOneBits((_e551 & ((1u << bitcast<u32>(_e553)) - 1u))));
+                                                    if _e562 {
+                                                        phi_1241_ = _e572;
                                                     } else {
-                                                        phi_1254_ = (((6u * _e606) + (2u * _e295)) + select(0u, 1u, _e333));
+                                                        phi_1241_ = (((6u * _e572) + (2u * _e297)) + select(0u, 1u, _e335));
                                                     }
-                                                    let _e613 = phi_1254_;
-                                                    if ((_e319 & 1u) == 1u) {
-                                                        let _e619 = odd.member[_e613];
-                                                        phi_1266_ = _e619;
+                                                    let _e579 = phi_1241_;
+                                                    if ((_e321 & 1u) == 1u) {
+                                                        let _e585 = odd.member[_e579];
+                                                        phi_1253_ = _e585;
                                                     } else {
-                                                        let _e617 = even.member[_e613];
-                                                        phi_1266_ = _e617;
+                                                        let _e583 = even.member[_e579];
+                                                        phi_1253_ = _e583;
                                                     }
-                                                    let _e621 = phi_1266_;
-                                                    phi_1267_ = _e621;
+                                                    let _e587 = phi_1253_;
+                                                    phi_1254_ = _e587;
                                                 }
-                                                let _e864 = phi_1267_;
-                                                phi_1288_ = vec4<f32>((_e562.x + (_e864.x * _e572)), (_e562.y + (_e864.y * _e572)), (_e562.z + (_e864.z * _e572)), (_e562.w + (_e864.w * _e572)));
+                                                let _e831 = phi_1254_;
+                                                phi_1275_ = vec4<f32>((_e528.x + (_e831.x * _e538)), (_e528.y + (_e831.y * _e538)), (_e528.z + (_e831.z * _e538)), (_e528.w + (_e831.w * _e538)));
                                             } else {
-                                                phi_1288_ = _e562;
+                                                phi_1275_ = _e528;
                                             }
-                                            let _e883 = phi_1288_;
-                                            phi_865_ = _e883;
-                                            phi_868_ = (_e564 + 1u);
+                                            let _e850 = phi_1275_;
+                                            phi_852_ = _e850;
+                                            phi_855_ = (_e530 + 1u);
                                         } else {
-                                            phi_865_ = vec4<f32>();
-                                            phi_868_ = u32();
+                                            phi_852_ = vec4<f32>();
+                                            phi_855_ = u32();
                                         }
-                                        let _e886 = phi_865_;
-                                        let _e888 = phi_868_;
+                                        let _e853 = phi_852_;
+                                        let _e855 = phi_855_;
                                         continue;
                                         continuing {
-                                            phi_864_ = _e886;
-                                            phi_867_ = _e888;
-                                            break if !(_e565);
+                                            phi_851_ = _e853;
+                                            phi_854_ = _e855;
+                                            break if !(_e531);
                                         }
                                     }
-                                    let _e1306 = local_13;
-                                    phi_1290_ = _e1306;
+                                    let _e1254 = local_13;
+                                    phi_1277_ = _e1254;
                                 }
-                                let _e891 = phi_1290_;
-                                if (_e891.w > 0f) {
-                                    let _e898 = select(_e323, _e891.w, (_e891.w < _e323));
-                                    let _e903 = ((_e283 * _e898) / _e891.w);
-                                    phi_1330_ = vec3<f32>((_e271.x + (_e891.x * _e903)), (_e271.y + (_e891.y * _e903)), (_e271.z + (_e891.z * _e903)));
-                                    phi_1331_ = (_e281 + _e898);
-                                    phi_1332_ = _e283;
+                                let _e858 = phi_1277_;
+                                if (_e858.w > 0f) {
+                                    let _e865 = select(_e325, _e858.w, (_e858.w < _e325));
+                                    let _e870 = ((_e285 * _e865) / _e858.w);
+                                    phi_1317_ = vec3<f32>((_e273.x + (_e858.x * _e870)), (_e273.y + (_e858.y * _e870)), (_e273.z + (_e858.z * _e870)));
+                                    phi_1318_ = (_e283 + _e865);
+                                    phi_1319_ = _e285;
                                 } else {
-                                    let _e894 = (_e295 == _e182);
-                                    phi_1330_ = _e271;
-                                    phi_1331_ = select(_e281, 0f, _e894);
-                                    phi_1332_ = select(_e283, _e324, _e894);
+                                    let _e861 = (_e297 == _e184);
+                                    phi_1317_ = _e273;
+                                    phi_1318_ = select(_e283, 0f, _e861);
+                                    phi_1319_ = select(_e285, _e326, _e861);
                                 }
-                                let _e916 = phi_1330_;
-                                let _e918 = phi_1331_;
-                                let _e920 = phi_1332_;
-                                let _e921 = ((2f * _e154) * _e315);
-                                let _e923 = ((_e158 * _e144) + ((_e158 * select(0f, _e164, (_e164 > 0f))) * _e315));
-                                let _e925 = select(_e923, _e921, (_e921 < _e923));
-                                let _e932 = ((bitcast<u32>((select(1f, _e925, (_e925 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
-                                let _e934 = (_e170.w - 1u);
-                                let _e936 = select(_e932, _e934, (_e934 < _e932));
-                                if _e296 {
-                                    let _e1087 = (_e277.member_1 < 0f);
-                                    if _e1087 {
-                                        phi_1375_ = (_e277.member_3 - 1i);
+                                let _e883 = phi_1317_;
+                                let _e885 = phi_1318_;
+                                let _e887 = phi_1319_;
+                                let _e888 = ((2f * _e156) * _e317);
+                                let _e890 = ((_e160 * _e146) + ((_e160 * select(0f, _e166, (_e166 > 0f))) * _e317));
+                                let _e892 = select(_e890, _e888, (_e888 < _e890));
+                                let _e899 = ((bitcast<u32>((select(1f, _e892, (_e892 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
+                                let _e901 = (_e172.w - 1u);
+                                let _e903 = select(_e899, _e901, (_e901 < _e899));
+                                if _e298 {
+                                    let _e1054 = (_e279.member_1 < 0f);
+                                    if _e1054 {
+                                        phi_1362_ = (_e279.member_3 - 1i);
                                     } else {
-                                        phi_1375_ = (_e277.member_3 + 1i);
+                                        phi_1362_ = (_e279.member_3 + 1i);
                                     }
-                                    let _e1095 = phi_1375_;
-                                    let _e1101 = type_40(_e277.member, _e277.member_1, _e277.member_2, _e1095, _e277.member_4);
-                                    if ((((_e277.member_3 & 1i) == 0i) == _e1087) && (_e936 > _e277.member_2)) {
-                                        let _e1111 = type_40(_e1101.member, _e1101.member_1, (_e277.member_2 + 1u), _e1101.member_3, _e1101.member_4);
-                                        phi_1388_ = type_40(_e1111.member, _e1111.member_1, _e1111.member_2, (_e1095 >> bitcast<u32>(1i)), _e1111.member_4);
+                                    let _e1062 = phi_1362_;
+                                    let _e1068 = type_40(_e279.member, _e279.member_1, _e279.member_2, _e1062, _e279.member_4);
+                                    if ((((_e279.member_3 & 1i) == 0i) == _e1054) && (_e903 > _e279.member_2)) {
+                                        let _e1078 = type_40(_e1068.member, _e1068.member_1, (_e279.member_2 + 1u), _e1068.member_3, _e1068.member_4);
+                                        phi_1375_ = type_40(_e1078.member, _e1078.member_1, _e1078.member_2, (_e1062 >> bitcast<u32>(1i)), _e1078.member_4);
                                     } else {
-                                        phi_1388_ = _e1101;
+                                        phi_1375_ = _e1068;
                                     }
-                                    let _e1121 = phi_1388_;
-                                    let _e1123 = (_e1121.member_2 & 31u);
-                                    let _e1125 = (1u << bitcast<u32>(_e1123));
-                                    if ((((_e1121.member_1 < 0f) && (_e1121.member_3 < 0i)) || ((_e1121.member_1 >= 0f) && (_e1121.member_3 >= bitcast<i32>((((_e170.x + _e1125) - 1u) >> bitcast<u32>(_e1123)))))) || (abs(_e1121.member_1) < 0.000001f)) {
-                                        phi_1428_ = 340282350000000000000000000000000000000f;
+                                    let _e1088 = phi_1375_;
+                                    let _e1090 = (_e1088.member_2 & 31u);
+                                    let _e1092 = (1u << bitcast<u32>(_e1090));
+                                    if ((((_e1088.member_1 < 0f) && (_e1088.member_3 < 0i)) || ((_e1088.member_1 >= 0f) && (_e1088.member_3 >= bitcast<i32>((((_e172.x + _e1092) - 1u) >> bitcast<u32>(_e1090)))))) || (abs(_e1088.member_1) < 0.000001f)) {
+                                        phi_1415_ = 340282350000000000000000000000000000000f;
                                     } else {
-                                        phi_1428_ = ((((f32(_e1121.member_3) + 0.5f) * f32(_e1125)) - _e1121.member) / _e1121.member_1);
+                                        phi_1415_ = ((((f32(_e1088.member_3) + 0.5f) * f32(_e1092)) - _e1088.member) / _e1088.member_1);
                                     }
-                                    let _e1151 = phi_1428_;
-                                    phi_1574_ = _e273;
-                                    phi_1575_ = _e275;
-                                    phi_1576_ = type_40(_e1121.member, _e1121.member_1, _e1121.member_2, _e1121.member_3, _e1151);
+                                    let _e1118 = phi_1415_;
+                                    phi_1561_ = _e275;
+                                    phi_1562_ = _e277;
+                                    phi_1563_ = type_40(_e1088.member, _e1088.member_1, _e1088.member_2, _e1088.member_3, _e1118);
                                 } else {
-                                    if (_e295 == 1u) {
-                                        let _e1011 = (_e275.member_1 < 0f);
-                                        if _e1011 {
-                                            phi_1448_ = (_e275.member_3 - 1i);
+                                    if (_e297 == 1u) {
+                                        let _e978 = (_e277.member_1 < 0f);
+                                        if _e978 {
+                                            phi_1435_ = (_e277.member_3 - 1i);
                                         } else {
-                                            phi_1448_ = (_e275.member_3 + 1i);
+                                            phi_1435_ = (_e277.member_3 + 1i);
                                         }
-                                        let _e1019 = phi_1448_;
-                                        let _e1025 = type_40(_e275.member, _e275.member_1, _e275.member_2, _e1019, _e275.member_4);
-                                        if ((((_e275.member_3 & 1i) == 0i) == _e1011) && (_e936 > _e275.member_2)) {
-                                            let _e1035 = type_40(_e1025.member, _e1025.member_1, (_e275.member_2 + 1u), _e1025.member_3, _e1025.member_4);
-                                            phi_1461_ = type_40(_e1035.member, _e1035.member_1, _e1035.member_2, (_e1019 >> bitcast<u32>(1i)), _e1035.member_4);
+                                        let _e986 = phi_1435_;
+                                        let _e992 = type_40(_e277.member, _e277.member_1, _e277.member_2, _e986, _e277.member_4);
+                                        if ((((_e277.member_3 & 1i) == 0i) == _e978) && (_e903 > _e277.member_2)) {
+                                            let _e1002 = type_40(_e992.member, _e992.member_1, (_e277.member_2 + 1u), _e992.member_3, _e992.member_4);
+                                            phi_1448_ = type_40(_e1002.member, _e1002.member_1, _e1002.member_2, (_e986 >> bitcast<u32>(1i)), _e1002.member_4);
                                         } else {
-                                            phi_1461_ = _e1025;
+                                            phi_1448_ = _e992;
                                         }
-                                        let _e1045 = phi_1461_;
-                                        let _e1047 = (_e1045.member_2 & 31u);
-                                        let _e1049 = (1u << bitcast<u32>(_e1047));
-                                        if ((((_e1045.member_1 < 0f) && (_e1045.member_3 < 0i)) || ((_e1045.member_1 >= 0f) && (_e1045.member_3 >= bitcast<i32>((((_e170.y + _e1049) - 1u) >> bitcast<u32>(_e1047)))))) || (abs(_e1045.member_1) < 0.000001f)) {
-                                            phi_1501_ = 340282350000000000000000000000000000000f;
+                                        let _e1012 = phi_1448_;
+                                        let _e1014 = (_e1012.member_2 & 31u);
+                                        let _e1016 = (1u << bitcast<u32>(_e1014));
+                                        if ((((_e1012.member_1 < 0f) && (_e1012.member_3 < 0i)) || ((_e1012.member_1 >= 0f) && (_e1012.member_3 >= bitcast<i32>((((_e172.y + _e1016) - 1u) >> bitcast<u32>(_e1014)))))) || (abs(_e1012.member_1) < 0.000001f)) {
+                                            phi_1488_ = 340282350000000000000000000000000000000f;
                                         } else {
-                                            phi_1501_ = ((((f32(_e1045.member_3) + 0.5f) * f32(_e1049)) - _e1045.member) / _e1045.member_1);
+                                            phi_1488_ = ((((f32(_e1012.member_3) + 0.5f) * f32(_e1016)) - _e1012.member) / _e1012.member_1);
                                         }
-                                        let _e1075 = phi_1501_;
-                                        phi_1572_ = _e273;
-                                        phi_1573_ = type_40(_e1045.member, _e1045.member_1, _e1045.member_2, _e1045.member_3, _e1075);
+                                        let _e1042 = phi_1488_;
+                                        phi_1559_ = _e275;
+                                        phi_1560_ = type_40(_e1012.member, _e1012.member_1, _e1012.member_2, _e1012.member_3, _e1042);
                                     } else {
-                                        let _e939 = (_e273.member_1 < 0f);
-                                        if _e939 {
-                                            phi_1517_ = (_e273.member_3 - 1i);
+                                        let _e906 = (_e275.member_1 < 0f);
+                                        if _e906 {
+                                            phi_1504_ = (_e275.member_3 - 1i);
                                         } else {
-                                            phi_1517_ = (_e273.member_3 + 1i);
+                                            phi_1504_ = (_e275.member_3 + 1i);
                                         }
-                                        let _e947 = phi_1517_;
-                                        let _e953 = type_40(_e273.member, _e273.member_1, _e273.member_2, _e947, _e273.member_4);
-                                        if ((((_e273.member_3 & 1i) == 0i) == _e939) && (_e936 > _e273.member_2)) {
-                                            let _e963 = type_40(_e953.member, _e953.member_1, (_e273.member_2 + 1u), _e953.member_3, _e953.member_4);
-                                            phi_1530_ = type_40(_e963.member, _e963.member_1, _e963.member_2, (_e947 >> bitcast<u32>(1i)), _e963.member_4);
+                                        let _e914 = phi_1504_;
+                                        let _e920 = type_40(_e275.member, _e275.member_1, _e275.member_2, _e914, _e275.member_4);
+                                        if ((((_e275.member_3 & 1i) == 0i) == _e906) && (_e903 > _e275.member_2)) {
+                                            let _e930 = type_40(_e920.member, _e920.member_1, (_e275.member_2 + 1u), _e920.member_3, _e920.member_4);
+                                            phi_1517_ = type_40(_e930.member, _e930.member_1, _e930.member_2, (_e914 >> bitcast<u32>(1i)), _e930.member_4);
                                         } else {
-                                            phi_1530_ = _e953;
+                                            phi_1517_ = _e920;
                                         }
-                                        let _e973 = phi_1530_;
-                                        let _e975 = (_e973.member_2 & 31u);
-                                        let _e977 = (1u << bitcast<u32>(_e975));
-                                        if ((((_e973.member_1 < 0f) && (_e973.member_3 < 0i)) || ((_e973.member_1 >= 0f) && (_e973.member_3 >= bitcast<i32>((((_e170.z + _e977) - 1u) >> bitcast<u32>(_e975)))))) || (abs(_e973.member_1) < 0.000001f)) {
-                                            phi_1570_ = 340282350000000000000000000000000000000f;
+                                        let _e940 = phi_1517_;
+                                        let _e942 = (_e940.member_2 & 31u);
+                                        let _e944 = (1u << bitcast<u32>(_e942));
+                                        if ((((_e940.member_1 < 0f) && (_e940.member_3 < 0i)) || ((_e940.member_1 >= 0f) && (_e940.member_3 >= bitcast<i32>((((_e172.z + _e944) - 1u) >> bitcast<u32>(_e942)))))) || (abs(_e940.member_1) < 0.000001f)) {
+                                            phi_1557_ = 340282350000000000000000000000000000000f;
                                         } else {
-                                            phi_1570_ = ((((f32(_e973.member_3) + 0.5f) * f32(_e977)) - _e973.member) / _e973.member_1);
+                                            phi_1557_ = ((((f32(_e940.member_3) + 0.5f) * f32(_e944)) - _e940.member) / _e940.member_1);
                                         }
-                                        let _e1003 = phi_1570_;
-                                        phi_1572_ = type_40(_e973.member, _e973.member_1, _e973.member_2, _e973.member_3, _e1003);
-                                        phi_1573_ = _e275;
+                                        let _e970 = phi_1557_;
+                                        phi_1559_ = type_40(_e940.member, _e940.member_1, _e940.member_2, _e940.member_3, _e970);
+                                        phi_1560_ = _e277;
                                     }
-                                    let _e1083 = phi_1572_;
-                                    let _e1085 = phi_1573_;
-                                    phi_1574_ = _e1083;
-                                    phi_1575_ = _e1085;
-                                    phi_1576_ = _e277;
+                                    let _e1050 = phi_1559_;
+                                    let _e1052 = phi_1560_;
+                                    phi_1561_ = _e1050;
+                                    phi_1562_ = _e1052;
+                                    phi_1563_ = _e279;
                                 }
-                                let _e1159 = phi_1574_;
-                                let _e1161 = phi_1575_;
-                                let _e1163 = phi_1576_;
-                                phi_1577_ = _e916;
-                                phi_1578_ = _e1159;
-                                phi_1579_ = _e1161;
-                                phi_1580_ = _e1163;
-                                phi_1581_ = _e918;
-                                phi_1582_ = _e920;
+                                let _e1126 = phi_1561_;
+                                let _e1128 = phi_1562_;
+                                let _e1130 = phi_1563_;
+                                phi_1564_ = _e883;
+                                phi_1565_ = _e1126;
+                                phi_1566_ = _e1128;
+                                phi_1567_ = _e1130;
+                                phi_1568_ = _e885;
+                                phi_1569_ = _e887;
                             }
-                            let _e1165 = phi_1577_;
-                            let _e1167 = phi_1578_;
-                            let _e1169 = phi_1579_;
-                            let _e1171 = phi_1580_;
-                            let _e1173 = phi_1581_;
-                            let _e1175 = phi_1582_;
-                            phi_422_ = _e1165;
-                            phi_425_ = _e1167;
-                            phi_427_ = _e1169;
-                            phi_429_ = _e1171;
-                            phi_431_ = (_e279 + 1u);
-                            phi_433_ = _e1173;
-                            phi_435_ = _e1175;
-                            phi_1584_ = select(true, false, _e326);
+                            let _e1132 = phi_1564_;
+                            let _e1134 = phi_1565_;
+                            let _e1136 = phi_1566_;
+                            let _e1138 = phi_1567_;
+                            let _e1140 = phi_1568_;
+                            let _e1142 = phi_1569_;
+                            phi_424_ = _e1132;
+                            phi_427_ = _e1134;
+                            phi_429_ = _e1136;
+                            phi_431_ = _e1138;
+                            phi_433_ = (_e281 + 1u);
+                            phi_435_ = _e1140;
+                            phi_437_ = _e1142;
+                            phi_1571_ = select(true, false, _e328);
                         } else {
-                            phi_422_ = vec3<f32>();
-                            phi_425_ = type_40();
+                            phi_424_ = vec3<f32>();
                             phi_427_ = type_40();
                             phi_429_ = type_40();
-                            phi_431_ = u32();
-                            phi_433_ = f32();
+                            phi_431_ = type_40();
+                            phi_433_ = u32();
                             phi_435_ = f32();
-                            phi_1584_ = false;
+                            phi_437_ = f32();
+                            phi_1571_ = false;
                         }
-                        let _e1178 = phi_422_;
-                        let _e1180 = phi_425_;
-                        let _e1182 = phi_427_;
-                        let _e1184 = phi_429_;
-                        let _e1186 = phi_431_;
-                        let _e1188 = phi_433_;
-                        let _e1190 = phi_435_;
-                        let _e1192 = phi_1584_;
+                        let _e1145 = phi_424_;
+                        let _e1147 = phi_427_;
+                        let _e1149 = phi_429_;
+                        let _e1151 = phi_431_;
+                        let _e1153 = phi_433_;
+                        let _e1155 = phi_435_;
+                        let _e1157 = phi_437_;
+                        let _e1159 = phi_1571_;
                         continue;
                         continuing {
-                            phi_421_ = _e1178;
-                            phi_424_ = _e1180;
-                            phi_426_ = _e1182;
-                            phi_428_ = _e1184;
-                            phi_430_ = _e1186;
-                            phi_432_ = _e1188;
-                            phi_434_ = _e1190;
-                            break if !(_e1192);
+                            phi_423_ = _e1145;
+                            phi_426_ = _e1147;
+                            phi_428_ = _e1149;
+                            phi_430_ = _e1151;
+                            phi_432_ = _e1153;
+                            phi_434_ = _e1155;
+                            phi_436_ = _e1157;
+                            break if !(_e1159);
                         }
                     }
-                    let _e1195 = local_6;
-                    let _e1198 = local_7;
-                    let _e1199 = (_e1198 * (1f - _e1195));
-                    let _e1201 = local_8;
-                    let _e1204 = local_9;
-                    let _e1207 = local_10;
-                    let _e1211 = params.member.member_5;
-                    phi_1606_ = vec4<f32>((_e1201.x + (_e1211.x * _e1199)), (_e1204.y + (_e1211.y * _e1199)), (_e1207.z + (_e1211.z * _e1199)), _e1199);
+                    let _e1162 = local_6;
+                    let _e1165 = local_7;
+                    let _e1166 = (_e1165 * (1f - _e1162));
+                    let _e1168 = local_8;
+                    let _e1171 = local_9;
+                    let _e1174 = local_10;
+                    let _e1178 = params.member.member_5;
+                    phi_1593_ = vec4<f32>((_e1168.x + (_e1178.x * _e1166)), (_e1171.y + (_e1178.y * _e1166)), (_e1174.z + (_e1178.z * _e1166)), _e1166);
                 }
-                let _e1223 = phi_1606_;
-                if _e64 {
+                let _e1190 = phi_1593_;
+                if _e66 {
                 } else {
                     break;
                 }
-                out.member[_e63] = _e1223;
+                out.member[_e65] = _e1190;
             }
             break;
         }

@@ -63,10 +63,17 @@ impl Tap {
     }
 }
 
+/// Bits of a coordinate in the bit index; `shift` 2: two of them, 1: one.
 #[inline(always)]
 fn bits_of(i: u32, shift: u32, low_bit: u32) -> u32 {
-    let high = if shift == 2 { (i >> 1 & 1) << (low_bit + 3) } else { 0 };
-    (i & 1) << low_bit | high
+    (i & 1) << low_bit | (i >> 1 & (shift - 1)) << (low_bit + 3)
+}
+
+/// One of three values, by axis.
+#[inline(always)]
+fn of_axis<T: Copy>(axis: u32, x: T, y: T, z: T) -> T {
+    let x_or_y = if axis == 0 { x } else { y };
+    if axis == 2 { z } else { x_or_y }
 }
 
 impl VoxelPyramid<'_> {
@@ -99,36 +106,38 @@ impl VoxelPyramid<'_> {
     pub fn crossing<G: Grid>(&self, grid: &G, level: u32, axis: u32, layer: i32, down: bool, position: Vec3) -> Vec4 {
         let table: UVec4 = grid.level(level);
         let dims: UVec3 = super::grid::level_dims(grid, level);
-        let scale = 1.0 / (1u32 << level) as f32;
-        let count = if axis == 0 {
-            dims.x
-        } else if axis == 1 {
-            dims.y
-        } else {
-            dims.z
-        };
-        if (layer < 0) | (layer >= count as i32) {
+        if (layer < 0) | (layer >= of_axis(axis, dims.x, dims.y, dims.z) as i32) {
             return Vec4::ZERO;
         }
-        let exact = layer as f32;
-        let x = Tap::new(if axis == 0 { exact } else { position.x * scale - 0.5 }, dims.x, 2, 1, 0);
-        let y = Tap::new(if axis == 1 { exact } else { position.y * scale - 0.5 }, dims.y, 2, table.x, 1);
-        let z = Tap::new(if axis == 2 { exact } else { position.z * scale - 0.5 }, dims.z, 1, table.y, 2);
-        let (across, u, v) = if axis == 0 {
-            (x, y, z)
-        } else if axis == 1 {
-            (y, z, x)
-        } else {
-            (z, x, y)
+        let scale = 1.0 / (1u32 << level) as f32;
+        let (x, y, z) = (position.x * scale - 0.5, position.y * scale - 0.5, position.z * scale - 0.5);
+        // Along the axis one layer, along the two after it (in cyclic order) two voxels each.
+        let across = Place {
+            cell: (layer as u32 >> of_axis(axis, 2, 2, 1)) * of_axis(axis, 1, table.x, table.y),
+            bit: bits_of(layer as u32, of_axis(axis, 2, 2, 1), axis),
         };
+        let u = Tap::new(
+            of_axis(axis, y, z, x),
+            of_axis(axis, dims.y, dims.z, dims.x),
+            of_axis(axis, 2, 1, 2),
+            of_axis(axis, table.x, table.y, 1),
+            of_axis(axis, 1, 2, 0),
+        );
+        let v = Tap::new(
+            of_axis(axis, z, x, y),
+            of_axis(axis, dims.z, dims.x, dims.y),
+            of_axis(axis, 1, 2, 2),
+            of_axis(axis, table.y, 1, table.x),
+            of_axis(axis, 2, 0, 1),
+        );
         let mut sum = Vec4::ZERO;
         let mut corner = 0u32;
         while corner < 4 {
             let (u1, v1) = (corner & 1 == 1, corner & 2 == 2);
             let weight = if u1 { u.weight1 } else { u.weight0 } * if v1 { v.weight1 } else { v.weight0 };
             let at = Place {
-                cell: table.z + across.cell0 + if u1 { u.cell1 } else { u.cell0 } + if v1 { v.cell1 } else { v.cell0 },
-                bit: across.bit0 | if u1 { u.bit1 } else { u.bit0 } | if v1 { v.bit1 } else { v.bit0 },
+                cell: table.z + across.cell + if u1 { u.cell1 } else { u.cell0 } + if v1 { v.cell1 } else { v.cell0 },
+                bit: across.bit | if u1 { u.bit1 } else { u.bit0 } | if v1 { v.bit1 } else { v.bit0 },
             };
             let word = *fetch(self.cells, (2 * at.cell) as usize);
             if (weight > 0.0) & (word >> at.bit & 1 == 1) {
