@@ -243,4 +243,30 @@ mod tests {
         assert!(weight((Vec3::splat(9.0) - Vec3::splat(3.0)).length() / r) > 0.0);
         assert!(weight(0.0) == 1.0 && weight(1.0) == 0.0 && (weight(0.5) - 0.5).abs() < 1e-6);
     }
+
+    #[test]
+    fn probes_come_to_where_nobody_sees_one() {
+        // Two sealed rooms and a probe in one of them.
+        let scene = crate::scene::built_in::two_rooms(0.05, 0.0);
+        let world = World::new(&scene).unwrap();
+        let reach =
+            super::super::reach::Reach::new(&world, &super::super::charts::Patches::new(&scene, 0.05), 1).unwrap();
+        let (low, high) = scene.bounds();
+        let inside = |t: Vec3| low + (high - low) * t;
+        let receivers: Vec<Receiver> = (0..200)
+            .map(|i| inside(Vec3::new(0.15 + 0.7 * (i % 20) as f32 / 19.0, 0.3, 0.2 + 0.06 * (i / 20) as f32)))
+            .filter(|p| reach.space.at(*p).is_some_and(|v| reach.space.open[v]))
+            .map(|p| super::super::atlas::free_receiver(p, Vec3::Y))
+            .collect();
+        let covered = |limit: u32| {
+            let mut probes = vec![inside(Vec3::new(0.25, 0.6, 0.5))];
+            let (_, coverage) = cover(&world, &reach.space, &receivers, &mut probes, (1.0, 0.0, limit));
+            (coverage, probes.len())
+        };
+        let (none, _) = covered(0);
+        assert!(none.unseen > 0.3 && none.unseen < 0.7 && none.unseen == none.unseen_before, "{none:?}");
+        let (some, count) = covered(8);
+        assert_eq!((some.unseen, some.unseen_before), (0.0, none.unseen));
+        assert!(some.added >= 1 && some.added <= 3 && count == 1 + some.added as usize, "{some:?}");
+    }
 }

@@ -214,3 +214,42 @@ fn reflected(
     }
     by_texel
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::atlas::Atlas;
+    use super::super::charts::Patches;
+    use super::super::reach::Reach;
+    use super::*;
+    use crate::scene::built_in;
+    use std::sync::Arc;
+
+    #[test]
+    fn states_are_light_that_can_happen_and_weigh_the_same() {
+        let scene = built_in::two_rooms(0.05, 0.0);
+        let (world, patches) = (World::new(&scene).unwrap(), Patches::new(&scene, 0.1));
+        let reach = Reach::new(&world, &patches, 1).unwrap();
+        let atlas = Arc::new(Atlas::new(&world, &patches, &reach.exposed, 600));
+        let receivers: Vec<(Receiver, u32)> = atlas.texels.iter().zip(0..).map(|(t, i)| (t.receiver, i)).collect();
+        let lookup = Lookup::new(atlas.clone(), &(0..receivers.len() as u32).collect::<Vec<_>>());
+        let states = States::new(&world, &reach.space, &lookup, &receivers, receivers.len(), 1);
+        assert!(states.judges * 4 <= states.fitted && states.judges * 5 > states.fitted, "{}", states.judges);
+        let middle = scene.bounds().0.midpoint(scene.bounds().1).x;
+        let mut both = 0;
+        for s in 0..states.count() {
+            let (mut squares, mut area, mut sides) = (0.0, 0.0, [0.0f32; 2]);
+            for (r, t) in &receivers {
+                let light = states.of(*t)[s];
+                assert!(light >= 0.0 && light.is_finite());
+                squares += light * light * r.area;
+                area += r.area;
+                sides[usize::from(r.position.x > middle)] += light * r.area;
+            }
+            assert!((squares / area - 1.0).abs() < 1e-3, "state {s}: {}", squares / area);
+            both += usize::from(sides[0] > 0.0 && sides[1] > 0.0);
+        }
+        // Rooms without a sun: every lamp stands in one of them, and its light stays there.
+        assert_eq!(both, 0, "of {}", states.count());
+        assert!(states.deviation.iter().all(|d| d.is_finite() && *d > 0.0));
+    }
+}
