@@ -47,6 +47,7 @@ fn add_axis(p: &LpvParams, q: Vec3, axis: u32, area: f32, words: &mut impl Atomi
 }
 
 /// Adds facet `i`.
+#[inline(always)]
 pub fn block_facet(i: u32, p: &LpvParams, facets: &[VoxelFacet], words: &mut impl AtomicWords) {
     let facet = &facets[i as usize];
     let side = p.voxel_size / p.anchor_size.w;
@@ -54,6 +55,7 @@ pub fn block_facet(i: u32, p: &LpvParams, facets: &[VoxelFacet], words: &mut imp
 }
 
 /// Adds texel `i`.
+#[inline(always)]
 pub fn block_texel(i: u32, p: &LpvParams, texels: &[RsmTexel], words: &mut impl AtomicWords) {
     let t = &texels[i as usize];
     if t.hit == 1 {

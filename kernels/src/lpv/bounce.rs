@@ -39,6 +39,7 @@ pub fn sides(p: &LpvParams) -> u32 {
 }
 
 /// Reflects light at side `i`.
+#[inline(always)]
 pub fn bounce(i: u32, p: &LpvParams, facets: &[VoxelFacet], coefs: &[f32], words: &mut impl AtomicWords) {
     let facet = &facets[(i / 2) as usize];
     let (normal, light) = side_light(i, p, facet, coefs);
@@ -47,6 +48,7 @@ pub fn bounce(i: u32, p: &LpvParams, facets: &[VoxelFacet], coefs: &[f32], words
 }
 
 /// Radiance (W/(sr m²), w = 0) of side `i`; `direct`: irradiance of both sides of every facet by lights.
+#[inline(always)]
 pub fn reflect(i: u32, p: &LpvParams, facets: &[VoxelFacet], coefs: &[f32], direct: &[Vec4]) -> Vec4 {
     let facet = &facets[(i / 2) as usize];
     let (_, light) = side_light(i, p, facet, coefs);

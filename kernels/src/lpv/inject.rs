@@ -94,6 +94,7 @@ fn add_channel(
 }
 
 /// Injects texel `i`.
+#[inline(always)]
 pub fn inject(i: u32, p: &LpvParams, texels: &[RsmTexel], words: &mut impl AtomicWords) {
     let t = &texels[i as usize];
     if t.hit == 1 {

@@ -61,6 +61,7 @@ pub fn facets_of(cells: &[u32], facet_bits: &[u32], cell: u32, bit: u32) -> (u32
 
 /// Adds the part of a triangle in each voxel of one tile to its facets. `sums`: [`FACET_WORDS`] words per facet and one
 /// word that tells of an overflow.
+#[inline(always)]
 pub fn accumulate(
     i: u32,
     p: &VoxelParams,

@@ -17,6 +17,7 @@ use interreflect_shared::scene::SceneTriangle;
 use interreflect_shared::voxel::{FACET_KINDS, VoxelParams};
 
 /// Number of tiles of a triangle.
+#[inline(always)]
 pub fn tiles(i: u32, p: &VoxelParams, triangles: &[SceneTriangle]) -> u32 {
     GridTriangle::new(p, &triangles[i as usize]).tiles()
 }
@@ -33,6 +34,7 @@ pub fn tile_owner(p: &VoxelParams, tile_first: &[u32], tile: u32) -> u32 {
 }
 
 /// Sets the bits of the voxels of one tile. `facet_bits`: six words per cell of level 0, one per facet kind.
+#[inline(always)]
 pub fn mark(
     i: u32,
     p: &VoxelParams,
