@@ -5,7 +5,9 @@
 //! generic over [`crate::real::Real`] returns one value per output plane. **Scatter**: a body writes only through
 //! [`AtomicWords`]. See `smoke.rs` for one of each.
 
+use core::ops::Index;
 use interreflect_shared::Field;
+use spirv_std::arch::IndexUnchecked;
 
 /// Workgroups along x before a dispatch folds into y: a device allows 65,535 in one dimension.
 pub const FOLD_WIDTH: u32 = 32_768;
@@ -144,32 +146,20 @@ pub fn prefetch(words: &[u32], i: usize) {
     let _ = (words, i);
 }
 
-/// Element `i` of a buffer. Kernels never index out of bounds: the CPU checks that at every access, on the same inputs. A
-/// device would pay for the check at every access too (a comparison and a branch, which also keep a compiler from
-/// gathering accesses), so there it is left to the adapter: graphics interfaces' robust buffer access, which wgpu always asks for.
+/// Element `i` of a buffer, or of a table in a uniform buffer. Kernels never index out of bounds: the CPU checks that at
+/// every access, on the same inputs. A device would pay for the check at every access too (a comparison and a branch, which
+/// also keep a compiler from gathering accesses), so there it is left to the adapter: graphics interfaces' robust buffer
+/// access, which wgpu always asks for.
 #[inline(always)]
 #[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
-pub fn fetch<T>(buffer: &[T], i: usize) -> &T {
+pub fn fetch<T, B: ?Sized + IndexUnchecked<T> + Index<usize, Output = T>>(buffer: &B, i: usize) -> &T {
     #[cfg(target_arch = "spirv")]
     // SAFETY: the index lies inside, or the adapter keeps the access inside.
     unsafe {
-        spirv_std::arch::IndexUnchecked::index_unchecked(buffer, i)
+        buffer.index_unchecked(i)
     }
     #[cfg(not(target_arch = "spirv"))]
     &buffer[i]
-}
-
-/// Element `i` of a table in a uniform buffer; without a check on a device, as [`fetch`].
-#[inline(always)]
-#[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
-pub fn fetch_constant<T, const N: usize>(table: &[T; N], i: usize) -> &T {
-    #[cfg(target_arch = "spirv")]
-    // SAFETY: as in `fetch`.
-    unsafe {
-        spirv_std::arch::IndexUnchecked::index_unchecked(table, i)
-    }
-    #[cfg(not(target_arch = "spirv"))]
-    &table[i]
 }
 
 /// Stores the element that an invocation owns: as [`fetch`], without a check of its own on a device.
@@ -178,7 +168,7 @@ pub fn fetch_constant<T, const N: usize>(table: &[T; N], i: usize) -> &T {
 #[allow(unsafe_code)]
 pub fn store(buffer: &mut [f32], i: usize, value: f32) {
     // SAFETY: hosts check that the rows fit the buffer before they dispatch; adapters keep the access inside.
-    unsafe { *spirv_std::arch::IndexUnchecked::index_unchecked_mut(buffer, i) = value }
+    unsafe { *buffer.index_unchecked_mut(i) = value }
 }
 
 /// Words that many invocations change at once, in any order, with the same result.

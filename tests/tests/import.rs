@@ -619,6 +619,13 @@ fn gltf_alpha_modes_and_emission_textures_are_followed() {
 fn what_is_missing_is_made_up_and_said() {
     let scene = Document::triangle().must_load();
     assert!(scene.notes.iter().any(|n| n.contains("no camera")) && scene.notes.iter().any(|n| n.contains("black")));
+    // A sun that a command adds lights the scene, and nothing is said of black.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bare.obj");
+    std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let sun = Some((Vec3::NEG_Z, Vec3::ONE));
+    let lit = load(path.to_str().unwrap(), &LoadOptions { sun, ..LoadOptions::default() }).unwrap();
+    assert!(lit.is_lit() && lit.lights.len() == 1 && !lit.notes.iter().any(|n| n.contains("black")), "{:?}", lit.notes);
     let camera = scene.camera(None).unwrap();
     let to_centre = (Vec3::new(0.5, 0.5, 0.0) - camera.position).normalize();
     assert!(camera.forward.dot(to_centre) > 0.9, "the made-up camera looks at the scene");

@@ -12,7 +12,7 @@ use crate::image_io::{Image, ImageError, read_exr, write_exr, write_whole};
 use crate::methods::{Input, Settings, method};
 use crate::report::{self, MethodResult};
 use crate::scene::device::SceneBuffers;
-use crate::scene::{self, Camera, Light, LoadOptions, Scene};
+use crate::scene::{self, Camera, LoadOptions, Scene};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -43,11 +43,9 @@ impl SceneSpec {
     /// # Errors
     /// What loading says.
     pub fn load(&self) -> Result<(Scene, Camera), Error> {
-        let options = LoadOptions { environment: self.env.map(Vec3::from), ..LoadOptions::default() };
-        let mut scene = scene::load(&self.scene, &options)?;
-        if let Some((direction, irradiance)) = self.sun {
-            scene.lights.push(Light::Directional { direction: direction.into(), irradiance: irradiance.into() });
-        }
+        let sun = self.sun.map(|(direction, irradiance)| (direction.into(), irradiance.into()));
+        let options = LoadOptions { environment: self.env.map(Vec3::from), sun, ..LoadOptions::default() };
+        let scene = scene::load(&self.scene, &options)?;
         let camera = scene.camera(self.camera.as_deref())?;
         Ok((scene, camera))
     }

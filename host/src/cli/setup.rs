@@ -5,15 +5,13 @@ use super::progress::TruthBar;
 use crate::error::Error;
 use crate::exec::{self, Executor};
 use crate::reference::{self, IrradianceTruth, Receiver, ReferenceSettings, Truth};
-use crate::scene::{self, Camera, Light, LoadOptions, Scene};
+use crate::scene::{self, Camera, LoadOptions, Scene};
 use std::path::Path;
 
 /// The scene and the camera of a command; says on standard error what was simplified at import.
 pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
-    let mut scene = scene::load(&args.scene, &LoadOptions { environment: args.env, ..LoadOptions::default() })?;
-    if let Some((direction, irradiance)) = args.sun {
-        scene.lights.push(Light::Directional { direction, irradiance });
-    }
+    let options = LoadOptions { environment: args.env, sun: args.sun, ..LoadOptions::default() };
+    let scene = scene::load(&args.scene, &options)?;
     for note in &scene.notes {
         eprintln!("note: {note}");
     }

@@ -148,13 +148,21 @@ pub struct Scene {
 pub struct LoadOptions {
     /// Constant radiance of the environment, in place of the scene's own (files have none).
     pub environment: Option<Vec3>,
+    /// Parallel light beside the scene's own: direction of travel and perpendicular irradiance (W/m²).
+    pub sun: Option<(Vec3, Vec3)>,
     /// Most triangles that are accepted.
     pub max_triangles: usize,
 }
 
 impl Default for LoadOptions {
     fn default() -> Self {
-        LoadOptions { environment: None, max_triangles: 1 << 24 }
+        LoadOptions { environment: None, sun: None, max_triangles: 1 << 24 }
+    }
+}
+
+impl LoadOptions {
+    fn sun_light(&self) -> Option<Light> {
+        self.sun.map(|(direction, irradiance)| Light::Directional { direction, irradiance })
     }
 }
 
@@ -192,6 +200,7 @@ pub fn load(spec: &str, options: &LoadOptions) -> Result<Scene, SceneError> {
     if let Some(built_in) = BUILT_IN.iter().find(|b| b.name == spec) {
         let mut scene = (built_in.make)();
         scene.environment = options.environment.unwrap_or(scene.environment);
+        scene.lights.extend(options.sun_light());
         return Ok(scene);
     }
     let path = Path::new(spec);

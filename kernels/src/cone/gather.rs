@@ -14,7 +14,7 @@
 use super::case::cone_params;
 use super::march::{ConeMarch, trace_cone};
 use crate::kernel::Rows;
-use crate::kernel::fetch_constant;
+use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{max, sin_cos, sqrt};
@@ -42,7 +42,7 @@ impl Grid for ConeParams {
     }
     #[inline(always)]
     fn level(&self, level: u32) -> UVec4 {
-        *fetch_constant(&self.levels, level as usize)
+        *fetch(&self.levels, level as usize)
     }
     #[inline(always)]
     fn direction_count(&self) -> u32 {

@@ -4,7 +4,7 @@
 //! of the next coarser level are the eight bits of one byte: x, y, z are bits 0, 1, 2 of the place in the byte, and bits
 //! 3, 4 count the bytes along x and y. The records of these eight voxels are then neighbours in memory.
 
-use crate::kernel::fetch_constant;
+use crate::kernel::fetch;
 use crate::math::float::{abs, floor};
 use glam::{UVec3, UVec4, Vec3, Vec4};
 use interreflect_shared::voxel::VoxelParams;
@@ -34,7 +34,7 @@ impl Grid for VoxelParams {
     }
     #[inline(always)]
     fn level(&self, level: u32) -> UVec4 {
-        *fetch_constant(&self.levels, level as usize)
+        *fetch(&self.levels, level as usize)
     }
     #[inline(always)]
     fn direction_count(&self) -> u32 {

@@ -31,7 +31,7 @@ pub struct Bench {
     pub gpu: Option<GpuExecutor>,
     /// What this machine can do at best.
     pub limits: limits::Limits,
-    /// Only kernels and sections whose name contains this.
+    /// Only kernels whose name contains this.
     pub filter: Option<String>,
 }
 
@@ -57,7 +57,7 @@ const SECTIONS: &[(&str, Section)] = &[
     ("bake", bake::run),
 ];
 
-/// Runs the sections: those that the filter names, or all (with kernels that the filter names).
+/// Runs all sections, or the one that the filter names, or of the kernels those whose name contains it.
 pub fn run(filter: Option<String>) -> Result<()> {
     let mut cpu = CpuExecutor::new();
     let gpu = software_driver()?;
@@ -76,15 +76,11 @@ pub fn run(filter: Option<String>) -> Result<()> {
         "device": bench.gpu.as_ref().map(|gpu| gpu.device()),
         "limits": bench.limits,
     });
-    let named = SECTIONS.iter().any(|(name, _)| bench.filter.as_deref() == Some(name));
-    for (name, section) in SECTIONS {
-        if named && !bench.wants(name) {
-            continue;
-        }
-        // A filter that names a section is no filter of kernels.
-        let filter = if named { bench.filter.take() } else { None };
-        report[*name] = section(&mut bench).with_context(|| format!("section `{name}`"))?;
-        bench.filter = filter.or(bench.filter.take());
+    // A filter that names a section is no filter of kernels.
+    let section = bench.filter.take_if(|filter| SECTIONS.iter().any(|(name, _)| filter == name));
+    let wanted = section.or_else(|| bench.filter.is_some().then(|| "kernels".into()));
+    for (name, run) in SECTIONS.iter().filter(|(name, _)| wanted.as_deref().is_none_or(|wanted| wanted == *name)) {
+        report[*name] = run(&mut bench).with_context(|| format!("section `{name}`"))?;
     }
     write(&report)
 }

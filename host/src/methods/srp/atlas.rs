@@ -145,16 +145,8 @@ impl Atlas {
     /// Points of a texel's surface: its receiver and, while precomputing, the outermost four.
     pub fn points<'a>(&'a self, world: &'a World<'_>, texel: u32) -> impl Iterator<Item = Seen> + 'a {
         let r = &self.texels[texel as usize].receiver;
-        let own = Seen {
-            triangle: r.triangle,
-            front: r.front,
-            weights: [0.0; 3],
-            position: r.position,
-            normal: r.geometric_normal,
-            error: r.error,
-        };
         let outer = self.spread.get(texel as usize).into_iter().flatten();
-        std::iter::once(own).chain(outer.map(|s| world.seen(s.triangle, s.weights, r.front)))
+        std::iter::once(Seen::from(r)).chain(outer.map(|s| world.seen(s.triangle, s.weights, r.front)))
     }
 
     /// Per chart: whether front and back have receivers.

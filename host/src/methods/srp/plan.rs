@@ -380,7 +380,7 @@ impl<'a> Plan<'a> {
     }
 
     /// What every relight ray of every probe meets.
-    pub fn relight_hits(&self, directions: &[Vec3], lookup: &Lookup) -> Vec<u32> {
+    fn relight_hits(&self, directions: &[Vec3], lookup: &Lookup) -> Vec<u32> {
         let chart = &self.atlas.charts.chart;
         let hit = |i: usize| {
             let (probe, direction) = (self.probes[i / directions.len()], directions[i % directions.len()]);

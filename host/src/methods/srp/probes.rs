@@ -2,7 +2,7 @@
 
 use super::model::Receiver;
 use super::reach::Space;
-use super::world::{Seen, World};
+use super::world::World;
 use glam::Vec3;
 use interreflect_kernels::math::rng::hash;
 use rayon::prelude::*;
@@ -148,7 +148,7 @@ pub fn cover(
 /// Whether a receiver sees a point in support.
 fn sees(world: &World<'_>, r: &Receiver, p: Vec3, radius: f32) -> bool {
     let towards = p - r.position;
-    towards.length() < radius && towards.dot(r.geometric_normal) > 0.0 && world.sees(&seen(r), p)
+    towards.length() < radius && towards.dot(r.geometric_normal) > 0.0 && world.sees(&r.into(), p)
 }
 
 /// Few places from which all but `allowed` of some receivers are seen, at most `most`: always the one next that most of
@@ -198,17 +198,6 @@ fn before<'a>(world: &'a World<'_>, r: &'a Receiver, voxel_size: f32) -> impl It
     let distances = [0.5, 1.0, 2.0, 4.0].map(|d| (d * voxel_size).min(0.5 * open));
     let apart = (0..4).filter(move |k| *k == 0 || distances[*k] > 1.1 * distances[k - 1]);
     apart.map(move |k| r.position + r.geometric_normal * distances[k])
-}
-
-fn seen(r: &Receiver) -> Seen {
-    Seen {
-        triangle: r.triangle,
-        front: r.front,
-        weights: [0.0; 3],
-        position: r.position,
-        normal: r.geometric_normal,
-        error: r.error,
-    }
 }
 
 #[cfg(test)]

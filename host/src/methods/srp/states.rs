@@ -8,7 +8,7 @@
 use super::atlas::Lookup;
 use super::model::{NO_RECEIVER, Receiver};
 use super::reach::Space;
-use super::world::{Seen, World};
+use super::world::World;
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::rng::{rand, rand2};
@@ -160,15 +160,10 @@ impl<'a> Sources<'a> {
         };
         let direction = towards.normalize_or_zero();
         let cosine = direction.dot(r.normal);
-        let from = Seen {
-            triangle: r.triangle,
-            front: r.front,
-            weights: [0.0; 3],
-            position: r.position,
-            normal: r.geometric_normal,
-            error: r.error,
-        };
-        if cosine <= 0.0 || direction.dot(r.geometric_normal) <= 0.0 || !self.world.sees(&from, r.position + towards) {
+        if cosine <= 0.0
+            || direction.dot(r.geometric_normal) <= 0.0
+            || !self.world.sees(&r.into(), r.position + towards)
+        {
             return 0.0;
         }
         match source {

@@ -63,6 +63,20 @@ pub struct Seen {
     pub error: f32,
 }
 
+impl From<&Receiver> for Seen {
+    /// The surface of a receiver, whose place in its triangle nobody asks for.
+    fn from(r: &Receiver) -> Self {
+        Self {
+            triangle: r.triangle,
+            front: r.front,
+            weights: [0.0; 3],
+            position: r.position,
+            normal: r.geometric_normal,
+            error: r.error,
+        }
+    }
+}
+
 impl<'a> World<'a> {
     /// Builds the acceleration structures.
     ///

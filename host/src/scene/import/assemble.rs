@@ -23,7 +23,7 @@ pub struct Part<'a> {
 /// A scene in the making.
 pub struct Assembler {
     pub scene: Scene,
-    max_triangles: usize,
+    options: LoadOptions,
     zero_area_count: usize,
     glass_count: usize,
     has_all_lightmap_uvs: bool,
@@ -32,8 +32,7 @@ pub struct Assembler {
 impl Assembler {
     pub fn new(options: &LoadOptions) -> Self {
         let scene = Scene { environment: options.environment.unwrap_or(Vec3::ZERO), ..Scene::default() };
-        let max_triangles = options.max_triangles;
-        Assembler { scene, max_triangles, zero_area_count: 0, glass_count: 0, has_all_lightmap_uvs: true }
+        Assembler { scene, options: *options, zero_area_count: 0, glass_count: 0, has_all_lightmap_uvs: true }
     }
 
     /// Says something about the import to the user, once.
@@ -75,8 +74,8 @@ impl Assembler {
         corners: [Vec3; 3],
         kept: &mut [u32],
     ) -> Result<(), FileError> {
-        if self.scene.triangles.len() >= self.max_triangles {
-            let (claimed, limit) = (self.max_triangles as u64 + 1, self.max_triangles as u64);
+        if self.scene.triangles.len() >= self.options.max_triangles {
+            let (claimed, limit) = (self.options.max_triangles as u64 + 1, self.options.max_triangles as u64);
             return Err(FileError::TooLarge { what: "the number of triangles".into(), claimed, limit });
         }
         let flat = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize();
@@ -123,8 +122,9 @@ impl Assembler {
         }
         if self.scene.cameras.is_empty() {
             self.scene.cameras.push(camera_fit::fit(&self.scene));
-            self.note("no camera in the file: one that shows the scene was made up");
+            self.note("no camera in the file: where none is named, one that shows the scene stands in");
         }
+        self.scene.lights.extend(self.options.sun_light());
         if !self.scene.is_lit() {
             self.note("no light, no emission and no environment: the result will be black");
         }
