@@ -1,6 +1,6 @@
 //! Import of scene files, built-in scenes, and the errors of both.
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use interreflect::scene::{
     Alpha, BUILT_IN, FileError, Light, LoadOptions, Scene, SceneError, Triangle, built_in, load,
 };
@@ -402,6 +402,50 @@ fn gltf_node_transforms_are_composed_and_meshes_instanced() {
     near(corners[1], [10.0, 1.0, -2.0]);
     near(corners[2], [10.0, 4.0, 0.0]);
     near(scene.corners(&scene.triangles[1])[1], [11.0, 0.0, 5.0]);
+}
+
+/// Points of the world far from its origin: exact to a hundredth of a millimetre, though f32 steps by 31 mm there.
+#[test]
+fn scenes_far_away_lose_nothing() {
+    let away = [300_000.25, -40.5, 123_456.125];
+    let mut document = Document::triangle();
+    document.root["nodes"] = json!([
+        {"translation": away, "children": [1, 2]},
+        {"mesh": 0, "scale": [3, 3, 3], "translation": [0.001, 0, 0.002]},
+        {"camera": 0, "translation": [1, 2, 10], "extensions": {"KHR_lights_punctual": {"light": 0}}}
+    ]);
+    document.root["cameras"] = json!([{"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.1}}]);
+    document.root["extensionsUsed"] = json!(["KHR_lights_punctual"]);
+    document.root["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 2.0}]}});
+    let scene = document.must_load();
+    let near = |p: Vec3, offset: [f64; 3]| {
+        let expected = DVec3::from(away) + DVec3::from(offset);
+        assert!(scene.world(p).distance(expected) < 1e-5, "{} is not {expected}", scene.world(p));
+    };
+    assert!(scene.positions.iter().all(|p| p.length() < 10.0), "{:?}", scene.positions);
+    let corners = scene.corners(&scene.triangles[0]);
+    near(corners[0], [0.001, 0.0, 0.002]);
+    near(corners[1], [3.001, 0.0, 0.002]);
+    near(scene.cameras[0].position, [1.0, 2.0, 10.0]);
+    let Light::Point { position, .. } = scene.lights[0] else { panic!("{:?}", scene.lights[0]) };
+    near(position, [1.0, 2.0, 10.0]);
+    assert!(scene.notes.iter().any(|n| n.contains("far from the origin")), "{:?}", scene.notes);
+    let camera = scene.camera(Some("300001.375,-38.5,123466.125,300001.375,-38.5,0,60")).unwrap();
+    near(camera.position, [1.125, 2.0, 10.0]);
+    assert!(camera.forward.distance(Vec3::NEG_Z) < 1e-6);
+    let (lo, hi) = (scene.stats().min, scene.stats().max);
+    assert!((lo[0] - 300_000.251).abs() < 1e-5 && (hi[1] + 37.5).abs() < 1e-5, "{lo:?} {hi:?}");
+}
+
+#[test]
+fn obj_files_in_map_coordinates_keep_their_millimetres() {
+    let text = "v 500000.001 12 4649776.002\nv 500001.001 12 4649776.002\nv 500001.001 13.5 4649776.002\n\
+                v 500000.001 13.5 4649776.002\nf 1 2 3 4\n";
+    let scene = load_bytes("obj", text.as_bytes()).unwrap();
+    check_consistency(&scene);
+    let corners = scene.corners(&scene.triangles[0]);
+    assert!(scene.world(corners[0]).distance(DVec3::new(500_000.001, 12.0, 4_649_776.002)) < 1e-5);
+    assert!((corners[1].distance(corners[0]) - 1.0).abs() < 1e-6 && scene.triangles.len() == 2, "{corners:?}");
 }
 
 #[test]

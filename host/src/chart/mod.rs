@@ -251,7 +251,7 @@ fn one(
     mark_front(&mut rows);
     let chart = SceneChart {
         scene: spec.scene.clone(),
-        camera: (&judge.camera).into(),
+        camera: report::Camera::new(&judge.scene, &judge.camera),
         size: options.size,
         truth: judge.about,
         path_tracing: judge.path_tracing,

@@ -62,7 +62,7 @@ pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     let variance = view.image(|k| irradiance.values[k].variance);
     let comparison = Comparison {
         scene: scene.name.clone(),
-        camera: (&camera).into(),
+        camera: report::Camera::new(&scene, &camera),
         size: [view.width, view.height],
         truth: report::Truth {
             noise: irradiance.noise,

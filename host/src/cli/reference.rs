@@ -35,7 +35,7 @@ pub fn run(args: &ReferenceArgs, as_json: bool) -> Result<(), Error> {
     write_png(&out.join("full.png"), &tone_map.apply(&full))?;
     let report = json!({
         "scene": scene.name,
-        "camera": report::Camera::from(&camera),
+        "camera": report::Camera::new(&scene, &camera),
         "size": [truth.width, truth.height],
         "seed": args.scene.seed,
         "max_bounces": args.truth.max_bounces.map_or_else(|| json!("any"), |n| json!(n)),

@@ -34,7 +34,7 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
     let device = exec.device();
     let report = RenderReport {
         scene: scene.name.clone(),
-        camera: (&camera).into(),
+        camera: report::Camera::new(&scene, &camera),
         size: [view.width, view.height],
         device: (&device).into(),
         result: evaluate::describe(row, &settings, &run, &device, error),

@@ -83,7 +83,7 @@ pub fn version() -> String {
 pub struct Camera {
     /// Name in the scene.
     pub name: String,
-    /// Position, metres.
+    /// Position in the world, metres.
     pub position: [f64; 3],
     /// Unit view direction.
     pub forward: [f64; 3],
@@ -93,12 +93,13 @@ pub struct Camera {
     pub fovy_deg: f64,
 }
 
-impl From<&scene::Camera> for Camera {
-    fn from(camera: &scene::Camera) -> Self {
+impl Camera {
+    /// What is told of a scene's camera.
+    pub fn new(scene: &scene::Scene, camera: &scene::Camera) -> Self {
         let exact = |v: glam::Vec3| v.to_array().map(f64::from);
         Self {
             name: camera.name.clone(),
-            position: exact(camera.position),
+            position: scene.world(camera.position).to_array(),
             forward: exact(camera.forward),
             up: exact(camera.up),
             fovy_deg: f64::from(camera.fovy_rad).to_degrees(),

@@ -56,7 +56,7 @@ pub struct PackedScene {
     pub attributes: Vec<TriangleAttributes>,
     /// sRGB table, materials, texels.
     pub surfaces: Vec<u32>,
-    /// Lights without a surface, then emissive triangles in the order of the leaves.
+    /// Lights without a surface, then emissive triangles, both in the scene's order.
     pub lights: Vec<SceneLight>,
 }
 
@@ -158,8 +158,10 @@ fn pack_material(scene: &Scene, material: &Material, texture_first: &[u32]) -> S
 /// Lights without a surface in the scene's order, then emissive triangles, with the distribution to pick them by power.
 fn pack_lights(scene: &Scene, triangles: &[SceneTriangle]) -> Vec<SceneLight> {
     let mut lights: Vec<SceneLight> = scene.lights.iter().map(pack_light).collect();
-    let emissive = triangles.iter().filter(|t| t.flags & TRIANGLE_EMITS != 0);
-    lights.extend(emissive.map(|t| pack_emitter(t, scene.materials[t.material as usize].emission)));
+    // The order of the leaves hangs on rounding; with it every method that samples lights would.
+    let mut emissive: Vec<&SceneTriangle> = triangles.iter().filter(|t| t.flags & TRIANGLE_EMITS != 0).collect();
+    emissive.sort_by_key(|t| t.source);
+    lights.extend(emissive.into_iter().map(|t| pack_emitter(t, scene.materials[t.material as usize].emission)));
     let (lo, hi) = scene.bounds();
     let radius = (hi - lo).length() * 0.5;
     distribute(&mut lights, radius);

@@ -1,4 +1,4 @@
-//! Scenes: triangles in world space, materials, lights, cameras. World: right-handed, +Y up, metres, radiometric units.
+//! Scenes: triangles, materials, lights, cameras. World: right-handed, +Y up, metres, radiometric units.
 //!
 //! [`load`] reads a glTF or OBJ file, or makes one of the [`BUILT_IN`] scenes.
 
@@ -7,11 +7,12 @@ pub mod bvh;
 pub mod device;
 mod error;
 mod import;
+mod origin;
 
 pub use built_in::{BUILT_IN, BuiltIn};
 pub use error::{FileError, SceneError};
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use sha2::{Digest, Sha256};
 use std::path::Path;
 
@@ -114,11 +115,13 @@ pub struct Camera {
     pub fovy_rad: f32,
 }
 
-/// A scene in world space.
+/// A scene in world space, counted from [`Scene::origin`].
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// Built-in name or path.
     pub name: String,
+    /// Where the coordinates are counted from (m, in the world): zero unless the scene lies far away (see [`Scene::recentre`]).
+    pub origin: DVec3,
     /// Vertex positions.
     pub positions: Vec<Vec3>,
     /// Unit vertex normals, one per position.
@@ -179,10 +182,10 @@ pub struct SceneStats {
     pub material_count: usize,
     /// Textures.
     pub texture_count: usize,
-    /// Smallest corner of the bounding box (m).
-    pub min: [f32; 3],
+    /// Smallest corner of the bounding box in the world (m).
+    pub min: [f64; 3],
     /// Largest corner (m).
-    pub max: [f32; 3],
+    pub max: [f64; 3],
 }
 
 /// Loads a scene: a built-in one by its name, or a `.glb`, `.gltf` or `.obj` file by its path.
@@ -216,7 +219,7 @@ pub fn load(spec: &str, options: &LoadOptions) -> Result<Scene, SceneError> {
 }
 
 impl Scene {
-    /// A camera by its name or as `px,py,pz,tx,ty,tz,fovy_deg` (position, target, vertical field of view; +Y is up);
+    /// A camera by its name or as `px,py,pz,tx,ty,tz,fovy_deg` (world position, target, vertical field of view; +Y is up);
     /// the scene's first one without a specification.
     ///
     /// # Errors
@@ -234,11 +237,33 @@ impl Scene {
             return Ok(camera.clone());
         }
         if spec.contains(',') {
-            return parse_camera(spec).map_err(|reason| fail(spec, &reason, None));
+            return self.parse_camera(spec).map_err(|reason| fail(spec, &reason, None));
         }
         let names: Vec<&str> = self.cameras.iter().map(|c| c.name.as_str()).collect();
         let reason = format!("the scene's cameras are {}; or px,py,pz,tx,ty,tz,fovy_deg", names.join(", "));
         Err(fail(spec, &reason, error::nearest(spec, names.into_iter())))
+    }
+
+    /// A camera of seven numbers, or why they make none.
+    fn parse_camera(&self, spec: &str) -> Result<Camera, String> {
+        let numbers: Vec<f64> =
+            spec.split(',').map(|word| word.trim().parse()).collect::<Result<_, _>>().map_err(|_| {
+                "seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, and one of the words is no number".to_owned()
+            })?;
+        let &[px, py, pz, tx, ty, tz, fovy_deg] = numbers.as_slice() else {
+            return Err(format!("seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, {} are given", numbers.len()));
+        };
+        let (position, target) = (self.local(DVec3::new(px, py, pz)), self.local(DVec3::new(tx, ty, tz)));
+        if !position.is_finite() || !target.is_finite() {
+            return Err("position and target must be finite".to_owned());
+        }
+        if !(target - position).length_squared().is_normal() {
+            return Err("position and target are the same point, or absurdly far apart".to_owned());
+        }
+        if !(fovy_deg > 0.0 && fovy_deg < 180.0) {
+            return Err("the field of view must be between 0 and 180 degrees".to_owned());
+        }
+        Ok(Camera::look_at(spec, position, target, fovy_deg.to_radians() as f32))
     }
 
     /// Whether anything gives light.
@@ -256,13 +281,13 @@ impl Scene {
             light_count: self.lights.len(),
             material_count: self.materials.len(),
             texture_count: self.textures.len(),
-            min: min.to_array(),
-            max: max.to_array(),
+            min: self.world(min).to_array(),
+            max: self.world(max).to_array(),
         }
     }
 
     /// SHA-256 of everything that light depends on: geometry, materials, textures, lights and environment, but no
-    /// names, cameras or notes. The key of caches.
+    /// names, cameras or notes, nor where in the world all of it is. The key of caches.
     pub fn content_hash(&self) -> [u8; 32] {
         let mut hash = Sha256::new();
         let mut section = |tag: &[u8; 4], bytes: &[u8]| {
@@ -299,28 +324,6 @@ impl Scene {
     pub fn corners(&self, triangle: &Triangle) -> [Vec3; 3] {
         triangle.vertices.map(|v| self.positions[v as usize])
     }
-}
-
-/// A camera of seven numbers, or why they make none.
-fn parse_camera(spec: &str) -> Result<Camera, String> {
-    let numbers: Vec<f32> =
-        spec.split(',').map(|word| word.trim().parse()).collect::<Result<_, _>>().map_err(|_| {
-            "seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, and one of the words is no number".to_owned()
-        })?;
-    let &[px, py, pz, tx, ty, tz, fovy_deg] = numbers.as_slice() else {
-        return Err(format!("seven numbers px,py,pz,tx,ty,tz,fovy_deg are expected, {} are given", numbers.len()));
-    };
-    let (position, target) = (Vec3::new(px, py, pz), Vec3::new(tx, ty, tz));
-    if !position.is_finite() || !target.is_finite() {
-        return Err("position and target must be finite".to_owned());
-    }
-    if !(target - position).length_squared().is_normal() {
-        return Err("position and target are the same point, or absurdly far apart".to_owned());
-    }
-    if !(fovy_deg > 0.0 && fovy_deg < 180.0) {
-        return Err("the field of view must be between 0 and 180 degrees".to_owned());
-    }
-    Ok(Camera::look_at(spec, position, target, fovy_deg.to_radians()))
 }
 
 impl Triangle {
@@ -366,6 +369,14 @@ impl Material {
 }
 
 impl Light {
+    /// Where it is; a directional light is nowhere.
+    pub fn position_mut(&mut self) -> Option<&mut Vec3> {
+        match self {
+            Light::Point { position, .. } | Light::Spot { position, .. } => Some(position),
+            Light::Directional { .. } => None,
+        }
+    }
+
     fn words(&self) -> [f32; 12] {
         let pack = |kind: f32, a: Vec3, b: Vec3, c: Vec3, cosines: [f32; 2]| {
             [kind, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, cosines[0], cosines[1]]

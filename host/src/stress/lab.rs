@@ -119,7 +119,7 @@ impl Lab {
         Ok(result?.surfels)
     }
 
-    /// The points as surface points of another scene: each on the triangle that it lies on there. A tree of its own gives
+    /// The points as surface points of another scene: each on the plane of the triangle that it lies on there. A tree of its own gives
     /// every scene an order of triangles of its own.
     ///
     /// # Errors
@@ -132,7 +132,10 @@ impl Lab {
         self.exec.free_since(mark);
         let corners: Vec<[DVec3; 3]> =
             triangles?.iter().map(|t| [t.v0, t.v1, t.v2].map(|v| Vec3::from(v).as_dvec3())).collect();
-        let on = |s: &Surfel| Surfel { triangle: triangle_at(&corners, s).unwrap_or(s.triangle), ..*s };
+        let on = |s: &Surfel| match triangle_at(&corners, s) {
+            Some(triangle) => Surfel { triangle, position: onto(corners[triangle as usize], s.position), ..*s },
+            None => *s,
+        };
         Ok(surfels.iter().map(on).collect())
     }
 
@@ -227,6 +230,13 @@ impl Session<'_> {
         *self.not_finite |= values.iter().any(|v| !v.is_finite());
         Ok(values)
     }
+}
+
+/// The point of a triangle's plane that is nearest to a position.
+fn onto([a, b, c]: [DVec3; 3], position: [f32; 3]) -> [f32; 3] {
+    let p = Vec3::from(position).as_dvec3();
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    (p - normal * (p - a).dot(normal)).as_vec3().to_array()
 }
 
 /// The triangle that a surface point lies on: the nearest of those that face its way.

@@ -1,15 +1,16 @@
 //! Collects triangles in world space, whatever the file format: the checks and simplifications that hold for all.
 
-use super::super::{Alpha, FileError, LoadOptions, Material, Scene};
+use super::super::origin::local_origin;
+use super::super::{Alpha, Camera, FileError, Light, LoadOptions, Material, Scene};
 use super::{MAX_COORDINATE_M, camera_fit};
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 /// Triangles of one material, in world space.
 pub struct Part<'a> {
     /// Name of the mesh, for errors.
     pub mesh: &'a str,
     /// Vertex positions.
-    pub positions: Vec<Vec3>,
+    pub positions: Vec<DVec3>,
     /// One per position, of any length; without them each triangle gets its geometric normal.
     pub normals: Option<Vec<Vec3>>,
     /// One per position.
@@ -20,9 +21,12 @@ pub struct Part<'a> {
     pub material: u32,
 }
 
-/// A scene in the making.
+/// A scene in the making. Positions stay in double precision until all are known.
 pub struct Assembler {
     pub scene: Scene,
+    positions: Vec<DVec3>,
+    camera_positions: Vec<DVec3>,
+    light_positions: Vec<DVec3>,
     options: LoadOptions,
     zero_area_count: usize,
     glass_count: usize,
@@ -32,7 +36,16 @@ pub struct Assembler {
 impl Assembler {
     pub fn new(options: &LoadOptions) -> Self {
         let scene = Scene { environment: options.environment.unwrap_or(Vec3::ZERO), ..Scene::default() };
-        Assembler { scene, options: *options, zero_area_count: 0, glass_count: 0, has_all_lightmap_uvs: true }
+        Assembler {
+            scene,
+            positions: Vec::new(),
+            camera_positions: Vec::new(),
+            light_positions: Vec::new(),
+            options: *options,
+            zero_area_count: 0,
+            glass_count: 0,
+            has_all_lightmap_uvs: true,
+        }
     }
 
     /// Says something about the import to the user, once.
@@ -49,6 +62,18 @@ impl Assembler {
         self.scene.materials.len() as u32 - 1
     }
 
+    /// Appends a camera at a position.
+    pub fn add_camera(&mut self, camera: Camera, position: DVec3) {
+        self.scene.cameras.push(camera);
+        self.camera_positions.push(position);
+    }
+
+    /// Appends a light at a position.
+    pub fn add_light(&mut self, light: Light, position: DVec3) {
+        self.scene.lights.push(light);
+        self.light_positions.push(position);
+    }
+
     /// Appends the triangles of a part; only vertices that a triangle uses are kept.
     pub fn add(&mut self, part: &Part, triangles: impl Iterator<Item = [u32; 3]>) -> Result<(), FileError> {
         check_positions(part)?;
@@ -58,7 +83,7 @@ impl Assembler {
             let corners = corners_of(part, vertices)?;
             if glass {
                 self.glass_count += 1;
-            } else if is_degenerate(corners) {
+            } else if normal(corners) == DVec3::ZERO {
                 self.zero_area_count += 1;
             } else {
                 self.add_triangle(part, vertices, corners, &mut kept)?;
@@ -71,14 +96,14 @@ impl Assembler {
         &mut self,
         part: &Part,
         vertices: [u32; 3],
-        corners: [Vec3; 3],
+        corners: [DVec3; 3],
         kept: &mut [u32],
     ) -> Result<(), FileError> {
         if self.scene.triangles.len() >= self.options.max_triangles {
             let (claimed, limit) = (self.options.max_triangles as u64 + 1, self.options.max_triangles as u64);
             return Err(FileError::TooLarge { what: "the number of triangles".into(), claimed, limit });
         }
-        let flat = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize();
+        let flat = normal(corners).as_vec3();
         let vertices = vertices.map(|v| {
             // Without vertex normals no vertex is shared: each triangle has its own normal.
             let known = if part.normals.is_some() { kept[v as usize] } else { u32::MAX };
@@ -95,16 +120,18 @@ impl Assembler {
     fn add_vertex(&mut self, part: &Part, v: usize, flat: Vec3) -> u32 {
         let finite_uv = |uv: Vec2| if uv.is_finite() { uv } else { Vec2::ZERO };
         let scene = &mut self.scene;
-        scene.positions.push(part.positions[v]);
+        self.positions.push(part.positions[v]);
         scene.normals.push(part.normals.as_ref().and_then(|n| n[v].try_normalize()).unwrap_or(flat));
         scene.uvs.push(part.uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
         scene.lightmap_uvs.push(part.lightmap_uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
         self.has_all_lightmap_uvs &= part.lightmap_uvs.is_some();
-        scene.positions.len() as u32 - 1
+        self.positions.len() as u32 - 1
     }
 
     /// The scene, with a camera, and with notes on what was dropped.
     pub fn finish(mut self) -> Result<Scene, FileError> {
+        self.place();
+        self.drop_degenerate();
         if self.scene.triangles.is_empty() {
             return Err(FileError::NoTriangles(self.dropped()));
         }
@@ -131,6 +158,33 @@ impl Assembler {
         Ok(self.scene)
     }
 
+    /// Counts all positions from a point near by.
+    fn place(&mut self) {
+        let scene = &mut self.scene;
+        let bounds = self.positions.iter().fold((DVec3::MAX, DVec3::MIN), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
+        let origin = local_origin(bounds.0, bounds.1);
+        scene.origin = origin;
+        scene.positions = std::mem::take(&mut self.positions).iter().map(|p| (*p - origin).as_vec3()).collect();
+        for (camera, position) in scene.cameras.iter_mut().zip(&self.camera_positions) {
+            camera.position = (*position - origin).as_vec3();
+        }
+        for (light, world) in scene.lights.iter_mut().zip(&self.light_positions) {
+            light.position_mut().into_iter().for_each(|p| *p = (*world - origin).as_vec3());
+        }
+        if origin != DVec3::ZERO {
+            let [x, y, z] = origin.to_array();
+            self.note(format!("far from the origin for its size: coordinates are counted from {x}, {y}, {z} m"));
+        }
+    }
+
+    /// Drops triangles that rounding to single precision has left without an area.
+    fn drop_degenerate(&mut self) {
+        let Scene { positions, triangles, .. } = &mut self.scene;
+        let before = triangles.len();
+        triangles.retain(|t| !is_degenerate(t.vertices.map(|v| positions[v as usize])));
+        self.zero_area_count += before - triangles.len();
+    }
+
     fn dropped(&self) -> String {
         match (self.zero_area_count, self.glass_count) {
             (0, 0) => String::new(),
@@ -144,7 +198,7 @@ fn check_positions(part: &Part) -> Result<(), FileError> {
 }
 
 /// An error unless a position is finite and not absurdly far away.
-pub fn check_position(mesh: &str, vertex: usize, position: Vec3) -> Result<(), FileError> {
+pub fn check_position(mesh: &str, vertex: usize, position: DVec3) -> Result<(), FileError> {
     let reason = if !position.is_finite() {
         "is not finite".to_owned()
     } else if position.abs().max_element() > MAX_COORDINATE_M {
@@ -152,11 +206,11 @@ pub fn check_position(mesh: &str, vertex: usize, position: Vec3) -> Result<(), F
     } else {
         return Ok(());
     };
-    Err(FileError::BadVertex { mesh: mesh.to_owned(), vertex, position: position.to_array(), reason })
+    Err(FileError::BadVertex { mesh: mesh.to_owned(), vertex, position: position.as_vec3().to_array(), reason })
 }
 
-fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[Vec3; 3], FileError> {
-    let mut corners = [Vec3::ZERO; 3];
+fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[DVec3; 3], FileError> {
+    let mut corners = [DVec3::ZERO; 3];
     for (corner, vertex) in corners.iter_mut().zip(vertices) {
         *corner = *part.positions.get(vertex as usize).ok_or_else(|| FileError::OutOfRange {
             what: format!("mesh `{}`: vertex index", part.mesh),
@@ -165,6 +219,11 @@ fn corners_of(part: &Part, vertices: [u32; 3]) -> Result<[Vec3; 3], FileError> {
         })?;
     }
     Ok(corners)
+}
+
+/// Unit normal; zero for a triangle without area.
+fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a).normalize_or_zero()
 }
 
 /// Whether a triangle has no area, or so little that its normal cannot be had in f32.

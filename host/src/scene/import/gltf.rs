@@ -231,7 +231,7 @@ impl<'a> Importer<'a> {
         let position = point(world_from_node).ok_or_else(|| malformed("is absurdly far away"))?;
         let up = up.ok_or_else(|| malformed("has a singular transform"))?.as_vec3();
         let name = unique_name(source.name.as_deref().unwrap_or(node), &self.out.scene.cameras);
-        self.out.scene.cameras.push(Camera { name, position, forward, up, fovy_rad: perspective.yfov });
+        self.out.add_camera(Camera { name, position: Vec3::ZERO, forward, up, fovy_rad: perspective.yfov }, position);
         Ok(())
     }
 
@@ -248,7 +248,8 @@ impl<'a> Importer<'a> {
         if light.range.is_some() {
             self.out.note("the range of lights is ignored: light falls off with the square of the distance alone");
         }
-        let position = point(world_from_node).ok_or_else(|| malformed("is absurdly far away"))?;
+        let world = point(world_from_node).ok_or_else(|| malformed("is absurdly far away"))?;
+        let position = Vec3::ZERO;
         let along = direction(world_from_node, DVec3::NEG_Z).ok_or_else(|| malformed("has a singular transform"));
         let light = match light.type_ {
             Checked::Valid(LightType::Point) => Light::Point { position, intensity: power },
@@ -264,7 +265,7 @@ impl<'a> Importer<'a> {
             }
             Checked::Invalid => return Err(malformed("is of an unknown type")),
         };
-        self.out.scene.lights.push(light);
+        self.out.add_light(light, world);
         Ok(())
     }
 }
@@ -314,8 +315,8 @@ fn local_transform(node: &Node) -> DMat4 {
     DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }
 
-fn transform_points(world_from_mesh: &DMat4, points: &[[f32; 3]]) -> Vec<Vec3> {
-    let transform = |p: &[f32; 3]| world_from_mesh.transform_point3(DVec3::from_array(p.map(f64::from))).as_vec3();
+fn transform_points(world_from_mesh: &DMat4, points: &[[f32; 3]]) -> Vec<DVec3> {
+    let transform = |p: &[f32; 3]| world_from_mesh.transform_point3(DVec3::from_array(p.map(f64::from)));
     points.iter().map(transform).collect()
 }
 
@@ -338,8 +339,8 @@ fn direction(world_from_node: &DMat4, local: DVec3) -> Option<Vec3> {
 }
 
 /// The node's origin in the world.
-fn point(world_from_node: &DMat4) -> Option<Vec3> {
-    let p = world_from_node.w_axis.truncate().as_vec3();
+fn point(world_from_node: &DMat4) -> Option<DVec3> {
+    let p = world_from_node.w_axis.truncate();
     (p.is_finite() && p.abs().max_element() <= MAX_COORDINATE_M).then_some(p)
 }
 

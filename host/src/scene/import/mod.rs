@@ -26,7 +26,7 @@ const MAX_ELEMENTS: u64 = 1 << 29;
 /// Most elements of an accessor that no bytes back (its elements are zero, or sparse).
 const MAX_UNBACKED_ELEMENTS: u64 = 1 << 22;
 /// Largest distance of a vertex, camera or light from the origin (m): squares of lengths stay far from overflow.
-const MAX_COORDINATE_M: f32 = 1e9;
+const MAX_COORDINATE_M: f64 = 1e9;
 
 /// Reads a scene file; its kind follows from its name.
 pub(super) fn load(path: &Path, options: &LoadOptions) -> Result<Scene, FileError> {

@@ -11,12 +11,12 @@ use interreflect_shared::scene::Surfel;
 /// Largest difference that counts as the same picture.
 const SAME: f64 = 0.01;
 
-/// Surface points moved with the scene: exactly the same points, whatever the camera rays would have hit.
-fn moved(surfels: &[Surfel], scale: f32, angle_rad: f32, offset: Vec3) -> Vec<Surfel> {
+/// Surface points moved with the scene, which has been brought near its origin: exactly the same points, whatever the
+/// camera rays would have hit.
+fn moved(surfels: &[Surfel], scale: f32, angle_rad: f32, offset: Vec3, scene: &Scene) -> Vec<Surfel> {
     let turn = Quat::from_rotation_y(angle_rad);
-    let place = |p: [f32; 3]| (turn * (Vec3::from(p) * scale) + offset).to_array();
+    let place = |p: [f32; 3]| scene.local((turn * (Vec3::from(p) * scale)).as_dvec3() + offset.as_dvec3()).to_array();
     let direct = |n: [f32; 3]| (turn * Vec3::from(n)).to_array();
-    let reach = |p: [f32; 3]| Vec3::from(p).abs().max_element();
     surfels
         .iter()
         .map(|s| Surfel {
@@ -24,8 +24,7 @@ fn moved(surfels: &[Surfel], scale: f32, angle_rad: f32, offset: Vec3) -> Vec<Su
             normal: direct(s.normal),
             geometric_normal: direct(s.geometric_normal),
             distance: s.distance * scale,
-            // Rounding grows with the coordinates.
-            error: (s.error * scale).max(2.0 * f32::EPSILON * reach(place(s.position))),
+            error: s.error * scale,
             ..*s
         })
         .collect()
@@ -38,8 +37,10 @@ fn compare(
     words: String,
 ) -> Result<Answer, Error> {
     let (scene, surfels, values) = base;
-    let other = transformed(scene, scale, angle_rad, offset);
-    let points = lab.attach(&other, &moved(surfels, scale, angle_rad, offset))?;
+    let mut other = transformed(scene, scale, angle_rad, offset);
+    // As import does: what the coordinates' rounding has done to the shape stays.
+    other.recentre();
+    let points = lab.attach(&other, &moved(surfels, scale, angle_rad, offset, &other))?;
     let got = lab.measure(&other, &points)?.values;
     Ok(Answer { value: difference(&got, values), picture: picture(&got, values).map(|png| (png, words)) })
 }

@@ -8,10 +8,11 @@ mod triangulate;
 
 use super::super::{FileError, LoadOptions, Scene};
 use super::assemble::{Assembler, Part, check_position};
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use mtl::Library;
 use std::collections::HashMap;
 use std::path::Path;
+use std::str::FromStr;
 use triangulate::triangulate;
 
 /// Imports an `.obj` file with the material libraries and textures beside it.
@@ -63,8 +64,8 @@ fn at_line(line: usize, error: FileError) -> FileError {
 }
 
 /// Up to `N` numbers from the start of some words, the rest 0, and how many there were.
-fn numbers<const N: usize>(words: &[&str]) -> Result<([f32; N], usize), FileError> {
-    let mut values = [0.0; N];
+fn numbers<T: Copy + Default + FromStr, const N: usize>(words: &[&str]) -> Result<([T; N], usize), FileError> {
+    let mut values = [T::default(); N];
     let count = words.len().min(N);
     for (value, word) in values.iter_mut().zip(words) {
         *value = word.parse().map_err(|_| FileError::Malformed(format!("`{word}` is not a number")))?;
@@ -75,7 +76,7 @@ fn numbers<const N: usize>(words: &[&str]) -> Result<([f32; N], usize), FileErro
 /// All vertex data of a file.
 #[derive(Default)]
 struct Vertices {
-    positions: Vec<Vec3>,
+    positions: Vec<DVec3>,
     uvs: Vec<Vec2>,
     normals: Vec<Vec3>,
 }
@@ -90,11 +91,11 @@ impl Vertices {
                 let reason = format!("`{}` needs {wanted} numbers, {got} are given", words[0]);
                 if got < wanted { Err(at_line(line, FileError::Malformed(reason))) } else { Ok(()) }
             };
-            let read = |words: &[&str]| numbers::<3>(words).map_err(|e| at_line(line, e));
+            let read = |words: &[&str]| numbers::<f32, 3>(words).map_err(|e| at_line(line, e));
             match words[0] {
                 "o" | "g" => object = words[1..].join(" "),
                 "v" => {
-                    let (p, count) = read(&words[1..])?;
+                    let (p, count) = numbers::<f64, 3>(&words[1..]).map_err(|e| at_line(line, e))?;
                     at_least(3, count)?;
                     check_position(&object, vertices.positions.len(), p.into())?;
                     vertices.positions.push(p.into());
@@ -177,7 +178,9 @@ impl Importer<'_> {
             self.flush()?;
             self.run.has_normals = has_normals;
         }
-        let positions: Vec<Vec3> = corners.iter().map(|c| self.vertices.positions[c.0 as usize]).collect();
+        let position = |c: &Corner| self.vertices.positions[c.0 as usize];
+        // Relative to the first corner: far from the origin single precision is too little.
+        let positions: Vec<Vec3> = corners.iter().map(|c| (position(c) - position(&corners[0])).as_vec3()).collect();
         let Run { index_of, corners: known, triangles, .. } = &mut self.run;
         let indices: Vec<u32> = corners
             .into_iter()

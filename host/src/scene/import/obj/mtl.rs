@@ -179,7 +179,7 @@ fn colour(words: &[&str]) -> Result<[f32; 3], FileError> {
     if matches!(words.first(), Some(&("spectral" | "xyz"))) {
         return Err(FileError::Malformed("colours as spectra or CIE XYZ are not supported".into()));
     }
-    match numbers::<3>(words)? {
+    match numbers::<f32, 3>(words)? {
         (rgb, 3) => Ok(rgb),
         (grey, 1) => Ok([grey[0]; 3]),
         (_, count) => Err(FileError::Malformed(format!("a colour needs 3 numbers, {count} are given"))),

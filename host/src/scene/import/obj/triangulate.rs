@@ -5,7 +5,7 @@ use glam::Vec3;
 /// Most corners of a polygon that is searched for ears: the search takes quadratic time and more.
 const MAX_EAR_CORNERS: usize = 256;
 
-/// Triangles of a simple polygon, by its corners' indices: a fan where it is convex, by ear clipping where it is not
+/// Triangles of a simple polygon, by its corners' indices (`corners` relative to one of them): a fan where it is convex, by ear clipping where it is not
 /// (ElGindy, Everett and Toussaint 1993). A polygon that is no simple one, or very large, gives a fan.
 pub fn triangulate(corners: &[Vec3]) -> Vec<[usize; 3]> {
     let n = corners.len();
@@ -36,10 +36,8 @@ pub fn triangulate(corners: &[Vec3]) -> Vec<[usize; 3]> {
 
 /// The polygon's area vector; its direction is the front's normal.
 fn newell_normal(corners: &[Vec3]) -> Vec3 {
-    // Relative to the first corner: far from the origin the products would cancel badly.
-    let origin = corners[0];
     let following = corners.iter().cycle().skip(1);
-    corners.iter().zip(following).map(|(&a, &b)| (a - origin).cross(b - origin)).sum()
+    corners.iter().zip(following).map(|(&a, &b)| a.cross(b)).sum()
 }
 
 fn contains(corners: &[Vec3], triangle: [usize; 3], point: usize, normal: Vec3) -> bool {
