@@ -1,6 +1,6 @@
 //! Runs a method on a view and times it: what `render`, `compare` and later charts are made of.
 
-use crate::exec::{BufferId, DeviceInfo, ExecError, Executor, ExecutorExt};
+use crate::exec::{BufferId, DeviceInfo, ExecError, Executor, ExecutorExt, Mark};
 use crate::image_io::Image;
 use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, StageClock, Terms};
 use crate::metrics::ErrorMetrics;
@@ -151,26 +151,120 @@ fn run_marked(
     repeats: Repeats,
 ) -> Result<MethodRun, MethodError> {
     let irradiance = exec.zeroed_slice::<Vec4>("irradiance", pixel_count)?;
-    let (mark, before) = (exec.mark(), exec.buffers().len());
-    let mut method: Option<Box<dyn Method>> = None;
-    let precompute = repeat(exec, repeats, |exec, clock| {
-        exec.free_since(mark);
-        let mut fresh = (row.new)(settings)?;
-        fresh.precompute(exec, input, clock)?;
-        method = Some(fresh);
-        Ok(())
-    })?;
-    let mut method = method.expect("a phase runs at least once");
-    let light = repeat(exec, repeats, |exec, clock| method.light_change(exec, input, clock))?;
-    let frame = repeat(exec, repeats, |exec, clock| method.frame(exec, input, gbuffer, irradiance, clock))?;
-    Ok(MethodRun {
-        irradiance: exec.read_slice(irradiance)?,
-        times: times(&precompute, &light, &frame),
-        runs: [precompute.runs, light.runs, frame.runs],
-        buffers: exec.buffers().split_off(before),
-        needs: method.needs(),
-        terms: method.terms(),
-    })
+    Prepared::new(exec, input, row, settings, repeats)?.run(exec, input, gbuffer, irradiance, repeats)
+}
+
+/// A method that was precomputed for a scene, to be run as often as there is something to run; its buffers stay until
+/// [`Prepared::free`].
+pub struct Prepared {
+    method: Box<dyn Method>,
+    /// Method and settings.
+    name: String,
+    settings: Settings,
+    precompute: Repeated,
+    /// Seconds that its making took.
+    pub wall_s: f64,
+    /// The executor's buffers that are its own: from the first mark to the second.
+    made: Vec<[Mark; 2]>,
+    /// Label and bytes of the buffers after the first run.
+    buffers: Vec<(String, u64)>,
+    before: usize,
+}
+
+impl Prepared {
+    /// Precomputes a method.
+    ///
+    /// # Errors
+    /// The method's own; its buffers are given back then.
+    pub fn new(
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        row: &MethodRow,
+        settings: &Settings,
+        repeats: Repeats,
+    ) -> Result<Self, MethodError> {
+        let start = Instant::now();
+        let (mark, before) = (exec.mark(), exec.buffers().len());
+        let mut method: Option<Box<dyn Method>> = None;
+        let precompute = repeat(exec, repeats, |exec, clock| {
+            exec.free_since(mark);
+            let mut fresh = (row.new)(settings)?;
+            fresh.precompute(exec, input, clock)?;
+            method = Some(fresh);
+            Ok(())
+        });
+        let precompute = precompute.inspect_err(|_| exec.free_since(mark))?;
+        Ok(Self {
+            method: method.expect("a phase runs at least once"),
+            name: row.name.into(),
+            settings: settings.clone(),
+            precompute,
+            wall_s: start.elapsed().as_secs_f64(),
+            made: vec![[mark, exec.mark()]],
+            buffers: Vec::new(),
+            before,
+        })
+    }
+
+    /// Whether it serves a method with these settings: they are its own, or need nothing else precomputed.
+    pub fn serves(&mut self, row: &MethodRow, settings: &Settings) -> bool {
+        if self.name != row.name {
+            return false;
+        }
+        if self.settings != *settings {
+            if !self.method.retune(settings) {
+                return false;
+            }
+            self.settings = settings.clone();
+        }
+        true
+    }
+
+    /// Changes its lights and makes frames of a G-buffer into `irradiance` (`Vec4` per pixel).
+    ///
+    /// # Errors
+    /// The method's own.
+    pub fn run(
+        &mut self,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        gbuffer: BufferId,
+        irradiance: BufferId,
+        repeats: Repeats,
+    ) -> Result<MethodRun, MethodError> {
+        let (mark, method) = (exec.mark(), &mut self.method);
+        let light = repeat(exec, repeats, |exec, clock| method.light_change(exec, input, clock));
+        let frame = light.and_then(|light| {
+            let frame = repeat(exec, repeats, |exec, clock| method.frame(exec, input, gbuffer, irradiance, clock))?;
+            Ok((light, frame))
+        });
+        // What a method makes on its way belongs to it, whatever the end.
+        self.made.push([mark, exec.mark()]);
+        let (light, frame) = frame?;
+        if self.buffers.is_empty() {
+            self.buffers = exec.buffers().split_off(self.before);
+        }
+        Ok(MethodRun {
+            irradiance: exec.read_slice(irradiance)?,
+            times: times(&self.precompute, &light, &frame),
+            runs: [self.precompute.runs, light.runs, frame.runs],
+            buffers: self.buffers.clone(),
+            needs: self.method.needs(),
+            terms: self.method.terms(),
+        })
+    }
+
+    /// Bytes of its buffers, once it has run.
+    pub fn memory_bytes(&self) -> u64 {
+        self.buffers.iter().map(|b| b.1).sum()
+    }
+
+    /// Gives its buffers back.
+    pub fn free(self, exec: &mut dyn Executor) {
+        for [from, to] in self.made {
+            (from.0..to.0).for_each(|id| exec.free(BufferId(id)));
+        }
+    }
 }
 
 /// A phase's own time is measured around all of it: it holds what lies between its stages too.
@@ -285,6 +379,47 @@ pub fn median(mut values: Vec<f64>) -> f64 {
 mod tests {
     use super::*;
     use crate::exec::CpuExecutor;
+
+    /// What is kept between trials must not show: the same picture, bit for bit, as from nothing.
+    #[test]
+    fn a_method_that_takes_other_settings_gives_what_a_new_one_gives() {
+        let scene = crate::scene::built_in::cornell_box();
+        let mut exec = CpuExecutor::new();
+        let exec: &mut dyn Executor = &mut exec;
+        let buffers = SceneBuffers::upload(exec, &scene).unwrap();
+        let view = View::new(exec, &scene, &buffers, &scene.cameras[0], (12, 12), 1).unwrap();
+        let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
+        let irradiance = exec.zeroed_slice::<Vec4>("irradiance", view.surfels.len()).unwrap();
+        let mut run = |exec: &mut dyn Executor, p: &mut Prepared| {
+            p.run(exec, &input, view.gbuffer, irradiance, Repeats::ONCE).unwrap().irradiance
+        };
+        let mut retuned = Vec::new();
+        for row in crate::methods::METHODS.iter().filter(|m| !m.control) {
+            // As little as the method takes, so that this is quick.
+            let least = [("receivers", "512"), ("rays", "32"), ("relight_rays", "128")];
+            let known = least.into_iter().filter(|(key, _)| row.settings.iter().any(|s| s.key == *key));
+            let settings = row.with(row.ladder[0].1.iter().copied().chain(known)).unwrap();
+            let mut kept = Prepared::new(exec, &input, row, &settings, Repeats::ONCE).unwrap();
+            let first = run(exec, &mut kept);
+            for axis in crate::fit::axes(row, &settings) {
+                let mut other = settings.clone();
+                other.insert(axis.key.clone(), axis.values.last().cloned().unwrap());
+                if other == settings || !kept.serves(row, &other) {
+                    continue;
+                }
+                let mut fresh = Prepared::new(exec, &input, row, &other, Repeats::ONCE).unwrap();
+                assert_eq!(run(exec, &mut kept), run(exec, &mut fresh), "{} {}", row.name, axis.key);
+                fresh.free(exec);
+                retuned.push(axis.key);
+                assert!(kept.serves(row, &settings), "{}", row.name);
+            }
+            assert_eq!(run(exec, &mut kept), first, "{}: there and back", row.name);
+            let live = exec.buffers().len();
+            kept.free(exec);
+            assert!(exec.buffers().len() < live);
+        }
+        assert!(retuned.len() >= 3, "{retuned:?}");
+    }
 
     #[test]
     fn median_of_even_and_odd() {

@@ -46,6 +46,19 @@ fn the_choice_keeps_the_error_and_renders_from_its_file() {
         }
     }
 
+    // The page says the same: the choice, every parameter, every other method.
+    let page = std::fs::read_to_string(out.join("index.html")).expect("a page");
+    assert!(page.contains(&format!("<h1>Use {}</h1>", choice["method"].as_str().unwrap())));
+    for other in report["rejected"].as_array().unwrap() {
+        assert!(page.contains(&format!("<h3>{}</h3>", other["method"].as_str().unwrap())), "{other}");
+        assert!(other["reason"].as_str().is_some_and(|r| r.len() > 10), "{other}");
+    }
+    assert!(why.iter().all(|w| page.contains(&format!("data-v=\"{}\"", w["key"].as_str().unwrap()))));
+    assert!(!page.contains("src=\"http") && !page.contains("href=\"http"), "the page is self-contained");
+    // Times are those of sets that were run, and a set is run once per amount of effort.
+    let tried = report["tried"].as_array().unwrap();
+    assert!(tried.len() <= report["trials"].as_u64().unwrap() as usize + why.len() * 2, "{}", tried.len());
+
     // The file is what `render` takes, and the picture's error is what was promised.
     let truth = out.join("truth");
     json(&run(&["reference", "cornell-box", "--spp", "1024"], &truth));
@@ -85,6 +98,47 @@ fn a_memory_limit_is_kept_and_the_error_is_the_smallest_found() {
     let choice = &report["choice"];
     assert!(choice["memory_bytes"].as_u64().unwrap() <= 4 << 20);
     assert!(choice["error"].as_f64().unwrap() < 0.5, "{choice}");
+}
+
+/// What a method decides by itself is in `needs`, and follows what it decides by.
+#[test]
+fn what_methods_decide_is_reported_and_follows_the_light() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let needs = |method: &str, set: &[&str]| {
+        let set: Vec<String> = set.iter().flat_map(|s| ["--set".to_string(), (*s).to_string()]).collect();
+        let mut args = vec!["render", "cornell-box", "--method", method];
+        args.extend(set.iter().map(String::as_str));
+        json(&run(&args, folder.path()))["needs"].clone()
+    };
+    let number = |v: &Value, key: &str| v[key].as_f64().unwrap_or_else(|| panic!("no {key}: {v:#}"));
+
+    // The rank of a cluster by the energy that its components carry; the order that each probe's light would need.
+    let small = ["receivers=1024", "probes=8", "rays=64", "order=5", "relight_rays=512"];
+    let srp = |error: &str| needs("srp", &[&small[..], &[&format!("error={error}")]].concat());
+    let (coarse, fine) = (srp("0.1"), srp("0.001"));
+    assert!(number(&coarse, "mean_rank") < 0.8 * number(&fine, "mean_rank"), "{coarse:#} {fine:#}");
+    let by_order: Vec<f64> = fine["probes_by_order"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+    assert_eq!((by_order.len(), by_order.iter().sum::<f64>()), (6, number(&fine, "probes")), "{fine:#}");
+    // Bounces until the slowest part of light has died down, fewer than are allowed.
+    let most = number(&fine, "bounces");
+    assert!(most > 1.0 && most < 32.0, "{fine:#}");
+
+    // Light takes as many steps through the grid as there are cells to cross.
+    let lpv = |resolution: &str| needs("lpv", &[&format!("resolution={resolution}"), "rsm=32", "bounces=1"]);
+    let (coarse, fine) = (lpv("8"), lpv("32"));
+    assert!(number(&coarse, "iterations") < number(&fine, "iterations"), "{coarse:#} {fine:#}");
+    // One bounce of light from below a lamp leaves surfaces of some facings dark: those streams carry nothing.
+    let lit = number(&fine, "streams_with_light");
+    assert!(1.0 <= lit && lit <= number(&fine, "streams"), "{fine:#}");
+
+    // What each further bounce keeps, and the voxels that surfaces need.
+    let vct = |resolution: &str| needs("vct", &[&format!("resolution={resolution}"), "bounces=3"]);
+    let (coarse, fine) = (vct("16"), vct("32"));
+    let grown = number(&fine, "occupied_voxels") / number(&coarse, "occupied_voxels");
+    // Surfaces, not volume: four times as many, not eight.
+    assert!((3.0..6.0).contains(&grown), "{coarse:#} {fine:#}");
+    let kept = number(&fine, "bounce_ratio");
+    assert!(kept > 0.2 && kept < 0.8, "{kept}");
 }
 
 #[test]

@@ -59,6 +59,12 @@ const PAGES: &[Page] = &[
         least_tables: 2,
     },
     Page {
+        name: "fit",
+        args: &["fit", "cornell-box", "--methods", "vct,lpv", "--error", "0.5", "--size", "64x48"],
+        least_pictures: 2,
+        least_tables: 2,
+    },
+    Page {
         name: "stress",
         args: &["stress", "--methods", "vct", "--rung", "0", "--families", "leak,furnace,rotation,lights,degenerate"],
         least_pictures: 5,

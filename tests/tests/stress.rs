@@ -14,6 +14,8 @@ struct Fake {
     update: fn(f32, f32) -> f32,
     unit_m: Option<f32>,
     state: f32,
+    /// Least irradiance over the mean that it cuts off.
+    hides: Option<f64>,
 }
 
 fn emission(input: &Input<'_>) -> f32 {
@@ -47,6 +49,10 @@ impl Method for Fake {
     fn unit(&self) -> Option<Unit> {
         self.unit_m.map(|metres| Unit { name: "yards", metres })
     }
+
+    fn lowest_uncut(&self, _: &mut dyn Executor) -> Result<Option<[f64; 2]>, MethodError> {
+        Ok(self.hides.map(|low| [low, 1.0]))
+    }
 }
 
 macro_rules! fake {
@@ -60,7 +66,9 @@ macro_rules! fake {
             settings: &[],
             ladder: &[("only", &[])],
             new: |_: &Settings| {
-                Ok(Box::new(Fake { value: $value, update: $update, unit_m: $unit, state: 0.0 }) as Box<dyn Method>)
+                let hides = None;
+                Ok(Box::new(Fake { value: $value, update: $update, unit_m: $unit, state: 0.0, hides })
+                    as Box<dyn Method>)
             },
         };
     };
@@ -75,12 +83,22 @@ fake!(ENERGY, None, KEEP, |f, s, _, _| PI * f.state * s.albedo[0] / (1.0 - s.alb
 fake!(HALF_ENERGY, None, KEEP, |f, s, _, _| 0.5 * PI * f.state * s.albedo[0] / (1.0 - s.albedo[0]));
 // A loop that grows by 5 % per frame, and one that keeps nine tenths.
 fake!(GROWING, None, |x, e| 1.05 * x + e, |f, _, _, _| f.state);
+// 1, 3, 1, 3… for an emission of 4.
+fake!(SWINGS, None, |x, e| if x == 0.25 * e { 0.75 * e } else { 0.25 * e }, |f, _, _, _| f.state);
 fake!(SLOW, None, |x, e| x + 0.1 * (e - x), |f, _, _, _| f.state);
 // Steps of 0.73 m in world space: jumps, and depends on where and how the scene lies.
 fake!(STEPS, Some(0.5), KEEP, |_, s, _, _| 1.0
     + s.position.iter().map(|x| (1.37 * x).floor().rem_euclid(2.0)).sum::<f32>());
 // Noise that belongs to the pixel and not to the point.
 fake!(NOISY, Some(0.1), KEEP, |_, _, _, k| 1.0 + 0.3 * ((k * 7919 % 101) as f32 / 101.0 - 0.5));
+// Fine to look at, because it cuts off what rings.
+const HIDES_RINGING: MethodRow = MethodRow {
+    name: "HIDES_RINGING",
+    new: |_: &Settings| {
+        Ok(Box::new(Fake { value: |_, _, _, _| 1.0, update: KEEP, unit_m: None, state: 0.0, hides: Some(-0.5) }))
+    },
+    ..CONSTANT
+};
 /// Size of LEAKY's unit, and the wall in units at which a hundredth of the light comes through.
 const UNIT_M: f32 = 0.1;
 const LEAK_AT: f32 = 1.2;
@@ -138,16 +156,29 @@ fn energy_is_held_to_the_closed_form() {
 
 #[test]
 fn loops_that_grow_are_told_from_loops_that_settle() {
-    let growing = measure(&GROWING, &["feedback"]);
-    assert_eq!(growing[0].safe, Safe::Nowhere);
-    assert!(growing[0].samples.iter().all(|s| (s.value - 1.05).abs() < 0.01), "{:?}", growing[0].samples);
-    let slow = measure(&SLOW, &["feedback"]);
-    assert_eq!(slow[0].safe, Safe::Everywhere);
-    assert!(slow[0].samples.iter().all(|s| (s.value - 0.9).abs() < 0.01), "{:?}", slow[0].samples);
+    let of = |row| {
+        let entries = measure(row, &["feedback"]);
+        ["gain", "500 frames", "step response"]
+            .map(|v| entries.iter().find(|e| e.variant == v).unwrap_or_else(|| panic!("no {v}")).clone())
+    };
+    let [gain, unrest, _] = of(&GROWING);
+    assert_eq!(gain.safe, Safe::Nowhere);
+    assert!(gain.samples.iter().all(|s| (s.value - 1.05).abs() < 0.01), "{:?}", gain.samples);
+    assert_eq!(unrest.safe, Safe::Nowhere);
+    // The last 250 frames hold 1.05²⁵⁰ times as much as those before: nearly all of the range is the last frames.
+    assert!(unrest.samples.iter().all(|s| s.value > 10.0), "{:?}", unrest.samples);
+    let [gain, unrest, step] = of(&SLOW);
+    assert_eq!((gain.safe, unrest.safe), (Safe::Everywhere, Safe::Everywhere));
+    assert!(gain.samples.iter().all(|s| (s.value - 0.9).abs() < 0.01), "{:?}", gain.samples);
     // 0.9ⁿ ≤ 0.05 first at n = 29.
-    assert!(slow[1].samples.iter().all(|s| (s.value - 29.0).abs() <= 1.0), "{:?}", slow[1].samples);
-    let instant = measure(&ENERGY, &["feedback"]);
-    assert!(instant[0].samples.iter().all(|s| s.value == 0.0) && instant[1].samples.iter().all(|s| s.value == 1.0));
+    assert!(step.samples.iter().all(|s| (s.value - 29.0).abs() <= 1.0), "{:?}", step.samples);
+    // Neither grows nor settles.
+    let [_, unrest, _] = of(&SWINGS);
+    assert_eq!(unrest.safe, Safe::Nowhere);
+    assert!(unrest.samples.iter().all(|s| (s.value - 1.0).abs() < 0.01), "{:?}", unrest.samples);
+    let [gain, unrest, step] = of(&ENERGY);
+    assert!(gain.samples.iter().chain(&unrest.samples).all(|s| s.value == 0.0), "{gain:?} {unrest:?}");
+    assert!(step.samples.iter().all(|s| s.value == 1.0), "{step:?}");
 }
 
 #[test]
@@ -172,6 +203,8 @@ fn impossible_values_are_noticed() {
     }
     let negative = only(&NEGATIVE, "ringing", "most negative");
     assert_eq!(negative.safe, Safe::Nowhere);
+    let hidden = only(&HIDES_RINGING, "ringing", "most negative");
+    assert!(hidden.samples.iter().all(|s| s.value == 0.5), "{:?}", hidden.samples);
     let dark = only(&CONSTANT, "lights", "must be dark");
     assert_eq!(dark.safe, Safe::Nowhere, "{}", dark.sentence);
     let buried = only(&NEGATIVE, "geometry", "inside walls");

@@ -63,6 +63,7 @@ pub fn chart(scene: &SceneChart, cost: Cost, link: &str) -> Chart {
         noise_floor: scene.truth.noise_floor.map(|f| f.nrmse_block),
         path_tracing: scene.path_tracing.filter(|_| cost == Cost::Time).map(|p| p.error_at_one_ms()),
         cost,
+        ..Chart::default()
     }
 }
 

@@ -230,6 +230,10 @@ pub struct FitArgs {
     /// the sweep's best; with `--ms` and `--precompute-ms`, of what takes no longer.
     #[arg(long, conflicts_with_all = ["error", "memory", "still"])]
     pub evaluate: bool,
+    /// Goes on as long as there is something to try. Otherwise a search ends after a tenth of the time that trying everything
+    /// would take, once something fits.
+    #[arg(long)]
+    pub thorough: bool,
 }
 
 /// Where kernels run.

@@ -3,13 +3,13 @@
 use super::args::FitArgs;
 use super::{print_json, setup};
 use crate::error::Error;
-use crate::fit::{self, Evidence, FitReport, Goal, Verdict, evaluate_scene};
+use crate::fit::{self, Care, Evidence, FitReport, Goal, Verdict, evaluate_scene};
 use crate::image_io::write_whole;
-use crate::methods::MethodRow;
+use crate::methods::{MethodRow, method};
 use crate::reference;
 use crate::report::{self, bytes, milliseconds, number};
 
-/// Finds settings for each scene and writes `settings.json` and `fit.json`; or judges the search itself.
+/// Finds settings for a scene and writes `settings.json`, `fit.json` and `index.html`; or judges the search itself.
 pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     let scenes = args.scenes.specs().map_err(Error::Usage)?;
     let methods = candidates(&args.methods)?;
@@ -36,10 +36,25 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     let mut evidence = Evidence::new(spec, args.scenes.size.into(), args.scenes.seed, cache, exec)?;
     setup::output_folder(out)?;
     let mut news = |c: &fit::Candidate| {
-        eprintln!("  {}: error {}, {}", c.row, number(c.error), milliseconds(goal.cost(c)));
+        let (name, took) = (fit::changed_settings(c.row, &c.settings), milliseconds(1e3 * c.wall_s));
+        eprintln!("  {name}: error {}, {} (asked in {took})", number(c.error), milliseconds(goal.cost(c)));
     };
-    let report = fit::fit(&mut evidence, &spec.scene, &methods, goal, true, &mut news)?;
+    let report = fit::fit(
+        &mut evidence,
+        &spec.scene,
+        &methods,
+        goal,
+        Care { explain: true, thorough: args.thorough },
+        &mut news,
+    )?;
     write_whole(&out.join("fit.json"), report::to_json(&report)?.as_bytes())?;
+    let pictures = match report.choice.as_ref().map(|c| (method(&c.method), c)) {
+        Some((Ok(row), choice)) => Some(evidence.pictures(row, &choice.settings)?),
+        _ => None,
+    };
+    let device = (&evidence.exec.device()).into();
+    let page = fit::page(&report, args.scenes.size.into(), &device, pictures.as_ref());
+    write_whole(&out.join("index.html"), page.as_bytes())?;
     if let (Some(choice), true) = (&report.choice, report.found) {
         write_whole(&out.join("settings.json"), report::to_json(choice)?.as_bytes())?;
     }
@@ -92,12 +107,13 @@ fn print(report: &FitReport, args: &FitArgs) {
         println!("  not {}: {}", other.method, other.reason);
     }
     println!(
-        "  {} trials in {:.1} s (truth {:.1} s), and {:.1} s for the neighbours",
-        report.trials, report.search_s, report.truth_s, report.why_s
+        "  {} trials in {:.1} s (truth {:.1} s), and {:.1} s for the neighbours; shared precomputation spared {:.1} s",
+        report.trials, report.search_s, report.truth_s, report.why_s, report.shared_s
     );
     if report.found {
         println!("{}", args.scenes.out.join("settings.json").display());
     }
+    println!("{}", args.scenes.out.join("index.html").display());
 }
 
 /// The search beside an exhaustive sweep.

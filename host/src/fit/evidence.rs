@@ -4,9 +4,9 @@
 
 use crate::chart::trial::SceneSpec;
 use crate::error::Error;
-use crate::evaluate::{self, Repeats, View};
+use crate::evaluate::{Prepared, Repeats, View};
 use crate::exec::{BufferId, Executor, ExecutorExt};
-use crate::image_io::Image;
+use crate::image_io::{Image, ImageError, ToneMap, png_bytes};
 use crate::methods::{Input, MethodRow, Settings, StageClock, Terms};
 use crate::metrics::BLOCK_PX;
 use crate::reference::{self, Receiver, ReferenceSettings};
@@ -42,6 +42,10 @@ const DUEL_ROUNDS: u32 = 15;
 const DUEL_LEAST: u32 = 3;
 const DUEL_S: f64 = 4.0;
 
+/// Methods that stay precomputed, and bytes of their buffers: the same settings are asked again for the whole picture, and
+/// others that need the same precomputation.
+const KEPT: (usize, u64) = (8, 1 << 30);
+
 /// How much of a picture is computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Effort {
@@ -72,7 +76,7 @@ pub struct Candidate {
     pub frame_ms: f64,
     /// The method's buffers.
     pub memory_bytes: u64,
-    /// Seconds that the trial took.
+    /// Seconds that the trial takes from nothing.
     pub wall_s: f64,
     /// What terms beyond its settings would carry, as far as the method knows.
     pub terms: Vec<Terms>,
@@ -98,6 +102,13 @@ pub struct Evidence {
     blocks: Vec<Vec<usize>>,
     /// Surface points of the first [`SAMPLE_BLOCKS`] blocks' pixels, one block after the other, and their number.
     sample: (BufferId, usize),
+    /// Where frames of the sample and of the whole picture go.
+    irradiance: [BufferId; 2],
+    /// What was precomputed last, the last first.
+    kept: Vec<Prepared>,
+    /// Seconds of precomputation that needed not be repeated.
+    pub shared_s: f64,
+    start: Instant,
     truth: Vec<BlockTruth>,
     /// Whether the truth has all the samples that it will have.
     refined: bool,
@@ -129,6 +140,7 @@ impl Evidence {
         cache: PathBuf,
         mut exec: Box<dyn Executor>,
     ) -> Result<Self, Error> {
+        let start = Instant::now();
         let (scene, camera) = spec.load()?;
         let buffers = SceneBuffers::upload(exec.as_mut(), &scene)?;
         let view = View::new(exec.as_mut(), &scene, &buffers, &camera, size.into(), seed)?;
@@ -146,6 +158,8 @@ impl Evidence {
         shuffle(&mut blocks, seed);
         let sample: Vec<Surfel> = blocks.iter().take(SAMPLE_BLOCKS).flatten().map(|k| view.surfels[*k]).collect();
         let sample = (exec.upload_slice("sample of surface points", &sample)?, sample.len());
+        let mut irradiance = |count: usize| exec.zeroed_slice::<Vec4>("irradiance", count);
+        let irradiance = [irradiance(sample.1)?, irradiance(view.surfels.len())?];
         Ok(Self {
             scene,
             exec,
@@ -155,6 +169,10 @@ impl Evidence {
             cache,
             blocks,
             sample,
+            irradiance,
+            kept: Vec::new(),
+            shared_s: 0.0,
+            start,
             truth: Vec::new(),
             refined: false,
             truth_s: 0.0,
@@ -232,14 +250,21 @@ impl Evidence {
         effort: Effort,
     ) -> Result<Candidate, Error> {
         let start = Instant::now();
-        let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
         let pixels = self.view.surfels.len();
         let whole = effort == Effort::Whole || self.blocks.len() <= SAMPLE_BLOCKS;
         let (points, count) = if whole { (self.view.gbuffer, pixels) } else { self.sample };
         let repeats = if effort == Effort::Whole { REPEATS } else { GLANCE };
-        let run = evaluate::run(self.exec.as_mut(), &input, row, settings, points, count, repeats)?;
-        let wall_s = start.elapsed().as_secs_f64();
-        self.trials_s += wall_s;
+        let (mut prepared, is_kept) = self.prepared(row, settings, repeats)?;
+        let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
+        let irradiance = self.irradiance[usize::from(whole)];
+        let run = prepared.run(self.exec.as_mut(), &input, points, irradiance, repeats);
+        let shared_s = if is_kept { prepared.wall_s } else { 0.0 };
+        self.keep(prepared);
+        let run = run?;
+        let took_s = start.elapsed().as_secs_f64();
+        let wall_s = took_s + shared_s;
+        self.shared_s += shared_s;
+        self.trials_s += took_s;
         self.trials += 1;
         // The fastest of the runs: the one that other work on the machine disturbed least.
         let light_ms = run.times.spread.map_or(run.times.light_change, |s| s.light_change[0]);
@@ -268,6 +293,50 @@ impl Evidence {
             effort,
             irradiance: if whole { run.irradiance } else { Vec::new() },
         })
+    }
+
+    /// The method precomputed for these settings, and whether it was so before.
+    fn prepared(
+        &mut self,
+        row: &'static MethodRow,
+        settings: &Settings,
+        repeats: Repeats,
+    ) -> Result<(Prepared, bool), Error> {
+        if let Some(at) = self.kept.iter_mut().position(|p| p.serves(row, settings)) {
+            return Ok((self.kept.remove(at), true));
+        }
+        let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
+        Ok((Prepared::new(self.exec.as_mut(), &input, row, settings, repeats)?, false))
+    }
+
+    /// Keeps what was precomputed, and gives back what was not asked for the longest.
+    fn keep(&mut self, prepared: Prepared) {
+        self.kept.insert(0, prepared);
+        let (count, bytes) = KEPT;
+        while self.kept.len() > count || self.kept.iter().map(Prepared::memory_bytes).sum::<u64>() > bytes {
+            let Some(oldest) = self.kept.pop() else { return };
+            oldest.free(self.exec.as_mut());
+        }
+    }
+
+    /// Seconds since this began: loading the scene, truths, trials.
+    pub fn elapsed_s(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// The picture that settings make, as PNG files: full, and indirect irradiance alone.
+    ///
+    /// # Errors
+    /// What the method says.
+    pub fn pictures(&mut self, row: &'static MethodRow, settings: &Settings) -> Result<[Vec<u8>; 2], Error> {
+        let candidate = self.execute(row, settings, Effort::Whole)?;
+        let frame = self.view.frame(&candidate.irradiance);
+        let visible = self.view.visible();
+        let png = |image: &Image| {
+            let encoded = png_bytes(&ToneMap::from_truth(image, &visible).apply(image));
+            encoded.map_err(|reason| ImageError::Encode { path: "index.html".into(), reason })
+        };
+        Ok([png(&frame.full)?, png(&frame.irradiance)?])
     }
 
     /// A candidate's picture of indirect irradiance; black where it was not computed.

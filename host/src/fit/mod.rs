@@ -15,12 +15,14 @@
 
 mod evidence;
 mod model;
+mod page;
 mod search;
 mod sweep;
 mod words;
 
 pub use evidence::{Candidate, Effort, Evidence};
 pub use model::Effect;
+pub use page::page;
 pub use sweep::{Case, LEAST_WITHIN, MOST_COST, MOST_TIME, Open, Verdict, evaluate_scene};
 
 use crate::error::Error;
@@ -203,6 +205,23 @@ impl SettingsFile {
     }
 }
 
+/// Settings that were asked for, and what they gave.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Tried {
+    /// Method.
+    pub method: String,
+    /// Its settings that differ from its defaults, with its name.
+    pub name: String,
+    /// Block NRMSE.
+    pub error: f64,
+    /// Time of a frame with moving lights, and with still ones (ms).
+    pub ms: [f64; 2],
+    /// Once per geometry (ms).
+    pub precompute_ms: f64,
+    /// Memory of the method's buffers.
+    pub memory_bytes: u64,
+}
+
 /// The answer.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct FitReport {
@@ -223,6 +242,9 @@ pub struct FitReport {
     pub why: Vec<Reason>,
     /// Every other method.
     pub rejected: Vec<Rejected>,
+    /// Everything that was asked for.
+    #[serde(default)]
+    pub tried: Vec<Tried>,
     /// What estimates spared the search, and on what grounds.
     #[serde(default)]
     pub spared: Vec<String>,
@@ -234,6 +256,26 @@ pub struct FitReport {
     pub truth_s: f64,
     /// Seconds to ask the choice's neighbours.
     pub why_s: f64,
+    /// Seconds of precomputation that trials shared with others.
+    #[serde(default)]
+    pub shared_s: f64,
+}
+
+/// A method's name and those of its settings that differ from its defaults.
+pub fn changed_settings(method: &str, settings: &Settings) -> String {
+    let defaults = crate::methods::method(method).map(MethodRow::defaults).unwrap_or_default();
+    let changed = settings.iter().filter(|(k, v)| defaults.get(*k) != Some(*v));
+    let changed: Vec<String> = changed.map(|(k, v)| format!("{k}={v}")).collect();
+    format!("{method} {}", changed.join(" ")).trim().to_string()
+}
+
+/// How much a search takes upon itself.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Care {
+    /// Asks the neighbours of every parameter's chosen value.
+    pub explain: bool,
+    /// Goes on as long as there is something to try, instead of a small part of the time that a sweep would take.
+    pub thorough: bool,
 }
 
 /// Finds the settings for a goal.
@@ -245,13 +287,13 @@ pub fn fit(
     scene: &str,
     methods: &[&'static MethodRow],
     goal: Goal,
-    explain: bool,
+    care: Care,
     news: &mut dyn FnMut(&Candidate),
 ) -> Result<FitReport, Error> {
     let start = Instant::now();
-    let (trials, truth_s) = (evidence.trials, evidence.truth_s);
+    let (trials, truth_s, shared_s) = (evidence.trials, evidence.truth_s, evidence.shared_s);
     let dark = evidence.is_dark()?;
-    let mut search = Search::new(evidence, goal, methods, news);
+    let mut search = Search::new(evidence, goal, care.thorough, methods, news);
     let mut chosen = None;
     if dark {
         search.reject_all("no indirect light reaches what the camera sees: nothing needs to be computed");
@@ -264,7 +306,7 @@ pub fn fit(
         chosen = search.closest();
     }
     let choice = chosen;
-    let why = match (&choice, explain) {
+    let why = match (&choice, care.explain) {
         (Some(c), true) => search.why(c),
         _ => Vec::new(),
     };
@@ -286,12 +328,27 @@ pub fn fit(
         }),
         why,
         rejected,
+        tried: search.tried().iter().map(Tried::from).collect(),
         spared: std::mem::take(&mut search.spared),
         trials: search.spent().0 - trials,
         search_s,
         truth_s: search.spent().1 - truth_s,
         why_s: start.elapsed().as_secs_f64() - search_s,
+        shared_s: search.shared_s() - shared_s,
     })
+}
+
+impl From<&Candidate> for Tried {
+    fn from(c: &Candidate) -> Self {
+        Self {
+            method: c.row.into(),
+            name: changed_settings(c.row, &c.settings),
+            error: finite(c.error),
+            ms: [c.dynamic_ms, c.frame_ms],
+            precompute_ms: c.precompute_ms,
+            memory_bytes: c.memory_bytes,
+        }
+    }
 }
 
 /// JSON has no infinity: a black truth has no relative error.

@@ -29,6 +29,9 @@ const FINALISTS: (f64, usize) = (1.15, 3);
 const NEGLIGIBLE: f64 = 0.1;
 /// Blocks of the picture at which the truth of a finalist is traced at least: a few blocks may miss where the error is.
 const CONFIRMED_BLOCKS: usize = 512;
+/// Part of the time that a sweep of all rungs and their neighbours would take, as far as their times are known, after which a
+/// search that has something that fits looks no further.
+const PATIENCE: f64 = 0.1;
 /// Least ratio of errors from rung to rung that a ladder is expected to go on with, and how much better than that it may
 /// turn out to be.
 const OPTIMISM: [f64; 2] = [0.6, 0.7];
@@ -37,6 +40,8 @@ const OPTIMISM: [f64; 2] = [0.6, 0.7];
 pub(super) struct Search<'a> {
     evidence: &'a mut Evidence,
     goal: Goal,
+    /// Part of a sweep's time that it takes at most; infinite: as long as there is something to try.
+    patience: f64,
     methods: &'a [&'static MethodRow],
     news: &'a mut dyn FnMut(&Candidate),
     tried: Vec<Candidate>,
@@ -67,15 +72,64 @@ impl<'a> Search<'a> {
     pub(super) fn new(
         evidence: &'a mut Evidence,
         goal: Goal,
+        thorough: bool,
         methods: &'a [&'static MethodRow],
         news: &'a mut dyn FnMut(&Candidate),
     ) -> Self {
-        Self { evidence, goal, methods, news, tried: Vec::new(), rejected: Vec::new(), spared: Vec::new() }
+        let patience = if thorough { f64::INFINITY } else { PATIENCE };
+        Self { evidence, goal, patience, methods, news, tried: Vec::new(), rejected: Vec::new(), spared: Vec::new() }
+    }
+
+    /// Seconds that a sweep of every rung and its neighbours would take at least: rungs that were not run as long as the last
+    /// that was.
+    fn sweep_s(&self) -> f64 {
+        let mut sum = 0.0;
+        for row in self.methods {
+            let mut each_s = 0.0;
+            for (_, changes) in row.ladder {
+                let Ok(rung) = row.with(changes.iter().copied()) else { continue };
+                let ran = self.tried.iter().find(|c| c.row == row.name && c.settings == rung);
+                each_s = ran.map_or(each_s, |c| c.wall_s);
+                let beside = |axis: &Axis| [-1, 1].into_iter().filter(|d| step(&rung, axis, *d).is_some()).count();
+                sum += each_s * (1 + axes(row, &rung).iter().map(beside).sum::<usize>()) as f64;
+                if ran.is_some_and(|c| !self.goal.affords(c)) {
+                    break;
+                }
+            }
+        }
+        sum
+    }
+
+    /// Whether it has something that fits, and has looked long enough for something better; says so once.
+    fn is_patience_over(&mut self) -> bool {
+        const WORDS: &str = "the search ended";
+        if self.patience.is_infinite() || self.best().is_none() {
+            return false;
+        }
+        let (spent_s, sweep_s) = (self.evidence.elapsed_s(), self.sweep_s());
+        let over = spent_s > self.patience * sweep_s;
+        if over && !self.spared.iter().any(|s| s.starts_with(WORDS)) {
+            self.spared.push(format!(
+                "{WORDS} after {spent_s:.1} s, because trying everything would take some {sweep_s:.0} s: what is left may save more \
+                 (`--thorough` goes on)"
+            ));
+        }
+        over
     }
 
     /// Sets of settings and seconds that the evidence has spent.
     pub(super) fn spent(&self) -> (usize, f64) {
         (self.evidence.trials, self.evidence.truth_s)
+    }
+
+    /// Everything that was run.
+    pub(super) fn tried(&self) -> &[Candidate] {
+        &self.tried
+    }
+
+    /// Seconds of precomputation that trials shared.
+    pub(super) fn shared_s(&self) -> f64 {
+        self.evidence.shared_s
     }
 
     pub(super) fn reject_all(&mut self, reason: &str) {
@@ -242,6 +296,9 @@ impl<'a> Search<'a> {
         let Some(limit) = self.goal.error else { return self.raise(row, best) };
         let mut best = self.lower(row, best, limit)?;
         for row in self.methods.iter().copied() {
+            if self.is_patience_over() {
+                break;
+            }
             let cost = self.goal.cost(&best);
             let rival = self.tried.iter().filter(|c| c.row == row.name && c.row != best.row);
             let rival = rival.filter(|c| self.fits(c) && self.goal.cost(c) < RIVAL * cost);
@@ -269,7 +326,7 @@ impl<'a> Search<'a> {
                 Some(_) => self.lower_by_model(row, best, limit)?,
                 None => self.lower_by_trials(row, best, limit)?,
             };
-            if self.goal.cost(&best) > SAVES * before {
+            if self.goal.cost(&best) > SAVES * before || self.is_patience_over() {
                 break;
             }
         }
@@ -279,6 +336,9 @@ impl<'a> Search<'a> {
     /// One axis down, value by value, while the limit holds and time is saved.
     fn lower_axis(&mut self, row: &'static MethodRow, mut best: Candidate, axis: &Axis) -> Result<Candidate, Error> {
         while let Some(settings) = step(&best.settings, axis, -1) {
+            if self.is_patience_over() {
+                break;
+            }
             let Some(next) = self.run(row, &settings) else { break };
             if self.goal.cost(&next) > SAVES * self.goal.cost(&best) {
                 break;
@@ -454,6 +514,9 @@ impl<'a> Search<'a> {
         if let Some(known) = self.known_effect(row, at, key, value) {
             return Some(known);
         }
+        if self.is_patience_over() {
+            return None;
+        }
         let base = self.cheap_base(row, at)?;
         let other = self.run(row, &changed(&base.settings, key, value))?;
         Some(Effect::between(&base, &other, key, &at.settings))
@@ -495,6 +558,9 @@ impl<'a> Search<'a> {
                 }
             }
             for settings in proposals {
+                if self.is_patience_over() {
+                    return Ok(best);
+                }
                 let Some(next) = self.run(row, &settings) else { continue };
                 if self.goal.cost(&next) >= best.as_ref().map_or(bar, |b| self.goal.cost(b)) {
                     continue;
@@ -509,6 +575,9 @@ impl<'a> Search<'a> {
     fn raise(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<(), Error> {
         for axis in axes(row, &best.settings) {
             while let Some(settings) = step(&best.settings, &axis, 1) {
+                if self.is_patience_over() {
+                    return Ok(());
+                }
                 if self.carries_nothing(&best, &axis.key) {
                     break;
                 }
@@ -561,6 +630,8 @@ impl<'a> Search<'a> {
 
     /// The neighbours of every parameter's chosen value: run, or estimated where that is much faster.
     pub(super) fn why(&mut self, chosen: &Candidate) -> Vec<Reason> {
+        // Reasons are asked for whatever they take.
+        self.patience = f64::INFINITY;
         let Some(row) = self.row(chosen.row) else { return Vec::new() };
         let mut reasons = Vec::new();
         for (k, axis) in axes(row, &chosen.settings).into_iter().enumerate() {

@@ -1,11 +1,12 @@
 //! How good the search is: its choice beside the best that an exhaustive sweep of the same settings finds.
 //!
-//! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, each from nothing
-//! for the whole picture, every phase up to three times after a warm-up until it has taken 150 ms, and judges them by the
-//! truth of the whole picture, whose time counts. The search runs from nothing once per target, with a cache of its own: loading
+//! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, each for the whole
+//! picture, every phase up to three times after a warm-up until it has taken 150 ms, and judges them by the
+//! truth of the whole picture, whose time counts. Trials share precomputation in both where settings allow it; what that
+//! spared the sweep is reported, so that its time without sharing can be told. The search runs from nothing once per target, with a cache of its own: loading
 //! the scene, tracing its truths, its trials and its confirmation count. Scene and executor are loaded once in both.
 
-use super::{Candidate, Effort, Evidence, Goal, axes, fit, step};
+use super::{Candidate, Care, Effort, Evidence, Goal, axes, changed_settings, fit, step};
 use crate::chart::trial::SceneSpec;
 use crate::chart::{Judge, TruthPlan};
 use crate::error::Error;
@@ -54,6 +55,9 @@ pub struct Case {
     pub fit_s: f64,
     /// Seconds of the sweep, truth included.
     pub sweep_s: f64,
+    /// Seconds that the sweep would take beyond that if no trial shared its precomputation.
+    #[serde(default)]
+    pub sweep_shared_s: f64,
     /// Sets of settings that the search ran.
     pub fit_trials: usize,
     /// Sets of settings that the sweep ran.
@@ -141,7 +145,13 @@ pub fn evaluate_scene(
     let swept = sweep(&mut evidence, &judge, methods, limits)?;
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
-    news(&format!("{}: {} sets of settings swept in {sweep_s:.1} s", spec.scene, swept.len()));
+    let shared_s = evidence.shared_s;
+    news(&format!(
+        "{}: {} sets of settings swept in {sweep_s:.1} s ({:.1} s if none shared its precomputation)",
+        spec.scene,
+        swept.len(),
+        sweep_s + shared_s
+    ));
     let mut errors: Vec<f64> = swept.iter().map(|s| s.error).filter(|e| *e < NO_LIGHT).collect();
     errors.sort_by(f64::total_cmp);
     let mut targets: Vec<f64> =
@@ -150,7 +160,8 @@ pub fn evaluate_scene(
     let mut cases = Vec::new();
     for target in targets {
         let goal = Goal { error: Some(target), precompute_ms: limits.precompute_ms, ..Goal::default() };
-        let case = one(spec, size, goal, &swept, &judge, &mut evidence, sweep_s, (open, methods, truth.seed))?;
+        let case =
+            one(spec, size, goal, &swept, &judge, &mut evidence, [sweep_s, shared_s], (open, methods, truth.seed))?;
         news(&format!("  {case}"));
         cases.push(case);
     }
@@ -212,14 +223,14 @@ fn one(
     swept: &[Swept],
     judge: &Judge,
     evidence: &mut Evidence,
-    sweep_s: f64,
+    [sweep_s, sweep_shared_s]: [f64; 2],
     (open, methods, seed): (&Open<'_>, &[&'static MethodRow], u32),
 ) -> Result<Case, Error> {
     let cache = tempfile::tempdir().map_err(|e| crate::image_io::ImageError::io("create", Path::new("cache"), e))?;
     let start = Instant::now();
     let mut fresh = Evidence::new(spec, size, seed, cache.path().to_path_buf(), open()?)?;
     let target = goal.error.unwrap_or(f64::MAX);
-    let report = fit(&mut fresh, &spec.scene, methods, goal, false, &mut |_| {})?;
+    let report = fit(&mut fresh, &spec.scene, methods, goal, Care::default(), &mut |_| {})?;
     let fit_s = start.elapsed().as_secs_f64();
     drop(fresh);
     let best = swept.iter().filter(|s| s.error <= target).min_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -229,10 +240,11 @@ fn one(
         choice: "nothing".into(),
         error: None,
         within: false,
-        best: best.map_or_else(|| "nothing".into(), |b| name(b.row, &b.settings)),
+        best: best.map_or_else(|| "nothing".into(), |b| changed_settings(b.row.name, &b.settings)),
         cost_ratio: None,
         fit_s,
         sweep_s,
+        sweep_shared_s,
         fit_trials: report.trials,
         sweep_trials: swept.len(),
     };
@@ -248,17 +260,9 @@ fn one(
         let [own, other] = evidence.duel([(row, &choice.settings), (best.row, &best.settings)])?;
         own / other.max(1e-9)
     });
-    case.choice = name(row, &choice.settings);
+    case.choice = changed_settings(row.name, &choice.settings);
     case.within = case.error.is_some_and(|e| e <= target);
     Ok(case)
-}
-
-/// Method and the settings that differ from its defaults.
-fn name(row: &MethodRow, settings: &Settings) -> String {
-    let defaults = row.defaults();
-    let changed: Vec<String> =
-        settings.iter().filter(|(k, v)| defaults.get(*k) != Some(*v)).map(|(k, v)| format!("{k}={v}")).collect();
-    format!("{} {}", row.name, changed.join(" ")).trim().to_string()
 }
 
 #[cfg(test)]
@@ -277,6 +281,7 @@ mod tests {
             cost_ratio: Some(1.2),
             fit_s: 1.0,
             sweep_s: 10.0,
+            sweep_shared_s: 1.0,
             fit_trials: 5,
             sweep_trials: 50,
         };

@@ -219,6 +219,12 @@ pub trait Method: Send {
         clock: &mut StageClock,
     ) -> Result<(), MethodError>;
 
+    /// Takes other settings after [`Method::precompute`], where those need nothing else of it: true. False, and nothing
+    /// changes, where what was precomputed does not serve them (the default).
+    fn retune(&mut self, _: &Settings) -> bool {
+        false
+    }
+
     /// Computes what depends on lights and materials.
     fn light_change(
         &mut self,
@@ -260,6 +266,15 @@ pub trait Method: Send {
     /// default): the method has no further bounces, or does not know.
     fn feedback_gain(&self) -> Option<f64> {
         None
+    }
+
+    /// Least irradiance (W/m²) that the method holds before it cuts off what is negative, and the mean of all that it holds: what
+    /// a cut-off hides. `None` (the default): nothing is cut off.
+    ///
+    /// # Errors
+    /// What reading back returns.
+    fn lowest_uncut(&self, _: &mut dyn Executor) -> Result<Option<[f64; 2]>, MethodError> {
+        Ok(None)
     }
 
     /// What the terms carry that settings cut off, as the last light change found: by this `fit` knows what not to try. Empty

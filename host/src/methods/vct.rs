@@ -247,6 +247,20 @@ impl Method for Vct {
         Ok(())
     }
 
+    fn retune(&mut self, settings: &Settings) -> bool {
+        let voxels_of = |o: &Options| (o.resolution, o.anisotropic, o.memory_limit_bytes);
+        let Ok(options) = Options::parse(settings) else { return false };
+        let Some(mut state) = self.state.take() else { return false };
+        let alike = voxels_of(&options) == voxels_of(&self.options);
+        if alike {
+            self.options = options;
+            state.gather = self.cone_params(&state.voxels, options.cones);
+            state.bounce = self.cone_params(&state.voxels, options.bounce_cones);
+        }
+        self.state = Some(state);
+        alike
+    }
+
     fn light_change(
         &mut self,
         exec: &mut dyn Executor,
@@ -311,6 +325,7 @@ impl Method for Vct {
         let Some(state) = &self.state else { return serde_json::Value::Null };
         let mut needs = state.voxels.needs();
         needs["bounces"] = json!(self.options.bounces);
+        needs["bounce_ratio"] = json!(state.ratio);
         needs["cone_half_angle_rad"] = json!(half_angle_tangent(self.options.cones).atan());
         needs
     }

@@ -88,6 +88,10 @@ pub struct Chart {
     pub path_tracing: Option<f64>,
     /// What the horizontal axis shows.
     pub cost: Cost,
+    /// Whether points of a series stand alone, instead of being joined.
+    pub scattered: bool,
+    /// Largest error and cost that were asked for, drawn as lines.
+    pub limits: [Option<f64>; 2],
 }
 
 /// Where the colours come from.
@@ -268,7 +272,10 @@ impl Chart {
         if self.points.iter().all(|p| p.cost > 0.0) {
             costs.retain(|t| *t > 0.0);
         }
-        let errors: Vec<f64> = self.points.iter().map(|p| p.error).chain(self.noise_floor).collect();
+        let [error_limit, cost_limit] = self.limits;
+        costs.extend(cost_limit);
+        let errors = self.points.iter().map(|p| p.error).chain(self.noise_floor).chain(error_limit);
+        let errors: Vec<f64> = errors.collect();
         Canvas { width, height, x: Axis::over(&costs, 58.0, width - 22.0), y: Axis::over(&errors, height - 56.0, 34.0) }
     }
 
@@ -321,6 +328,15 @@ impl Chart {
             let (class, x) = if self.path_tracing.is_some() { ("hint", left + 6.0) } else { ("hint end", right - 6.0) };
             text(svg, class, x, y - 5.0, "noise of the truth");
         }
+        let [error_limit, cost_limit] = self.limits;
+        if let Some(y) = error_limit.map(|e| c.y.at(e)) {
+            let _ = writeln!(svg, "<path class=\"limit\" d=\"M{left} {y:.1}H{right}\"/>");
+            text(svg, "hint end", right - 6.0, y - 5.0, "largest error asked for");
+        }
+        if let Some(x) = cost_limit.map(|t| c.x.at(t)) {
+            let _ = writeln!(svg, "<path class=\"limit\" d=\"M{x:.1} {top}V{bottom}\"/>");
+            text(svg, "hint end", x - 4.0, top + 27.0, "most time asked for");
+        }
         if let Some(at_one_ms) = self.path_tracing {
             draw_path_tracing(svg, c, at_one_ms);
         }
@@ -344,7 +360,7 @@ impl Chart {
             let of_series: Vec<_> = self.points.iter().filter(|p| p.series == *series).collect();
             let path: Vec<_> =
                 of_series.iter().map(|p| format!("{:.1} {:.1}", c.x.at(p.cost), c.y.at(p.error))).collect();
-            if path.len() > 1 {
+            if path.len() > 1 && !self.scattered {
                 let _ = writeln!(svg, "<path class=\"series\" stroke=\"{colour}\" d=\"M{}\"/>", path.join("L"));
             }
         }
@@ -449,6 +465,7 @@ const STYLE: &str = "\
 .tae .label{font-weight:600;paint-order:stroke;stroke:var(--bg);stroke-width:4px;stroke-linejoin:round}\
 .tae path{fill:none}.tae .grid{stroke:var(--line)}.tae .minor{stroke-dasharray:1 3}.tae .axis{stroke:var(--mute)}\
 .tae .budget{stroke:var(--mute);stroke-dasharray:2 4}.tae .floor{stroke:var(--mute);stroke-dasharray:6 4}\
+.tae .limit{stroke:var(--fg);stroke-dasharray:6 4}\
 .tae .front{stroke:var(--front);stroke-width:8;stroke-linejoin:round;stroke-linecap:round;opacity:.3}\
 .tae .series{stroke-width:1.5;opacity:.7}.tae .tail{stroke-width:1.5;opacity:.55}\
 .tae .spread{stroke-width:5;opacity:.3;stroke-linecap:round}.tae .paths{stroke:var(--fg);stroke-dasharray:9 5;\

@@ -54,6 +54,8 @@ pub struct Measured {
     pub unit: Option<Unit>,
     /// Gain of its feedback loop, where it knows.
     pub gain: Option<f64>,
+    /// Least irradiance and mean of what it holds before it cuts off what is negative, where it does.
+    pub uncut: Option<[f64; 2]>,
 }
 
 impl Lab {
@@ -74,7 +76,8 @@ impl Lab {
         self.session(settings, scene, surfels, |session| {
             session.light_change(scene)?;
             let values = session.frame(scene)?;
-            Ok(Measured { values, unit: session.method.unit(), gain: session.method.feedback_gain() })
+            let uncut = session.method.lowest_uncut(session.exec)?;
+            Ok(Measured { values, unit: session.method.unit(), gain: session.method.feedback_gain(), uncut })
         })
     }
 

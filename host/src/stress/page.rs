@@ -1,6 +1,7 @@
 //! `index.html` of the atlas: one table of safe ranges, one section per family with curves, sentences and pictures.
 
 use super::{Atlas, Danger, Entry, FAMILIES, NOT_FINITE, State};
+use crate::methods::METHODS;
 use crate::report::{PALETTE, colours, data_uri, document, escape};
 use std::fmt::Write;
 
@@ -19,6 +20,7 @@ pub fn page(atlas: &Atlas) -> String {
         escape(&atlas.device.adapter),
         escape(&atlas.device.backend)
     );
+    methods(&mut html, atlas);
     glance(&mut html, atlas);
     for family in FAMILIES {
         let entries: Vec<&Entry> = atlas.entries.iter().filter(|e| e.family == family.key).collect();
@@ -86,6 +88,63 @@ fn is_safe(entry: &Entry) -> bool {
 fn subject(entry: &Entry) -> String {
     let title = FAMILIES.iter().find(|f| f.key == entry.family).map_or(entry.family.as_str(), |f| f.title);
     if entry.variant.is_empty() { sentence_case(title) } else { format!("{}: {}", sentence_case(title), entry.variant) }
+}
+
+/// Worst failures that a method's card names.
+const NAMED_FAILURES: usize = 4;
+
+/// A card for every method: what it is, how many tests it stands, and where it goes wrong most.
+fn methods(html: &mut String, atlas: &Atlas) {
+    let mut names: Vec<&str> = atlas.entries.iter().map(|e| e.method.as_str()).collect();
+    let mut seen = Vec::new();
+    names.retain(|n| {
+        !seen.contains(n) && {
+            seen.push(*n);
+            true
+        }
+    });
+    html.push_str(
+        "<section aria-labelledby=\"h-methods\">\n<h2 id=\"h-methods\">Which method for which scene</h2>\n<p class=\"note\">Look for what \
+         your scene has: thin walls, moving objects, tiny lights. How accurate and fast a method is where it works, `chart` \
+         says.</p>\n<div class=\"cards\">\n",
+    );
+    for name in names {
+        let of = || atlas.entries.iter().filter(|e| e.method == name && e.state == State::Measured);
+        let mut bad: Vec<&Entry> = of().filter(|e| !is_safe(e)).collect();
+        bad.sort_by(|a, b| severity(b).total_cmp(&severity(a)));
+        let _ = write!(
+            html,
+            "<div class=\"card\"><h3>{}</h3>\n<p>{} of {} tests hold.</p>",
+            escape(name),
+            of().count() - bad.len(),
+            of().count()
+        );
+        if let Some(row) = METHODS.iter().find(|m| m.name == name) {
+            let _ = write!(
+                html,
+                "<p class=\"note\"><b>Good when:</b> {}<br><b>Fails when:</b> {}</p>",
+                escape(row.good_when),
+                escape(row.fails_when)
+            );
+        }
+        if !bad.is_empty() {
+            html.push_str("<p class=\"note\"><b>Worst here:</b> ");
+            let links: Vec<String> = bad
+                .iter()
+                .take(NAMED_FAILURES)
+                .map(|e| format!("<a href=\"#f-{}\">{}</a>", escape(&e.family), escape(&subject(e).to_lowercase())))
+                .collect();
+            html.push_str(&links.join("; "));
+            html.push_str("</p>");
+        }
+        html.push_str("</div>\n");
+    }
+    html.push_str("</div>\n</section>\n");
+}
+
+/// How many times over its bound an entry is at worst.
+fn severity(entry: &Entry) -> f64 {
+    if entry.bound > 0.0 { worst(entry) / entry.bound } else { NOT_FINITE }
 }
 
 /// One row per test, one column per method: where to look at all.

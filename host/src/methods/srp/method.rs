@@ -310,6 +310,17 @@ impl Method for Srp {
         Ok(())
     }
 
+    fn retune(&mut self, settings: &Settings) -> bool {
+        let baked_alike = |o: &Options| o.file == self.options.file && o.bake == self.options.bake;
+        match Options::parse(settings) {
+            Ok(options) if baked_alike(&options) => {
+                self.options = options;
+                true
+            }
+            _ => false,
+        }
+    }
+
     fn light_change(
         &mut self,
         exec: &mut dyn Executor,
@@ -367,6 +378,15 @@ impl Method for Srp {
 
     fn feedback_gain(&self) -> Option<f64> {
         Some(self.state.as_ref()?.feedback.spectral_radius)
+    }
+
+    /// Irradiance at the receivers, of which pixels cut off what is negative.
+    fn lowest_uncut(&self, exec: &mut dyn Executor) -> Result<Option<[f64; 2]>, MethodError> {
+        let Some(state) = &self.state else { return Ok(None) };
+        let values = state.runtime.read_irradiance(exec)?;
+        let lowest = values.iter().map(|v| f64::from(v.min_element())).fold(0.0, f64::min);
+        let sum: f64 = values.iter().map(|v| f64::from(v.element_sum())).sum();
+        Ok(Some([lowest, sum / (3 * values.len().max(1)) as f64]))
     }
 
     fn terms(&self) -> Vec<Terms> {

@@ -5,13 +5,13 @@ use crate::error::Error;
 use crate::scene::Scene;
 use crate::scene::built_in::furnace as furnace_scene;
 use crate::stress::lab::{SIDE_PX, difference, mean, picture};
-use crate::stress::{Answer, Danger, Entry, Lab, NOT_FINITE, Question};
+use crate::stress::{Answer, Danger, Effort, Entry, Lab, NOT_FINITE, Question};
 use glam::Vec3;
 use std::f64::consts::PI;
 
 /// Reflectances.
 const ALBEDOS: [f64; 7] = [0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 0.99];
-/// Frames in which a loop must settle.
+/// Frames of a loop under one light.
 const FRAMES: usize = 500;
 
 pub fn furnace(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
@@ -66,9 +66,14 @@ pub fn furnace(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
 struct Loop {
     /// Ratio of successive changes; 0 where the second frame was the first.
     gain: f64,
+    /// Range of the later half of the frames over their mean: 0 where the loop has settled, large where it grows or swings.
+    unrest: f64,
     /// Frames after which 95 % of a step in the lights have arrived.
     response: usize,
 }
+
+/// Albedos of the box.
+const LOOP_ALBEDOS: [f64; 4] = [0.5, 0.8, 0.95, 0.99];
 
 pub fn feedback(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let gain = Question {
@@ -80,50 +85,63 @@ pub fn feedback(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
         percent: false,
         danger: Danger::High,
     };
+    let unrest = Question {
+        variant: "500 frames",
+        measure: "the change over the later 250 of 500 frames of one light",
+        bound: 0.001,
+        percent: true,
+        ..gain.clone()
+    };
     let response = Question {
         variant: "step response",
         measure: "the number of frames after which 95 % of a step in the lights have arrived",
         bound: 60.0,
         ..gain.clone()
     };
-    let mut responses = Vec::new();
-    let gains = gain.sweep(lab, "feedback", &[0.5, 0.8, 0.95, 0.99], 0, |lab, albedo| {
+    let mut loops: Vec<(f64, Loop)> = Vec::new();
+    let gains = gain.sweep(lab, "feedback", &LOOP_ALBEDOS, 0, |lab, albedo| {
         let scene = furnace_scene(albedo as f32, 1.0);
         let surfels = lab.seen(&scene, &scene.cameras[0], 8)?;
-        let settings = lab.settings.clone();
+        // The light is the same from every point of a lamp here: one shadow ray tells as much as many.
+        let settings = lab.changed(&[("light_samples", "1")]).unwrap_or_else(|| lab.settings.clone());
+        let patient = lab.effort == Effort::Full || albedo == LOOP_ALBEDOS[LOOP_ALBEDOS.len() - 1];
         let (observed, stated) = lab.session(&settings, &scene, &surfels, |session| {
-            let observed = settle(session, albedo, &scene)?;
+            let observed = many_frames(session, albedo, &scene, patient)?;
             Ok((observed, session.method.feedback_gain()))
         })?;
-        responses.push((albedo, observed.response as f64));
-        Ok(observed.gain.max(stated.unwrap_or(0.0)).into())
+        let gain = observed.gain.max(stated.unwrap_or(0.0));
+        loops.push((albedo, observed));
+        Ok(gain.into())
     })?;
-    let steps = response.sweep(lab, "feedback", &[0.5, 0.8, 0.95, 0.99], 0, |_, albedo| {
-        Ok(responses.iter().find(|r| r.0 == albedo).map_or(NOT_FINITE, |r| r.1).into())
-    })?;
-    Ok(vec![gains, steps])
+    let of = |albedo: f64, number: fn(&Loop) -> f64| {
+        loops.iter().find(|l| l.0 == albedo).map_or(NOT_FINITE, |l| number(&l.1)).into()
+    };
+    let rest = unrest.sweep(lab, "feedback", &LOOP_ALBEDOS, 0, |_, albedo| Ok(of(albedo, |l| l.unrest)))?;
+    let steps = response.sweep(lab, "feedback", &LOOP_ALBEDOS, 0, |_, albedo| Ok(of(albedo, |l| l.response as f64)))?;
+    Ok(vec![gains, rest, steps])
 }
 
-/// Runs the loop until it settles, then doubles the lights and counts.
-fn settle(session: &mut crate::stress::Session<'_>, albedo: f64, scene: &Scene) -> Result<Loop, Error> {
-    let mut step = |scene: &Scene| -> Result<f64, Error> {
+/// Runs the loop under one light, until it settles where patience ends there, then doubles the lights and counts.
+fn many_frames(
+    session: &mut crate::stress::Session<'_>,
+    albedo: f64,
+    scene: &Scene,
+    patient: bool,
+) -> Result<Loop, Error> {
+    let mut history: Vec<f64> = Vec::with_capacity(FRAMES);
+    let settled = |h: &[f64]| matches!(h, [.., a, b] if (b - a).abs() <= 1e-6 * b.abs());
+    while history.len() < FRAMES && (patient || !settled(&history)) {
         session.light_change(scene)?;
-        Ok(mean(&session.frame(scene)?))
-    };
-    let mut history = vec![step(scene)?];
-    for _ in 0..FRAMES {
-        history.push(step(scene)?);
-        let n = history.len();
-        let change = (history[n - 1] - history[n - 2]).abs();
-        if change <= 1e-6 * history[n - 1].abs() || !history[n - 1].is_finite() {
-            break;
+        history.push(mean(&session.frame(scene)?));
+        if history.last().is_some_and(|v| !v.is_finite()) {
+            return Ok(Loop { gain: NOT_FINITE, unrest: NOT_FINITE, response: FRAMES });
         }
     }
+    let late = &history[history.len() / 2..];
+    let (low, high) = late.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
+    let scale = late.iter().map(|v| v.abs()).sum::<f64>() / late.len() as f64;
+    let unrest = if scale > 0.0 { (high - low) / scale } else { 0.0 };
     let settled = history[history.len() - 1];
-    if !settled.is_finite() {
-        return Ok(Loop { gain: NOT_FINITE, response: FRAMES });
-    }
-    let gain = growth(&history);
     let brighter = furnace_scene(albedo as f32, 2.0);
     session.relight(&brighter)?;
     let mut response = FRAMES;
@@ -134,20 +152,16 @@ fn settle(session: &mut crate::stress::Session<'_>, albedo: f64, scene: &Scene) 
             break;
         }
     }
-    Ok(Loop { gain, response })
+    Ok(Loop { gain: growth(&history), unrest, response })
 }
 
-/// Ratio of successive changes over the later half of a history, where they are larger than rounding.
+/// Ratio of successive changes over the later half of those that are larger than rounding.
 fn growth(history: &[f64]) -> f64 {
     let changes: Vec<f64> = history.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
     let scale = history.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let ratios: Vec<f64> = changes
-        .windows(2)
-        .skip(changes.len() / 2)
-        .filter(|w| w[0] > 1e-5 * scale && w[1] > 1e-6 * scale)
-        .map(|w| w[1] / w[0])
-        .collect();
-    crate::evaluate::median(ratios)
+    let real = changes.windows(2).filter(|w| w[0] > 1e-5 * scale && w[1] > 1e-6 * scale);
+    let ratios: Vec<f64> = real.map(|w| w[1] / w[0]).collect();
+    crate::evaluate::median(ratios[ratios.len() / 2..].to_vec())
 }
 
 /// Settings that hold a number of iterations, more of them being finer.

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::scene::built_in::SceneBuilder;
 use crate::scene::{Light, Scene};
 use crate::stress::lab::{SIDE_PX, mean, picture};
-use crate::stress::{Answer, Danger, Entry, Lab, Question};
+use crate::stress::{Answer, Danger, Entry, Lab, Measured, Question};
 use glam::Vec3;
 
 /// Samples of the truth for a mean over a picture.
@@ -51,12 +51,13 @@ pub fn ringing(lab: &mut Lab) -> Result<Vec<Entry>, Error> {
     let angles = [2.0, 5.0, 10.0, 20.0];
     let mut entries = Vec::new();
     let below = negative.sweep(lab, "ringing", &angles, 0, |lab, angle| {
-        let (values, _) = patch_values(lab, angle, false)?;
-        Ok(most_negative(&values).into())
+        let (measured, _) = patch_values(lab, angle, false)?;
+        Ok(most_negative(&measured).into())
     })?;
     entries.push(below);
     entries.push(contrast.sweep(lab, "ringing", &angles, 0, |lab, angle| {
-        let (values, truth) = patch_values(lab, angle, true)?;
+        let (measured, truth) = patch_values(lab, angle, true)?;
+        let values = measured.values;
         let words = format!("A patch lit under {angle}°: light on walls beside it.");
         Ok(Answer {
             value: (1.0 - spread(&values) / spread(&truth)).max(0.0),
@@ -106,28 +107,30 @@ fn per_order(lab: &mut Lab, negative: &Question, contrast: &Question) -> Result<
         for (name, changes) in variants {
             // A method without windows has the plain order alone.
             let Some(settings) = lab.changed(&changes) else { continue };
-            pictures.push(lab.measure_with(&settings, &scene, &surfels)?.values);
+            pictures.push(lab.measure_with(&settings, &scene, &surfels)?);
             names.push(name);
         }
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let below = negative.cases(lab, "ringing", &names, |_, k| Ok(most_negative(&pictures[k]).into()));
-    let lost = contrast.cases(lab, "ringing", &names, |_, k| Ok((1.0 - spread(&pictures[k]) / truth).max(0.0).into()));
+    let lost =
+        contrast.cases(lab, "ringing", &names, |_, k| Ok((1.0 - spread(&pictures[k].values) / truth).max(0.0).into()));
     Ok(vec![below, lost])
 }
 
-fn patch_values(lab: &mut Lab, angle_deg: f64, with_truth: bool) -> Result<(Vec<Vec3>, Vec<Vec3>), Error> {
+fn patch_values(lab: &mut Lab, angle_deg: f64, with_truth: bool) -> Result<(Measured, Vec<Vec3>), Error> {
     let scene = patch(angle_deg as f32);
     let surfels = lab.seen(&scene, &scene.cameras[0], SIDE_PX)?;
-    let values = lab.measure(&scene, &surfels)?.values;
+    let measured = lab.measure(&scene, &surfels)?;
     let truth = if with_truth { lab.truth(&scene, &surfels, 8 * TRUTH_SPP)? } else { Vec::new() };
-    Ok((values, truth))
+    Ok((measured, truth))
 }
 
-fn most_negative(values: &[Vec3]) -> f64 {
-    let low = values.iter().map(|v| f64::from(v.min_element())).fold(0.0, f64::min);
-    let scale = mean(values);
-    if scale > 0.0 { low.abs() / scale } else { 0.0 }
+/// The most negative irradiance over the mean, of the picture or of what the method holds before it cuts that off.
+fn most_negative(measured: &Measured) -> f64 {
+    let low = measured.values.iter().map(|v| f64::from(v.min_element())).fold(0.0, f64::min);
+    let share = |[low, scale]: [f64; 2]| if scale > 0.0 { low.min(0.0).abs() / scale } else { 0.0 };
+    share([low, mean(&measured.values)]).max(measured.uncut.map_or(0.0, share))
 }
 
 /// Contrast: difference of the 95th and the 5th percentile over the mean.

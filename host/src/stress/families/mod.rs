@@ -62,8 +62,9 @@ pub const FAMILIES: &[Family] = &[
     Family {
         key: "feedback",
         title: "gain of the bounce loop",
-        what: "A closed box is lit for many frames. The number is the part of its light that each further bounce keeps, \
-               measured from frame to frame or as the method states it: at 1 the light grows without bound.",
+        what: "A closed box is lit for 500 frames, then its light is doubled. The numbers are the part of its light that each \
+               further bounce keeps, measured from frame to frame or as the method states it (at 1 the light grows without \
+               bound), what the later half of the frames still changes, and how many frames a step in the light takes.",
         run: energy::feedback,
     },
     Family {
@@ -79,7 +80,8 @@ pub const FAMILIES: &[Family] = &[
         title: "ringing of spherical harmonics",
         what: "A small bright patch lights a dark room. The numbers are the most negative irradiance over the mean, and the \
                contrast lost against the truth, also per order where the method has one; and in closed form what windows \
-               would save and cost at each of its orders.",
+               would save and cost at each of its orders. Where a method cuts negative values off, what it holds before that \
+               counts.",
         run: lights::ringing,
     },
     Family {
