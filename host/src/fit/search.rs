@@ -46,6 +46,8 @@ pub(super) struct Search<'a> {
     news: &'a mut dyn FnMut(&Candidate),
     tried: Vec<Candidate>,
     rejected: Vec<Rejected>,
+    /// Whether steps beside what comes nearest were tried, where no rung fits.
+    rescued: bool,
     /// What estimates spared, in words.
     pub spared: Vec<String>,
 }
@@ -77,7 +79,8 @@ impl<'a> Search<'a> {
         news: &'a mut dyn FnMut(&Candidate),
     ) -> Self {
         let patience = if thorough { f64::INFINITY } else { PATIENCE };
-        Self { evidence, goal, patience, methods, news, tried: Vec::new(), rejected: Vec::new(), spared: Vec::new() }
+        let (tried, rejected, spared) = (Vec::new(), Vec::new(), Vec::new());
+        Self { evidence, goal, patience, methods, news, tried, rejected, rescued: false, spared }
     }
 
     /// Seconds that a sweep of every rung and its neighbours would take at least: rungs that were not run as long as the last
@@ -233,6 +236,10 @@ impl<'a> Search<'a> {
                 open.iter().filter(|l| l.cost < best && hopeless(l)).for_each(|l| self.spare_ladder(l));
                 return Ok(());
             }
+            // A step beside what comes nearest is likelier to fit than a ladder without hope.
+            if hopeless(&open[at]) && !self.rescued {
+                return Ok(());
+            }
             let ladder = &mut open[at];
             let row = ladder.row;
             let settings = row.with(row.ladder[ladder.next].1.iter().copied())?;
@@ -262,10 +269,15 @@ impl<'a> Search<'a> {
     /// Where no rung fits: from each method's nearest one beyond the ladder's ends, parameter by parameter, as long as that
     /// brings it nearer.
     fn rescue(&mut self) -> Result<(), Error> {
-        for row in self.methods.iter().copied() {
+        self.rescued = true;
+        let nearer = |a: &&Candidate, b: &&Candidate| self.goal.overrun(a).total_cmp(&self.goal.overrun(b));
+        let nearest = |row: &&'static MethodRow| {
             let own = self.tried.iter().filter(|c| c.row == row.name);
-            let nearest = own.min_by(|a, b| self.goal.overrun(a).total_cmp(&self.goal.overrun(b))).cloned();
-            let Some(mut best) = nearest else { continue };
+            own.min_by(nearer).map(|c| (*row, c.clone()))
+        };
+        let mut starts: Vec<(&'static MethodRow, Candidate)> = self.methods.iter().filter_map(nearest).collect();
+        starts.sort_by(|a, b| nearer(&&a.1, &&b.1));
+        for (row, mut best) in starts {
             for axis in axes(row, &best.settings) {
                 // Too slow or too large asks for less, too wrong for more.
                 let direction = if self.goal.affords(&best) { 1 } else { -1 };
