@@ -105,7 +105,7 @@ fn methods(html: &mut String, atlas: &Atlas) {
     });
     html.push_str(
         "<section aria-labelledby=\"h-methods\">\n<h2 id=\"h-methods\">Which method for which scene</h2>\n<p class=\"note\">Look for what \
-         your scene has: thin walls, moving objects, tiny lights. How accurate and fast a method is where it works, `chart` \
+         your scene has: thin walls, moving objects, tiny lights. How accurate and fast a method is where it works, the page of <code>chart</code> \
          says.</p>\n<div class=\"cards\">\n",
     );
     for name in names {
