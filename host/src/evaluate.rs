@@ -390,7 +390,7 @@ mod tests {
         let view = View::new(exec, &scene, &buffers, &scene.cameras[0], (12, 12), 1).unwrap();
         let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
         let irradiance = exec.zeroed_slice::<Vec4>("irradiance", view.surfels.len()).unwrap();
-        let mut run = |exec: &mut dyn Executor, p: &mut Prepared| {
+        let run = |exec: &mut dyn Executor, p: &mut Prepared| {
             p.run(exec, &input, view.gbuffer, irradiance, Repeats::ONCE).unwrap().irradiance
         };
         let mut retuned = Vec::new();
