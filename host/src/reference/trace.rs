@@ -13,6 +13,7 @@ use super::tree::{BLOCK, Block, LEAF, Node, STACK, Tree, WIDTH};
 use crate::scene::{Alpha, Scene};
 use glam::{Vec3, Vec4};
 use multiversion::multiversion;
+use std::cell::RefCell;
 
 /// Smallest magnitude of a direction's component in box tests, so that its inverse is finite and 0·∞ never arises.
 const MIN_DIRECTION: f32 = 1e-20;
@@ -66,13 +67,18 @@ impl<'a> Tracer<'a> {
         if self.tree.nodes.is_empty() {
             return None;
         }
-        let best = walk_to_closest(self, WalkRay::new(origin, direction, tmax), exclude);
+        let ray = WalkRay::new(origin, direction, tmax);
+        let best = THREAD_STACK.with_borrow_mut(|stack| walk_to_closest(self, ray, exclude, stack.emptied()));
         (best.triangle != NO_TRIANGLE).then_some(best)
     }
 
     /// Whether anything but the triangles `exclude` lies on the ray at 0 < t < `tmax`.
     pub fn occluded(&self, origin: Vec3, direction: Vec3, tmax: f32, exclude: [u32; 2]) -> bool {
-        !self.tree.nodes.is_empty() && walk_to_any(self, WalkRay::new(origin, direction, tmax), exclude)
+        if self.tree.nodes.is_empty() {
+            return false;
+        }
+        let ray = WalkRay::new(origin, direction, tmax);
+        THREAD_STACK.with_borrow_mut(|stack| walk_to_any(self, ray, exclude, stack.emptied()))
     }
 
     /// Whether the triangle's alpha lets rays pass at a point.
@@ -95,7 +101,18 @@ struct Stack {
     len: usize,
 }
 
+thread_local! {
+    /// One for all walks of a thread: to clear one for every ray would take a tenth of its time in a small scene.
+    static THREAD_STACK: RefCell<Stack> = const { RefCell::new(Stack { entries: [0; STACK], len: 0 }) };
+}
+
 impl Stack {
+    #[inline(always)]
+    fn emptied(&mut self) -> &mut Self {
+        self.len = 0;
+        self
+    }
+
     #[inline(always)]
     fn push(&mut self, entry: u64) {
         self.entries[self.len] = entry;
@@ -132,13 +149,12 @@ impl Stack {
 
 /// Closest hit; `triangle` is [`NO_TRIANGLE`] where there is none.
 #[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt"))]
-fn walk_to_closest(tracer: &Tracer<'_>, mut ray: WalkRay, exclude: u32) -> Hit {
+fn walk_to_closest(tracer: &Tracer<'_>, mut ray: WalkRay, exclude: u32, stack: &mut Stack) -> Hit {
     let mut best = Hit { t: ray.tmax, triangle: NO_TRIANGLE, barycentric: Vec3::ZERO };
-    let mut stack = Stack { entries: [0; STACK], len: 0 };
     let mut next = Some(0);
     while let Some(reference) = next {
         if reference & LEAF == 0 {
-            next = tracer.tree.nodes[reference as usize].enter(&ray, &mut stack);
+            next = tracer.tree.nodes[reference as usize].enter(&ray, stack);
             if next.is_some() {
                 continue;
             }
@@ -167,13 +183,12 @@ fn walk_to_closest(tracer: &Tracer<'_>, mut ray: WalkRay, exclude: u32) -> Hit {
 
 /// Whether there is any hit.
 #[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt"))]
-fn walk_to_any(tracer: &Tracer<'_>, ray: WalkRay, exclude: [u32; 2]) -> bool {
-    let mut stack = Stack { entries: [0; STACK], len: 0 };
+fn walk_to_any(tracer: &Tracer<'_>, ray: WalkRay, exclude: [u32; 2], stack: &mut Stack) -> bool {
     let mut next = Some(0);
     while let Some(reference) = next {
         if reference & LEAF == 0 {
             // The nearest first here too: what is close hides most.
-            next = tracer.tree.nodes[reference as usize].enter(&ray, &mut stack);
+            next = tracer.tree.nodes[reference as usize].enter(&ray, stack);
             if next.is_some() {
                 continue;
             }

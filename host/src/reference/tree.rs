@@ -17,8 +17,9 @@ use obvhs::triangle::Triangle as ObvhsTriangle;
 pub const WIDTH: usize = 8;
 /// Triangles of a leaf.
 pub const BLOCK: usize = 4;
-/// Entries of a walk's stack. A node leaves at most seven children on it; balanced trees of 10⁹ triangles have 10 levels.
-pub const STACK: usize = 96;
+/// Entries of a walk's stack. A node leaves at most seven children on it; balanced trees of 10⁹ triangles have 10 levels,
+/// those of 1.5 million triangles of very different sizes 16.
+pub const STACK: usize = 1024;
 /// Marks a reference to a block of triangles.
 pub const LEAF: u32 = 1 << 31;
 
@@ -245,5 +246,39 @@ impl Folding<'_> {
         }
         self.tree.blocks.push(block);
         LEAF | (self.tree.blocks.len() - 1) as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::trace::{NO_TRIANGLE, Tracer};
+    use super::*;
+    use crate::scene::built_in::SceneBuilder;
+
+    /// Sheets across the x axis, each nearer to the origin and smaller than the one before.
+    fn shrinking(count: i32) -> Scene {
+        let mut b = SceneBuilder::new("shrinking");
+        let grey = b.diffuse("grey", [0.5; 3]);
+        for k in 0..count {
+            let x = 0.93_f32.powi(k);
+            b.quad([[x, -x, -x], [x, x, -x], [x, x, x], [x, -x, x]], grey);
+        }
+        b.finish()
+    }
+
+    #[test]
+    fn deep_trees_are_walked() {
+        let count = 300;
+        let scene = shrinking(count);
+        let tree = Tree::build(&scene).unwrap();
+        assert!(tree.stack_need() > 100, "meant to be deep: {}", tree.stack_need());
+        let tracer = Tracer::new(&scene).unwrap();
+        // From just before a sheet: the smaller ones lie behind.
+        for k in 0..count {
+            let half = 0.93_f32.powi(k);
+            let hit =
+                tracer.closest(Vec3::new(0.97 * half, 0.3 * half, 0.2 * half), Vec3::X, 10.0, NO_TRIANGLE).unwrap();
+            assert_eq!(hit.triangle / 2, k as u32, "{hit:?}");
+        }
     }
 }
