@@ -670,6 +670,16 @@ fn what_is_missing_is_made_up_and_said() {
     let sun = Some((Vec3::NEG_Z, Vec3::ONE));
     let lit = load(path.to_str().unwrap(), &LoadOptions { sun, ..LoadOptions::default() }).unwrap();
     assert!(lit.is_lit() && lit.lights.len() == 1 && !lit.notes.iter().any(|n| n.contains("black")), "{:?}", lit.notes);
+    // Nor is a camera made up where a view is given by numbers: it is the scene's first.
+    let view = Some("3,0,5,0,0,0,40".to_string());
+    for (spec, others) in [(path.to_str().unwrap(), 0), ("cornell-box", 1)] {
+        let seen = load(spec, &LoadOptions { camera: view.clone(), ..LoadOptions::default() }).unwrap();
+        assert!(!seen.notes.iter().any(|n| n.contains("camera")), "{:?}", seen.notes);
+        assert_eq!((seen.cameras.len(), seen.cameras[0].position), (1 + others, Vec3::new(3.0, 0.0, 5.0)), "{spec}");
+        assert_eq!(seen.camera(view.as_deref()).unwrap(), seen.cameras[0]);
+    }
+    let named = load("cornell-box", &LoadOptions { camera: Some("a name".into()), ..LoadOptions::default() }).unwrap();
+    assert_eq!(named.cameras.len(), 1);
     let camera = scene.camera(None).unwrap();
     let to_centre = (Vec3::new(0.5, 0.5, 0.0) - camera.position).normalize();
     assert!(camera.forward.dot(to_centre) > 0.9, "the made-up camera looks at the scene");

@@ -4,6 +4,7 @@ use glam::Vec3;
 use interreflect::methods::srp::{BakeOptions, Compression, Plan, SrpBake};
 use interreflect::reference::{self, Receiver, ReferenceSettings};
 use interreflect::scene::{Light, Scene, built_in};
+use interreflect_kernels::math::rng::rand;
 
 /// Direct irradiance at the receivers of a bake, by the path tracer: what the runtime's own direct light is not on trial for.
 struct Lit {
@@ -210,7 +211,8 @@ fn compression_adds_little_and_shows_no_borders() {
     let exact_at = at(&exact.bake);
     let mut before = f64::MAX;
     for max_rank in [4, 8, 16, 32] {
-        let compressed = BakeOptions { compression: Compression::Cpca { error: 0.005, max_rank }, ..plain.clone() };
+        let compressed =
+            BakeOptions { compression: Compression::Cpca { error: 0.005, max_rank, noise: 0.0 }, ..plain.clone() };
         let plan = Plan::new(&scene, &compressed).unwrap();
         let bake = plan.bake().0;
         let report = plan.report(&bake);
@@ -238,6 +240,35 @@ fn compression_adds_little_and_shows_no_borders() {
         }
     }
     assert!(before < 0.05, "{before}");
+}
+
+/// What a bake says of the noise of its rays is how far it lies from one of very many rays.
+#[test]
+fn the_noise_of_rays_is_known() {
+    let scene = built_in::cornell_box();
+    for ridge in [0.0, 1e-2] {
+        let options = BakeOptions { receivers: 800, rays: 64, ridge, light_metric: false, ..small() };
+        let plan = Plan::new(&scene, &options).unwrap();
+        let few = plan.bake().0;
+        let said = plan.report(&few)["transport_noise"].as_f64().unwrap();
+        let many = baked(&scene, &BakeOptions { rays: 4096, ..options });
+        assert_eq!(few.receivers, many.receivers);
+        // Random coefficients weigh all of the matrix alike.
+        let (mut differs, mut total) = (0.0, 0.0);
+        for seed in 0..16 {
+            let random = |i: usize| f64::from(rand(seed, i as u32, 0)) - 0.5;
+            let coefs: Vec<[f64; 3]> = (0..few.probes.len() * few.coefficient_count())
+                .map(|i| [3 * i, 3 * i + 1, 3 * i + 2].map(random))
+                .collect();
+            for (a, b) in few.reconstruct(&coefs).iter().zip(many.reconstruct(&coefs)) {
+                differs += f64::from((*a - b).length_squared());
+                total += f64::from(b.length_squared());
+            }
+        }
+        let is = (differs / total).sqrt();
+        println!("ridge {ridge}: noise of 64 rays {is:.4}, said {said:.4}");
+        assert!(said > 0.6 * is && said < 1.7 * is, "{said} {is}");
+    }
 }
 
 /// Root mean square difference relative to the mean.
@@ -277,7 +308,7 @@ fn dictionary_and_components_side_by_side() {
     let wanted: std::collections::HashMap<[u32; 2], Vec3> =
         plain.texel.iter().copied().zip(plain.bounce(&direct(&plain), 8)).collect();
     let dictionary = |atoms, sparsity| Compression::Dictionary { atoms, sparsity };
-    let components = |max_rank| Compression::Cpca { error: 0.005, max_rank };
+    let components = |max_rank| Compression::Cpca { error: 0.005, max_rank, noise: 0.0 };
     println!("| compressor | bytes | matrix or metric error | irradiance error | seconds |");
     let mut rows = Vec::new();
     for compression in

@@ -10,7 +10,8 @@ use std::path::Path;
 
 /// The scene and the camera of a command; says on standard error what was simplified at import.
 pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
-    let options = LoadOptions { environment: args.env, sun: args.sun, ..LoadOptions::default() };
+    let options =
+        LoadOptions { camera: args.camera.clone(), environment: args.env, sun: args.sun, ..LoadOptions::default() };
     let scene = scene::load(&args.scene, &options)?;
     for note in &scene.notes {
         eprintln!("note: {note}");

@@ -147,8 +147,11 @@ pub struct Scene {
 }
 
 /// How a scene is loaded.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct LoadOptions {
+    /// A view as [`Scene::camera`] takes it. One of numbers becomes the scene's first camera, and none is made up for a file
+    /// without; names and what is no camera are left to [`Scene::camera`].
+    pub camera: Option<String>,
     /// Constant radiance of the environment, in place of the scene's own (files have none).
     pub environment: Option<Vec3>,
     /// Parallel light beside the scene's own: direction of travel and perpendicular irradiance (W/m²).
@@ -159,13 +162,17 @@ pub struct LoadOptions {
 
 impl Default for LoadOptions {
     fn default() -> Self {
-        LoadOptions { environment: None, sun: None, max_triangles: 1 << 24 }
+        LoadOptions { camera: None, environment: None, sun: None, max_triangles: 1 << 24 }
     }
 }
 
 impl LoadOptions {
     fn sun_light(&self) -> Option<Light> {
         self.sun.map(|(direction, irradiance)| Light::Directional { direction, irradiance })
+    }
+
+    fn view(&self, scene: &Scene) -> Option<Camera> {
+        self.camera.as_deref().filter(|spec| spec.contains(',')).and_then(|spec| scene.parse_camera(spec).ok())
     }
 }
 
@@ -204,6 +211,8 @@ pub fn load(spec: &str, options: &LoadOptions) -> Result<Scene, SceneError> {
         let mut scene = (built_in.make)();
         scene.environment = options.environment.unwrap_or(scene.environment);
         scene.lights.extend(options.sun_light());
+        let view = options.view(&scene);
+        scene.cameras.splice(..0, view);
         return Ok(scene);
     }
     let path = Path::new(spec);

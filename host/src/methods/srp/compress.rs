@@ -10,6 +10,9 @@
 //! rank is the smallest that keeps the relative error `‖T − U Σ Vᵀ‖ / ‖T‖` (Frobenius) under the threshold; where the
 //! largest rank does not, the cluster is halved like the first clusters were (adaptive refinement), while that can
 //! save memory at all.
+//!
+//! **Threshold.** The error asked for, or the cluster's own noise where that is more: `T` comes from finitely many rays, and
+//! what two halves of them disagree on ([`super::transport::Transport::noise`]) is not worth components.
 
 use super::dictionary::{Dictionary, DictionaryOptions};
 use super::model::{Cluster, Loss};
@@ -36,6 +39,9 @@ pub enum Compression {
         error: f32,
         /// Most components (SL17: 32).
         max_rank: u32,
+        /// Also stop where the error is this many times what the transport errs by because its rays are finite in number:
+        /// components beyond that hold noise. 0: not. Not in the papers.
+        noise: f32,
     },
     /// A learnt dictionary per cluster ([`super::dictionary`]).
     Dictionary {
@@ -60,7 +66,7 @@ pub struct Lights {
 
 impl Default for Compression {
     fn default() -> Self {
-        Self::Cpca { error: 0.005, max_rank: 32 }
+        Self::Cpca { error: 0.005, max_rank: 32, noise: 0.5 }
     }
 }
 
@@ -77,44 +83,50 @@ pub struct Factors {
     pub error: f64,
 }
 
-/// Compresses the transport of one cluster: `matrix` has `points.len() · rows` rows of `probes.len() · k` coefficients. Gives
-/// the parts that it was halved into, each with its points. `receivers` of the clusters are left empty.
-pub fn compress(
-    matrix: Vec<f32>,
-    points: &[Vec3],
-    rows: usize,
-    probes: &[u32],
-    k: usize,
-    compression: &Compression,
-    lights: &Lights,
-) -> Vec<(Vec<u32>, Cluster)> {
-    let whole = Block { matrix: &matrix, points, rows, probes, k, lights };
-    whole.compress((0..points.len() as u32).collect(), compression)
-}
-
-struct Block<'a> {
-    matrix: &'a [f32],
-    points: &'a [Vec3],
-    rows: usize,
-    probes: &'a [u32],
-    k: usize,
-    lights: &'a Lights,
+/// The transport of one cluster.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<'a> {
+    /// Rows of `probes.len() · k` coefficients: `rows` for each of the points, then as many for each of the witnesses, which say
+    /// what may be chance in theirs.
+    pub matrix: &'a [f32],
+    /// Places of the receivers (m).
+    pub points: &'a [Vec3],
+    /// Rows per receiver.
+    pub rows: usize,
+    /// Probes in support.
+    pub probes: &'a [u32],
+    /// Coefficients per probe.
+    pub k: usize,
+    /// Receivers whose noise is known, ascending.
+    pub witnesses: &'a [usize],
+    /// What compression is judged by.
+    pub lights: &'a Lights,
 }
 
 impl Block<'_> {
+    /// Compresses it. Gives the parts that it was halved into, each with its points. `receivers` of the clusters are left empty.
+    pub fn compressed(&self, compression: &Compression) -> Vec<(Vec<u32>, Cluster)> {
+        self.compress((0..self.points.len() as u32).collect(), compression)
+    }
+
     fn compress(&self, members: Vec<u32>, compression: &Compression) -> Vec<(Vec<u32>, Cluster)> {
         let columns = self.columns(&members);
         let dense = self.dense(&members, &columns);
         let height = members.len() * self.rows;
         let view = MatRef::from_row_major_slice(&dense, height, columns.len());
+        let noise = self.noise(view, &members, &columns);
         let factors = match *compression {
             Compression::None => {
                 let (rank, left) = (columns.len(), dense.clone());
-                return vec![(members, self.cluster(&columns, rank, Vec::new(), left, Loss::default()))];
+                return vec![(
+                    members,
+                    self.cluster(&columns, rank, Vec::new(), left, Loss { noise, ..Loss::default() }),
+                )];
             }
-            Compression::Cpca { error, max_rank } => {
-                let factors = self.components(view, &columns, max_rank as usize, f64::from(error));
-                if factors.error > f64::from(error) && members.len() >= 2 * SMALLEST_CLUSTER {
+            Compression::Cpca { error, max_rank, noise: stop } => {
+                let error = f64::from(error.max(stop * noise));
+                let factors = self.components(view, &columns, max_rank as usize, error);
+                if factors.error > error && members.len() >= 2 * SMALLEST_CLUSTER {
                     let (near, far) = halve(members, |i| self.points[i as usize]);
                     let mut parts = self.compress(near, compression);
                     parts.extend(self.compress(far, compression));
@@ -125,7 +137,7 @@ impl Block<'_> {
             Compression::Dictionary { atoms, sparsity } => dictionary(view, atoms as usize, sparsity as usize),
         };
         let light = self.light_error(view, &factors, &columns) as f32;
-        let loss = Loss { transport: factors.error as f32, light };
+        let loss = Loss { transport: factors.error as f32, light, noise };
         let (sv, u) = (row_major(factors.sv.as_ref()), row_major(factors.u.as_ref()));
         vec![(members, self.cluster(&columns, factors.u.ncols(), sv, u, loss))]
     }
@@ -146,6 +158,28 @@ impl Block<'_> {
         let u = Mat::from_fn(factors.u.nrows(), factors.u.ncols(), |i, j| f64::from(factors.u[(i, j)]));
         let sv = u.transpose() * &a;
         Factors { sv: Mat::from_fn(sv.nrows(), sv.ncols(), |i, j| sv[(i, j)] as f32), ..factors }
+    }
+
+    /// What may be chance in the matrix, relative to all of it, in the metric of [`Block::components`]. 0 without witnesses.
+    fn noise(&self, a: MatRef<'_, f32>, members: &[u32], columns: &[usize]) -> f32 {
+        let known = |i: &u32| self.witnesses.binary_search(&(*i as usize)).ok();
+        let chance: Vec<u32> = members.iter().filter_map(known).map(|w| (self.points.len() + w) as u32).collect();
+        let total = self.lit_norm(a, columns);
+        if chance.is_empty() || total <= 0.0 {
+            return 0.0;
+        }
+        let dense = self.dense(&chance, columns);
+        let own = MatRef::from_row_major_slice(&dense, chance.len() * self.rows, columns.len());
+        let share = members.len() as f64 / chance.len() as f64;
+        (self.lit_norm(own, columns) * share / total).sqrt() as f32
+    }
+
+    /// Sum of squares in the metric of the lights.
+    fn lit_norm(&self, a: MatRef<'_, f32>, columns: &[usize]) -> f64 {
+        let Some(lights) = &self.lights.metric else { return squared_norm(a) };
+        let lights = rows_of(lights, columns);
+        let lights = Mat::from_fn(lights.nrows(), lights.ncols(), |i, j| lights[(i, j)] as f32);
+        squared_norm((a * lights).as_ref())
     }
 
     /// Relative error of what the test lights give.
@@ -302,6 +336,48 @@ mod tests {
     }
 
     #[test]
+    fn components_end_where_noise_begins() {
+        // Five components and noise, which is known of every eighth row by other noise of the same size.
+        let (count, k, size) = (256usize, 64usize, 0.3f32);
+        let random = |seed, i: usize, j: usize| rand(seed, i as u32, j as u32) - 0.5;
+        let signal = |i: usize, c: usize| (0..5).map(|r| random(31, i, r) * random(32, c, r)).sum::<f32>() * 2.0;
+        let mut matrix: Vec<f32> =
+            (0..count * k).map(|n| signal(n / k, n % k) + size * random(33, n / k, n % k)).collect();
+        let norm = |f: &dyn Fn(usize, usize) -> f32| {
+            (0..count * k).map(|n| f64::from(f(n / k, n % k)).powi(2)).sum::<f64>().sqrt()
+        };
+        let true_noise = norm(&|i, c| size * random(33, i, c)) / norm(&|i, c| matrix[i * k + c]);
+        let witnesses: Vec<usize> = (0..count).step_by(8).collect();
+        matrix.extend((0..witnesses.len() * k).map(|n| size * random(34, n / k, n % k)));
+        let points: Vec<Vec3> = (0..count).map(|i| Vec3::new(i as f32, 0.0, 0.0)).collect();
+        let lights = Lights { metric: None, test: Mat::from_fn(k, 1, |_, _| 1.0) };
+        let block = Block {
+            matrix: &matrix,
+            points: &points,
+            rows: 1,
+            probes: &[0],
+            k,
+            witnesses: &witnesses,
+            lights: &lights,
+        };
+        let parts = block.compressed(&Compression::Cpca { error: 0.005, max_rank: 32, noise: 1.0 });
+        assert_eq!(parts.len(), 1);
+        let cluster = &parts[0].1;
+        assert!((f64::from(cluster.loss.noise) / true_noise - 1.0).abs() < 0.1, "{:?} {true_noise}", cluster.loss);
+        assert_eq!(cluster.rank, 5);
+        let rank = cluster.rank as usize;
+        let made = |i: usize, c: usize| -> f32 {
+            (0..rank).map(|r| cluster.reconstruction[i * rank + r] * cluster.projection[r * k + c]).sum()
+        };
+        // Noise that no component holds is gone.
+        let left = norm(&|i, c| made(i, c) - signal(i, c)) / norm(&|i, c| size * random(33, i, c));
+        assert!(left < 0.5, "{left}");
+        // By its own error alone it would be halved, and still take all it may.
+        let all = block.compressed(&Compression::Cpca { error: 0.005, max_rank: 32, noise: 0.0 });
+        assert!(all.len() == 2 && all.iter().all(|p| p.1.rank == 32), "{}", all.len());
+    }
+
+    #[test]
     fn ranks_suffice_and_clusters_that_need_more_are_halved() {
         // Two halves of the points that see two different probes, each of 20 directions.
         let (count, k) = (600usize, 36usize);
@@ -315,8 +391,12 @@ mod tests {
         }
         let lights =
             Lights { metric: None, test: Mat::from_fn(2 * k, 3, |i, j| f64::from(rand(8, i as u32, j as u32))) };
-        let pack = |c: &Compression, l: &Lights| compress(matrix.clone(), &points, 1, &[4, 9], k, c, l);
-        let parts = pack(&Compression::Cpca { error: 1e-3, max_rank: 32 }, &lights);
+        let pack = |c: &Compression, lights: &Lights| {
+            Block { matrix: &matrix, points: &points, rows: 1, probes: &[4, 9], k, witnesses: &[], lights }
+                .compressed(c)
+        };
+        let cpca = Compression::Cpca { error: 1e-3, max_rank: 32, noise: 0.5 };
+        let parts = pack(&cpca, &lights);
         assert_eq!(parts.len(), 2);
         let mut seen = vec![false; count];
         for (members, cluster) in &parts {
@@ -339,7 +419,7 @@ mod tests {
         assert_eq!((plain.len(), plain[0].1.rank, plain[0].1.projection.len()), (1, 40, 0));
         // Three lights can ask for three components of each half.
         let metric = Some(lights.test.clone());
-        let lit = pack(&Compression::Cpca { error: 1e-3, max_rank: 32 }, &Lights { metric, ..lights.clone() });
+        let lit = pack(&cpca, &Lights { metric, ..lights.clone() });
         assert_eq!((lit.len(), lit[0].1.rank), (1, 3));
         assert!(lit[0].1.loss.light < 1e-3, "{:?}", lit[0].1.loss);
         // As many atoms as rows lose nothing; few do.

@@ -29,7 +29,7 @@ use std::sync::{Arc, Mutex};
 /// be written in a random order: the same bake must give the same bytes.)
 const KEY: &str = "interreflect-srp";
 /// Version of the layout; a file of another one is refused.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// Why a bake file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -177,7 +177,8 @@ fn tensors(bake: &SrpBake, atlas: &Atlas) -> Tensors {
     let c = &bake.clusters;
     t.u32("cluster_receivers", 2, &c.iter().flat_map(|c| [c.receivers.start, c.receivers.end]).collect::<Vec<_>>());
     t.u32("cluster_rank", 1, &c.iter().map(|c| c.rank).collect::<Vec<_>>());
-    t.f32("cluster_loss", 2, &c.iter().flat_map(|c| [c.loss.transport, c.loss.light]).collect::<Vec<_>>());
+    let loss = |c: &Cluster| [c.loss.transport, c.loss.light, c.loss.noise];
+    t.f32("cluster_loss", 3, &c.iter().flat_map(loss).collect::<Vec<_>>());
     t.lists("cluster_probes", Dtype::U32, c.iter().map(|c| c.probes.clone()));
     t.lists("cluster_columns", Dtype::U32, c.iter().map(|c| c.columns.iter().flat_map(|c| [c.0, c.1]).collect()));
     t.lists("cluster_projection", Dtype::F16, c.iter().map(|c| halves(&c.projection)));
@@ -332,7 +333,7 @@ impl Reader<'_> {
             (self.matrices("cluster_projection")?, self.matrices("cluster_reconstruction")?);
         let loss = self.f32("cluster_loss")?;
         let lengths =
-            [ranges.len() / 2, loss.len() / 2, probes.len(), columns.len(), projection.len(), reconstruction.len()];
+            [ranges.len() / 2, loss.len() / 3, probes.len(), columns.len(), projection.len(), reconstruction.len()];
         if lengths.iter().any(|l| *l != rank.len()) {
             return None;
         }
@@ -346,7 +347,7 @@ impl Reader<'_> {
                 rank: rank[i],
                 projection,
                 reconstruction,
-                loss: Loss { transport: loss[2 * i], light: loss[2 * i + 1] },
+                loss: Loss { transport: loss[3 * i], light: loss[3 * i + 1], noise: loss[3 * i + 2] },
             })
         };
         (0..rank.len()).map(cluster).collect()
@@ -510,8 +511,8 @@ fn words_of(index: usize, output: &ClusterOutput) -> Vec<u32> {
         words[at] = (words.len() - at - 1) as u32;
     };
     for (members, cluster) in &output.parts {
-        let loss = cluster.loss;
-        list(&mut [cluster.rank, loss.transport.to_bits(), loss.light.to_bits()].into_iter());
+        let Loss { transport, light, noise } = cluster.loss;
+        list(&mut [cluster.rank, transport.to_bits(), light.to_bits(), noise.to_bits()].into_iter());
         list(&mut members.iter().copied());
         list(&mut cluster.probes.iter().copied());
         list(&mut cluster.columns.iter().flat_map(|c| [c.0, c.1]));
@@ -552,7 +553,8 @@ impl Words<'_> {
         let verdict = Verdict { receivers, followed, light, before, after };
         let mut parts = Vec::new();
         for _ in 0..self.next()? {
-            let &[rank, transport, light] = self.list()?.as_slice() else { return None };
+            let &[rank, transport, light, noise] = self.list()?.as_slice() else { return None };
+            let [transport, light, noise] = [transport, light, noise].map(f32::from_bits);
             let members = self.list()?;
             let floats = |list: Vec<u32>| list.into_iter().map(f32::from_bits).collect();
             let cluster = Cluster {
@@ -562,7 +564,7 @@ impl Words<'_> {
                 columns: self.list()?.chunks_exact(2).map(|c| (c[0], c[1])).collect(),
                 projection: floats(self.list()?),
                 reconstruction: floats(self.list()?),
-                loss: Loss { transport: f32::from_bits(transport), light: f32::from_bits(light) },
+                loss: Loss { transport, light, noise },
             };
             parts.push((members, cluster));
         }
@@ -643,7 +645,8 @@ mod tests {
             bytes[at..at + from.len()].copy_from_slice(to.as_bytes());
             bytes
         };
-        let version = with(&older("version 2;", "version 1;"));
+        let before = format!("version {};", VERSION - 1);
+        let version = with(&older(&format!("version {VERSION};"), &before));
         assert!(matches!(version, Err(BakeFileError::Version { .. })), "{version:?}");
         assert!(matches!(with(&older(KEY, &KEY.replace("srp", "lpv"))), Err(BakeFileError::Format { .. })));
         assert!(matches!(with(b"not a bake"), Err(BakeFileError::Format { .. })));

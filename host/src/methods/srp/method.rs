@@ -137,6 +137,13 @@ pub const ROW: MethodRow = MethodRow {
             help: "Components per cluster at most; clusters that need more are halved.",
         },
         Setting {
+            key: "noise",
+            default: "0.5",
+            allowed: "from 0 to 4",
+            help: "Components also end where the error is this many times what a cluster's transport errs by for want of `rays`; 0: \
+                   at `error` alone. Higher: less memory, faster updates.",
+        },
+        Setting {
             key: "rows",
             default: "1",
             allowed: "1 or 4",
@@ -208,6 +215,7 @@ impl Options {
         let placement: String = parse(&ROW, settings, "placement", |p: &String| p == "volume" || p == "surface")?;
         let error = parse(&ROW, settings, "error", |x| (0.0..=1.0).contains(x))?;
         let max_rank = parse(&ROW, settings, "max_rank", |n| (1..=256).contains(n))?;
+        let noise = parse(&ROW, settings, "noise", |x| (0.0..=4.0).contains(x))?;
         let compression: String =
             parse(&ROW, settings, "compression", |c: &String| ["cpca", "dictionary", "none"].contains(&c.as_str()))?;
         let metric: String = parse(&ROW, settings, "metric", |m: &String| m == "light" || m == "matrix")?;
@@ -234,7 +242,7 @@ impl Options {
                 compression: match compression.as_str() {
                     "none" => Compression::None,
                     "dictionary" => Compression::Dictionary { atoms, sparsity },
-                    _ => Compression::Cpca { error, max_rank },
+                    _ => Compression::Cpca { error, max_rank, noise },
                 },
                 ridge: parse(&ROW, settings, "correction", |x| (0.0..=1.0).contains(x))?,
                 light_metric: metric == "light",

@@ -4,7 +4,7 @@
 //! desktops in the engine LlamaEngine, below: LE.
 //!
 //! Precomputation, in order: [`charts`] and [`reach`] (the second UV set, and which sides of it light can reach), [`atlas`]
-//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`round_trip`] (which corrects it, with [`states`]),
+//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`round_trip`] (which corrects it, with [`states`] and [`stand_in`]),
 //! [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
 //! [`model`] is what it hands to run time. [`error_map`] shows where probes do not suffice, [`dictionary`] is another
 //! way to compress.
@@ -29,6 +29,7 @@ pub mod probes;
 pub mod reach;
 pub mod round_trip;
 pub mod runtime;
+pub mod stand_in;
 pub mod states;
 pub mod synthetic;
 pub mod transport;

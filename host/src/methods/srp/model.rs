@@ -121,6 +121,8 @@ pub struct Loss {
     pub transport: f32,
     /// Relative error of what reaches the receivers in lighting states that nothing was fitted to.
     pub light: f32,
+    /// Relative error that the transport had already, for its rays are finite in number, in the metric of `transport`.
+    pub noise: f32,
 }
 
 impl Cluster {

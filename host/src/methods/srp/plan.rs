@@ -4,9 +4,9 @@
 
 use super::atlas::{Atlas, Lookup, free_receiver};
 use super::charts::Patches;
-use super::compress::{self, Compression};
+use super::compress::{Block, Compression};
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
-use super::probes::{self, Coverage, Placement};
+use super::probes::{self, Coverage, Placement, Wish};
 use super::reach::Reach;
 use super::round_trip::{self, RoundTrip, Verdict};
 use super::transport::{self, Rays, Scratch, Transport};
@@ -28,6 +28,8 @@ const VALIDITY_RAYS: u32 = 64;
 const INSIDE_ALLOWED: f32 = 0.5;
 /// Surfaces nearer than this many texels count as the inside of solids there.
 const GAP: f32 = 0.2;
+/// One receiver in so many of a cluster says how much of its transport is noise.
+const WITNESSES: usize = 8;
 /// Chart overlaps are found at texels this much larger than the scene's area over the receivers allows for.
 const PATCH_TEXEL: f32 = 1.0;
 
@@ -57,7 +59,8 @@ pub struct BakeOptions {
     /// Exponent of the solid angle per area at which a probe sees what a ray met, as a factor of its weight. 0: SL17's
     /// weights. Higher: probes that resolve the surface better count for more.
     pub sharpness: f32,
-    /// Largest share of receivers that may see no probe in support before probes are added.
+    /// Largest share of receivers that may see no probe in support before probes are added; those in gaps narrower than a
+    /// texel, which are counted apart, are left out.
     pub unseen_bound: f32,
     /// Probes that may be added for that, as a share of those placed.
     pub added_probes: f32,
@@ -176,6 +179,9 @@ pub struct ClusterOutput {
     pub verdict: Verdict,
 }
 
+/// What may be chance in the rows and in the form factors of a receiver.
+type Chance = (Vec<f32>, Vec<f32>);
+
 /// Transport of a cluster before anything is done with it.
 struct Local {
     /// Probes that support any of its receivers.
@@ -184,6 +190,8 @@ struct Local {
     matrix: Vec<f32>,
     /// Form factors of kinds of light, where transport is to be corrected.
     factors: Vec<f32>,
+    /// Receivers of which it is known what may be chance in their rows and factors; that follows in both.
+    witnesses: Vec<usize>,
     rays: Vec<Rays>,
 }
 
@@ -220,8 +228,13 @@ impl<'a> Plan<'a> {
         let mut probes =
             manual.clone().unwrap_or_else(|| probes::place(&reach.space, options.placement, options.probes));
         let share = if manual.is_some() { 0.0 } else { options.added_probes };
-        let wish = (options.overlap, options.unseen_bound, (share * probes.len() as f32) as u32);
-        let (radius, coverage) = probes::cover(&world, &reach.space, &points, &mut probes, wish);
+        let wish = Wish {
+            overlap: options.overlap,
+            bound: options.unseen_bound,
+            limit: (share * probes.len() as f32) as u32,
+            texel_size: atlas.texel_size,
+        };
+        let (radius, coverage) = probes::cover(&world, &reach.space, &points, &mut probes, &wish);
         let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
         let visibility =
             if options.texel_visibility { Visibility::new(atlas.texels.len(), probes.len()) } else { None };
@@ -274,14 +287,23 @@ impl<'a> Plan<'a> {
     /// Transport of one cluster, corrected and compressed as asked.
     pub fn cluster(&self, index: usize) -> ClusterOutput {
         let (o, members) = (&self.options, &self.clusters[index]);
-        let Local { probes, mut matrix, factors, rays } = self.local(index);
-        let verdict = self.round_trip.correct(&mut matrix, &probes, &factors, o.rows as usize);
+        let Local { probes, mut matrix, factors, witnesses, rays } = self.local(index);
+        let verdict = self.round_trip.correct(&mut matrix, &probes, &factors, o.rows as usize, &witnesses);
         // After the correction, which would otherwise undo it.
         o.window.apply(&mut matrix, o.order);
         let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
         let lights = self.round_trip.lights(&probes, o.light_metric);
         let (rows, k) = (o.rows as usize, sh::count(o.order));
-        let local = compress::compress(matrix, &points, rows, &probes, k, &o.compression, &lights);
+        let block = Block {
+            matrix: &matrix,
+            points: &points,
+            rows,
+            probes: &probes,
+            k,
+            witnesses: &witnesses,
+            lights: &lights,
+        };
+        let local = block.compressed(&o.compression);
         let named = |own: Vec<u32>| own.iter().map(|i| members[*i as usize]).collect();
         ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays, verdict }
     }
@@ -318,29 +340,48 @@ impl<'a> Plan<'a> {
         let width = probes.len() * k;
         let mut matrix = vec![0.0f32; members.len() * rows * width];
         let factor_count = if self.round_trip.corrects() { self.round_trip.factor_count() } else { 0 };
-        let mut factors = vec![0.0f32; members.len() * (rows * factor_count).max(1)];
-        let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
-            let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
-            let patches = self.round_trip.corrects().then_some((&self.round_trip, factors));
-            let (own, rays) = transport.rows(receiver, support, scratch, patches);
+        let factor_width = (rows * factor_count).max(1);
+        let mut factors = vec![0.0f32; members.len() * factor_width];
+        let place = |i: usize, own: &[f32], block: &mut [f32]| {
             for (n, coefs) in own.chunks_exact(k.max(1)).enumerate() {
-                let (row, probe) = (n / support.len(), support[n % support.len()]);
+                let (row, probe) = (n / supports[i].len(), supports[i][n % supports[i].len()]);
                 let slot = probes.binary_search(&probe).unwrap_or(0);
                 block[row * width + slot * k..][..k].copy_from_slice(coefs);
             }
-            rays
         };
-        let rays = if width == 0 {
-            vec![Rays::default(); members.len()]
+        let kinds = self.round_trip.corrects().then_some(&self.round_trip);
+        let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
+            let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
+            let rays = transport.send(receiver, support, scratch);
+            place(i, &transport.rows(receiver, support, scratch, kinds.map(|k| (k, factors))), block);
+            let chance = i.is_multiple_of(WITNESSES).then(|| {
+                let (mut block, mut factors) = (vec![0.0; rows * width], vec![0.0; factor_width]);
+                place(
+                    i,
+                    &transport.noise(receiver, support, scratch, kinds.map(|k| (k, &mut factors[..]))),
+                    &mut block,
+                );
+                (block, factors)
+            });
+            (rays, chance)
+        };
+        let found: Vec<(Rays, Option<Chance>)> = if width == 0 {
+            vec![Default::default(); members.len()]
         } else {
             matrix
                 .par_chunks_mut(rows * width)
-                .zip(factors.par_chunks_mut((rows * factor_count).max(1)))
+                .zip(factors.par_chunks_mut(factor_width))
                 .enumerate()
                 .map_init(Scratch::default, fill)
                 .collect()
         };
-        Local { probes, matrix, factors, rays }
+        let mut witnesses = Vec::new();
+        for (i, (block, chance)) in found.iter().enumerate().filter_map(|(i, f)| Some((i, f.1.as_ref()?))) {
+            witnesses.push(i);
+            matrix.extend_from_slice(block);
+            factors.extend_from_slice(chance);
+        }
+        Local { probes, matrix, factors, witnesses, rays: found.into_iter().map(|f| f.0).collect() }
     }
 
     /// Puts all clusters together: the order of receivers, relight rays, dilation; and the way from
@@ -412,7 +453,7 @@ fn seen_by_probes(
         let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
         let exposed = |s: &Seen| reach.exposed[chart[s.triangle as usize] as usize][usize::from(!s.front)];
         let own = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
-        seen.filter(exposed).map_or(NO_RECEIVER, |s| round_trip.texel(&s, own(&s)))
+        seen.filter(exposed).map_or(NO_RECEIVER, |s| round_trip.texel(world, &s, own(&s)))
     };
     let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(texel).collect();
     round_trip.see(&directions, &met, options.order);
@@ -492,6 +533,7 @@ pub fn cluster_report(bake: &SrpBake) -> serde_json::Value {
             "rank": c.rank,
             "bytes": c.f16_bytes(),
             "transport_error": c.loss.transport,
+            "noise": c.loss.noise,
             "light_error": c.loss.light,
         })
     };
@@ -521,6 +563,10 @@ impl Plan<'_> {
         let mean_square = |f: &dyn Fn(&Cluster) -> f32| {
             bake.clusters.iter().map(|c| c.receivers.len() as f64 * f64::from(f(c)).powi(2)).sum::<f64>() / receivers
         };
+        let limited = match self.options.compression {
+            Compression::Cpca { error, noise, .. } => sum(&|c| usize::from(noise * c.loss.noise > error)),
+            _ => 0.0,
+        };
         let agreeing = self.visibility.as_ref().map(|v| v.shares()[0]);
         serde_json::json!({
             "receivers": bake.receivers.len(),
@@ -533,6 +579,7 @@ impl Plan<'_> {
             "probes_added": self.coverage.added,
             "receivers_without_probe": self.coverage.unseen,
             "receivers_without_probe_before": self.coverage.unseen_before,
+            "receivers_without_probe_in_gaps": self.coverage.unseen_in_gaps,
             "support_radius_m": bake.radius,
             "clusters": bake.clusters.len(),
             "mean_rank": sum(&|c| c.rank as usize) / count,
@@ -540,6 +587,8 @@ impl Plan<'_> {
             "transport_f16_bytes": bytes,
             "compression": if bytes > 0.0 { plain / bytes } else { 1.0 },
             "transport_error": mean_square(&|c| c.loss.transport).sqrt(),
+            "transport_noise": mean_square(&|c| c.loss.noise).sqrt(),
+            "clusters_limited_by_noise": limited / count,
             "light_error": mean_square(&|c| c.loss.light).sqrt(),
             "visibility_known_by_texel": agreeing,
             "correction": self.correction_report(),

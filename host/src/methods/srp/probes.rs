@@ -1,10 +1,12 @@
 //! Where probes stand and how far they reach (SL17 §4.1).
 
-use super::model::Receiver;
+use super::model::{FREE, Receiver};
 use super::reach::Space;
 use super::world::World;
 use glam::Vec3;
+use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::rng::hash;
+use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley};
 use rayon::prelude::*;
 
 /// Candidates at most; more would make the removal quadratic in earnest.
@@ -15,8 +17,15 @@ const MAX_JUDGES: usize = 4096;
 const MAX_WITNESSES: usize = 1 << 14;
 /// Receivers at a time before which probes may be added.
 const CANDIDATES: usize = 128;
+/// Rays of a receiver by which places that see it, and gaps, are found.
+const LOOKS: u32 = 32;
+/// Of these the longest, along which candidates lie, at these parts of the way.
+const LONGEST: usize = 3;
+const ALONG: [f32; 3] = [0.25, 0.5, 0.9];
 /// How often probes are added and the radius fitted again.
-const ROUNDS: u32 = 4;
+const ROUNDS: usize = 4;
+/// Part of the bound down to which probes are added: receivers that none was added for are covered less well.
+const AIM: f32 = 0.5;
 /// Part of the radius within which the farthest receiver still lies: its weight is then not quite zero.
 const RIM: f32 = 0.9;
 
@@ -75,30 +84,36 @@ fn thin(points: Vec<Vec3>, count: usize) -> Vec<Vec3> {
     alive.into_iter().map(|i| points[i]).collect()
 }
 
-/// Evenly chosen receivers to judge by, at most about so many.
-fn judges(receivers: &[Receiver], most: usize) -> impl Iterator<Item = &Receiver> {
-    receivers.iter().step_by(receivers.len().div_ceil(most).max(1))
+/// Evenly chosen receivers to judge by, at most about so many; others for every `turn` of all, where there are enough.
+fn judges(receivers: &[Receiver], most: usize, turn: usize) -> impl Iterator<Item = &Receiver> {
+    let step = receivers.len().div_ceil(most).max(1);
+    receivers.iter().skip(turn * step / (ROUNDS + 1)).step_by(step)
 }
 
 /// Radius at which a receiver lies within `overlap` probes' supports on average, and every one in one at least.
 pub fn radius(probes: &[Vec3], receivers: &[Receiver], overlap: f32) -> f32 {
-    let mut distances: Vec<f32> =
-        judges(receivers, MAX_JUDGES).flat_map(|r| probes.iter().map(|p| (r.position - *p).length())).collect();
-    let nearest = receivers
-        .par_iter()
-        .map(|r| probes.iter().map(|p| (r.position - *p).length()).fold(f32::MAX, f32::min))
-        .reduce(|| 0.0, f32::max);
-    if distances.is_empty() || nearest == f32::MAX {
+    let farthest = receivers.par_iter().map(|r| nearest(probes, r)).reduce(|| 0.0, f32::max);
+    if probes.is_empty() || receivers.is_empty() {
         return 1.0;
     }
-    let farthest = distances.iter().copied().fold(0.0, f32::max);
+    overlapping(probes, receivers, overlap).max(farthest / RIM)
+}
+
+/// Distance of a receiver's nearest probe.
+fn nearest(probes: &[Vec3], r: &Receiver) -> f32 {
+    probes.iter().map(|p| (r.position - *p).length()).fold(f32::MAX, f32::min)
+}
+
+/// Radius at which a receiver lies within `overlap` probes' supports on average.
+fn overlapping(probes: &[Vec3], receivers: &[Receiver], overlap: f32) -> f32 {
+    let mut distances: Vec<f32> =
+        judges(receivers, MAX_JUDGES, 0).flat_map(|r| probes.iter().map(|p| (r.position - *p).length())).collect();
     let wanted = (overlap / probes.len() as f32 * distances.len() as f32) as usize;
     if wanted >= distances.len() {
         // All probes everywhere; the farthest still counts.
-        return farthest / RIM;
+        return distances.iter().copied().fold(0.0, f32::max) / RIM;
     }
-    let (_, at, _) = distances.select_nth_unstable_by(wanted, f32::total_cmp);
-    at.max(nearest / RIM)
+    *distances.select_nth_unstable_by(wanted, f32::total_cmp).1
 }
 
 /// What probes leave unseen.
@@ -106,43 +121,118 @@ pub fn radius(probes: &[Vec3], receivers: &[Receiver], overlap: f32) -> f32 {
 pub struct Coverage {
     /// Probes that were added.
     pub added: u32,
-    /// Share of receivers that no probe in support sees.
+    /// Share of receivers that no probe in support sees, those in gaps left out.
     pub unseen: f32,
-    /// Share of receivers that saw none before probes were added.
+    /// Share of receivers that saw none before probes were added, those in gaps left out.
     pub unseen_before: f32,
+    /// Share of receivers that no probe in support sees and that lie in gaps narrower than a texel: between the leaves of a
+    /// plant, behind a banner on a wall. The lightmap does not resolve what light does there; no probes are added for them.
+    pub unseen_in_gaps: f32,
+}
+
+/// What probes are to be added for.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Wish {
+    /// Probes in whose support a receiver lies on average.
+    pub overlap: f32,
+    /// Share of receivers that may see no probe.
+    pub bound: f32,
+    /// Probes that may be added.
+    pub limit: u32,
+    /// Width of a texel (m).
+    pub texel_size: f32,
 }
 
 /// Adds probes, at most `limit`, until at most the share `bound` of the receivers sees no probe in support, and fits the
-/// radius to each `overlap` (see [`radius`]); gives it. What is left unseen is judged by the radius that is given.
+/// radius to each `overlap`; gives it. Probes are added first where receivers would lie in no support of that radius: [`radius`]
+/// would else widen all for the sake of one remote corner. What is left unseen is judged by the radius that is given.
 pub fn cover(
     world: &World<'_>,
     space: &Space,
     receivers: &[Receiver],
     probes: &mut Vec<Vec3>,
-    (overlap, bound, limit): (f32, f32, u32),
+    wish: &Wish,
 ) -> (f32, Coverage) {
-    let judges: Vec<&Receiver> = judges(receivers, MAX_WITNESSES).collect();
-    let mut coverage = Coverage::default();
+    let first = radius(probes, receivers, wish.overlap);
+    let before = Unseen::new(world, receivers, probes, first, ROUNDS, wish.texel_size);
+    let placed = probes.len();
     // More probes shrink the radius, and with it what each of them lights.
-    for round in 0.. {
-        let radius = radius(probes, receivers, overlap);
-        let dark = |r: &Receiver| !probes.iter().any(|p| sees(world, r, *p, radius));
-        let unseen: Vec<&Receiver> = judges.par_iter().filter(|r| dark(r)).copied().collect();
-        coverage.unseen = unseen.len() as f32 / judges.len().max(1) as f32;
-        if round == 0 {
-            coverage.unseen_before = coverage.unseen;
+    for round in 0..ROUNDS {
+        let left = placed + wish.limit as usize - probes.len();
+        if left == 0 || probes.is_empty() {
+            break;
         }
-        let allowed = (bound * judges.len() as f32) as usize;
-        let left = limit - coverage.added;
-        let more =
-            if round < ROUNDS { covering(world, space, unseen, radius, allowed, left as usize) } else { Vec::new() };
-        if more.is_empty() {
-            return (radius, coverage);
+        let mut tight = overlapping(probes, receivers, wish.overlap);
+        let mut outlying: Vec<&Receiver> = receivers.par_iter().filter(|r| nearest(probes, r) > RIM * tight).collect();
+        // So many are no remote corners: the overlap is too small for so few probes.
+        if outlying.len() as f32 > wish.bound * receivers.len() as f32 {
+            outlying.clear();
+            tight = radius(probes, receivers, wish.overlap);
         }
-        coverage.added += more.len() as u32;
-        probes.extend(more);
+        let near = |r: &Receiver, p: Vec3| (r.position - p).length() < RIM * tight;
+        probes.extend(covering(world, space, outlying, &near, tight, (0, left)));
+        let dark = Unseen::new(world, receivers, probes, tight, round, wish.texel_size);
+        let allowed = (AIM * wish.bound * dark.judges as f32) as usize;
+        let left = placed + wish.limit as usize - probes.len();
+        let sees = |r: &Receiver, p: Vec3| sees(world, r, p, tight);
+        probes.extend(covering(world, space, dark.elsewhere, &sees, tight, (allowed, left)));
     }
-    unreachable!("a round without probes ends it")
+    let radius = radius(probes, receivers, wish.overlap);
+    // By receivers that no probe was added for.
+    let after = Unseen::new(world, receivers, probes, radius, ROUNDS, wish.texel_size);
+    let coverage = Coverage {
+        added: (probes.len() - placed) as u32,
+        unseen: after.share(after.elsewhere.len()),
+        unseen_before: before.share(before.elsewhere.len()),
+        unseen_in_gaps: after.share(after.in_gaps),
+    };
+    (radius, coverage)
+}
+
+/// Receivers that see no probe in support.
+struct Unseen<'a> {
+    /// Number of those that were asked.
+    judges: usize,
+    /// Number of those in gaps.
+    in_gaps: usize,
+    /// The others.
+    elsewhere: Vec<&'a Receiver>,
+}
+
+impl<'a> Unseen<'a> {
+    fn new(
+        world: &World<'_>,
+        receivers: &'a [Receiver],
+        probes: &[Vec3],
+        radius: f32,
+        turn: usize,
+        texel_size: f32,
+    ) -> Self {
+        let judges: Vec<&Receiver> = judges(receivers, MAX_WITNESSES, turn).collect();
+        let dark = |r: &&Receiver| !probes.iter().any(|p| sees(world, r, *p, radius));
+        let dark: Vec<&Receiver> = judges.par_iter().copied().filter(dark).collect();
+        let (in_gaps, elsewhere): (Vec<&Receiver>, Vec<&Receiver>) =
+            dark.into_par_iter().partition(|r| is_in_gap(world, r, texel_size));
+        Self { judges: judges.len(), in_gaps: in_gaps.len(), elsewhere }
+    }
+
+    fn share(&self, count: usize) -> f32 {
+        count as f32 / self.judges.max(1) as f32
+    }
+}
+
+/// Whether most of what a receiver sees is nearer than a texel is wide.
+fn is_in_gap(world: &World<'_>, r: &Receiver, texel_size: f32) -> bool {
+    r.triangle != FREE && 2 * looks(world, r).filter(|(_, open)| *open < texel_size).count() > LOOKS as usize
+}
+
+/// Directions about a receiver by the cosine law, and how far it sees there (m), [`f32::MAX`] out of the scene.
+fn looks<'a>(world: &'a World<'_>, r: &'a Receiver) -> impl Iterator<Item = (Vec3, f32)> + 'a {
+    let frame = Frame::new(r.geometric_normal);
+    (0..LOOKS).map(move |i| {
+        let direction = frame.world_from_local(cosine_hemisphere(hammersley(i, LOOKS)));
+        (direction, world.closest_from(r, direction).map_or(f32::MAX, |s| (s.position - r.position).length()))
+    })
 }
 
 /// Whether a receiver sees a point in support.
@@ -151,43 +241,48 @@ fn sees(world: &World<'_>, r: &Receiver, p: Vec3, radius: f32) -> bool {
     towards.length() < radius && towards.dot(r.geometric_normal) > 0.0 && world.sees(&r.into(), p)
 }
 
-/// Few places from which all but `allowed` of some receivers are seen, at most `most`: always the one next that most of
-/// the remaining see (Johnson 1974).
+/// Few places that cover all but `allowed` of some receivers, at most `most`: always the one next that covers most of the
+/// remaining (Johnson 1974).
 fn covering(
     world: &World<'_>,
     space: &Space,
-    mut unseen: Vec<&Receiver>,
+    mut receivers: Vec<&Receiver>,
+    covers: &(dyn Fn(&Receiver, Vec3) -> bool + Sync),
     radius: f32,
-    allowed: usize,
-    most: usize,
+    (allowed, most): (usize, usize),
 ) -> Vec<Vec3> {
     let mut chosen = Vec::new();
-    while unseen.len() > allowed && chosen.len() < most {
-        let step = unseen.len().div_ceil(CANDIDATES).max(1);
-        let candidates: Vec<Vec3> =
-            unseen.iter().step_by(step).flat_map(|r| before(world, r, space.grid.voxel_size)).collect();
-        let seen_from = |p: &Vec3| unseen.iter().map(|r| sees(world, r, *p, radius)).collect::<Vec<bool>>();
-        let seen_from: Vec<Vec<bool>> = candidates.par_iter().map(seen_from).collect();
-        let mut left = vec![true; unseen.len()];
+    while receivers.len() > allowed && chosen.len() < most {
+        let step = receivers.len().div_ceil(CANDIDATES).max(1);
+        let some: Vec<&Receiver> = receivers.iter().step_by(step).copied().collect();
+        let places = |r: &Receiver| {
+            let mut places: Vec<Vec3> = before(world, r, space.grid.voxel_size).collect();
+            places.extend(along(world, r, radius));
+            places
+        };
+        let candidates: Vec<Vec3> = some.par_iter().flat_map_iter(|r| places(r)).collect();
+        let covered = |p: &Vec3| receivers.iter().map(|r| covers(r, *p)).collect::<Vec<bool>>();
+        let covered: Vec<Vec<bool>> = candidates.par_iter().map(covered).collect();
+        let mut left = vec![true; receivers.len()];
         let before = chosen.len();
         while chosen.len() < most && left.iter().filter(|l| **l).count() > allowed {
-            let count = |c: &usize| seen_from[*c].iter().zip(&left).filter(|(s, l)| **s && **l).count();
+            let count = |c: &usize| covered[*c].iter().zip(&left).filter(|(s, l)| **s && **l).count();
             let counts: Vec<usize> = (0..candidates.len()).map(|c| count(&c)).collect();
             let Some(best) = (0..counts.len()).max_by_key(|c| (counts[*c], usize::MAX - c)) else { break };
             // A candidate whose receivers have been found others is no longer the best of all places.
             if counts[best] == 0
-                || (chosen.len() > before && counts[best] * 2 < seen_from[best].iter().filter(|s| **s).count())
+                || (chosen.len() > before && counts[best] * 2 < covered[best].iter().filter(|s| **s).count())
             {
                 break;
             }
             chosen.push(candidates[best]);
-            left.iter_mut().zip(&seen_from[best]).for_each(|(l, s)| *l &= !s);
+            left.iter_mut().zip(&covered[best]).for_each(|(l, s)| *l &= !s);
         }
         if chosen.len() == before {
             break;
         }
         let mut left = left.into_iter();
-        unseen.retain(|_| left.next() == Some(true));
+        receivers.retain(|_| left.next() == Some(true));
     }
     chosen
 }
@@ -198,6 +293,14 @@ fn before<'a>(world: &'a World<'_>, r: &'a Receiver, voxel_size: f32) -> impl It
     let distances = [0.5, 1.0, 2.0, 4.0].map(|d| (d * voxel_size).min(0.5 * open));
     let apart = (0..4).filter(move |k| *k == 0 || distances[*k] > 1.1 * distances[k - 1]);
     apart.map(move |k| r.position + r.geometric_normal * distances[k])
+}
+
+/// Places along the ways that lead farthest out of where a receiver lies: what else lies there is seen from them too.
+fn along(world: &World<'_>, r: &Receiver, radius: f32) -> Vec<Vec3> {
+    let mut ways: Vec<(Vec3, f32)> = looks(world, r).collect();
+    ways.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let place = |(direction, open): (Vec3, f32)| ALONG.map(|t| r.position + direction * open.min(radius) * t);
+    ways.into_iter().take(LONGEST).flat_map(place).collect()
 }
 
 #[cfg(test)]
@@ -234,6 +337,28 @@ mod tests {
     }
 
     #[test]
+    fn gaps_are_what_is_narrower_than_a_texel() {
+        // Two plates of a metre, 3 cm apart.
+        let mut b = crate::scene::built_in::SceneBuilder::new("plates");
+        let m = b.diffuse("grey", [0.5; 3]);
+        for y in [0.0, 0.03] {
+            let corner = |x: f32, z: f32| Vec3::new(x, y, z);
+            b.quad([corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)], m);
+        }
+        let scene = b.finish();
+        let world = World::new(&scene).unwrap();
+        let at = |triangle, normal: Vec3| Receiver {
+            triangle,
+            error: 1e-6,
+            ..super::super::atlas::free_receiver(world.seen(triangle, [0.3, 0.3, 0.4], true).position, normal)
+        };
+        assert!(is_in_gap(&world, &at(0, Vec3::Y), 0.1) && !is_in_gap(&world, &at(0, Vec3::Y), 0.02));
+        // What sees nothing at all is in the open, and so is what lies on no surface.
+        assert!(!is_in_gap(&world, &at(0, Vec3::NEG_Y), 0.1));
+        assert!(!is_in_gap(&world, &super::super::atlas::free_receiver(Vec3::new(0.5, 0.01, 0.5), Vec3::Y), 0.1));
+    }
+
+    #[test]
     fn probes_come_to_where_nobody_sees_one() {
         // Two sealed rooms and a probe in one of them.
         let scene = crate::scene::built_in::two_rooms(0.05, 0.0);
@@ -249,7 +374,8 @@ mod tests {
             .collect();
         let covered = |limit: u32| {
             let mut probes = vec![inside(Vec3::new(0.25, 0.6, 0.5))];
-            let (_, coverage) = cover(&world, &reach.space, &receivers, &mut probes, (1.0, 0.0, limit));
+            let wish = Wish { overlap: 1.0, bound: 0.0, limit, texel_size: 0.05 };
+            let (_, coverage) = cover(&world, &reach.space, &receivers, &mut probes, &wish);
             (coverage, probes.len())
         };
         let (none, _) = covered(0);

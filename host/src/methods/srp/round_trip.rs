@@ -21,11 +21,12 @@
 //! share that would bring it nearest to what its own rays gather of these states. What does harm there is not done. The root,
 //! because states are few and `t` errs low where it is not 0: it was found on scenes, and is nowhere worse. Not in the papers.
 
-use super::atlas::{Atlas, Lookup};
+use super::atlas::Atlas;
 use super::compress::Lights;
-use super::model::{NO_RECEIVER, Receiver};
+use super::model::Receiver;
 use super::plan::split;
 use super::reach::Space;
+use super::stand_in::StandIns;
 use super::states::States;
 use super::world::{Seen, World};
 use faer::linalg::solvers::Solve;
@@ -33,6 +34,7 @@ use faer::{Mat, MatRef, Side};
 use glam::Vec3;
 use interreflect_kernels::math::rng::rand;
 use interreflect_kernels::math::sh;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Smallest patches at most, about.
@@ -52,8 +54,7 @@ pub const RAYS: u32 = 1 << 13;
 pub struct RoundTrip {
     /// Smallest patch of each texel, [`NO_PATCH`] for those without a receiver.
     patch_of: Vec<u32>,
-    /// From points without a texel of their own to those that stand for them.
-    lookup: Lookup,
+    stand_ins: StandIns,
     /// Number of the smallest patches.
     patches: usize,
     /// Larger patches: that of each smallest one, and their number.
@@ -153,11 +154,10 @@ impl RoundTrip {
         let sizes = larger(&points, &patch_of_point, patches);
         let mut patch_of = vec![NO_PATCH; texels];
         on_surface.iter().zip(&patch_of_point).for_each(|((_, t), patch)| patch_of[*t as usize] = *patch);
-        let own = |t: u32| if patch_of[t as usize] == NO_PATCH { NO_RECEIVER } else { t };
-        let lookup = Lookup::new(atlas, &(0..texels as u32).map(own).collect::<Vec<_>>());
-        let states = States::new(world, space, &lookup, receivers, texels, seed);
+        let stand_ins = StandIns::new(world, atlas, |t| patch_of[t as usize] != NO_PATCH);
+        let states = States::new(world, space, &stand_ins, receivers, texels, seed);
         Self {
-            lookup,
+            stand_ins,
             patch_of,
             patches,
             sizes,
@@ -170,12 +170,8 @@ impl RoundTrip {
     }
 
     /// The texel with a receiver that stands for a point; `texel` is its own, if it has one.
-    pub fn texel(&self, seen: &Seen, texel: u32) -> u32 {
-        match self.patch_of.get(texel as usize) {
-            Some(patch) if *patch != NO_PATCH => texel,
-            _ => (self.lookup.one(seen.triangle, seen.weights, seen.front, seen.position, seen.normal))
-                .unwrap_or(NO_RECEIVER),
-        }
+    pub fn texel(&self, world: &World<'_>, seen: &Seen, texel: u32) -> u32 {
+        self.stand_ins.of_texel(world, seen, texel)
     }
 
     /// Whether there is anything to correct.
@@ -226,7 +222,6 @@ impl RoundTrip {
 
     /// Takes what the probes see: `met[probe · rays + ray]` is the texel that a relight ray meets.
     pub fn see(&mut self, directions: &[Vec3], met: &[u32], order: u32) {
-        use rayon::prelude::*;
         self.k = sh::count(order);
         let (rays, width) = (directions.len().max(1), self.factor_count());
         let weight = 4.0 * std::f32::consts::PI / rays as f32;
@@ -267,13 +262,29 @@ impl RoundTrip {
     /// Corrects the transport of some receivers (of `each` rows) from the coefficients of `probes`, `matrix`: rows of
     /// `probes.len() · K`, by their form factors, rows of [`RoundTrip::factor_count`]. Receivers whose probes have nothing to do
     /// with each other, as on the two sides of a wall, are corrected apart: what a probe behind a wall sees is no evidence.
-    pub fn correct(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32], each: usize) -> Verdict {
+    ///
+    /// After the receivers' rows come those of what may be chance in the rows and factors of some of them, the `witnesses`:
+    /// the correction is linear, so that it makes of them what may be chance in the corrected rows.
+    pub fn correct(
+        &self,
+        matrix: &mut [f32],
+        probes: &[u32],
+        factors: &[f32],
+        each: usize,
+        witnesses: &[usize],
+    ) -> Verdict {
         if matrix.is_empty() || probes.is_empty() || self.k == 0 || !self.corrects() {
             return Verdict::default();
         }
         let (width, count) = (probes.len() * self.k, self.factor_count());
         let mut verdict = Verdict::default();
-        for (receivers, slots) in connected(matrix, probes.len(), self.k, each) {
+        let own_count = matrix.len() / (each * width) - witnesses.len();
+        for (mut receivers, slots) in connected(&matrix[..own_count * each * width], probes.len(), self.k, each) {
+            let judged = receivers.len();
+            let (chance, of): (Vec<usize>, Vec<usize>) = (witnesses.iter().enumerate())
+                .filter_map(|(w, i)| Some((own_count + w, receivers.binary_search(i).ok()?)))
+                .unzip();
+            receivers.extend(chance);
             let rows: Vec<usize> = receivers.iter().flat_map(|r| (0..each).map(move |n| r * each + n)).collect();
             let own: Vec<u32> = slots.iter().map(|s| probes[*s]).collect();
             let blocks = |row: usize| slots.iter().map(move |s| row * width + s * self.k);
@@ -281,7 +292,7 @@ impl RoundTrip {
             rows.iter().flat_map(|r| blocks(*r)).for_each(|at| part.extend_from_slice(&matrix[at..at + self.k]));
             let mut own_factors = Vec::with_capacity(rows.len() * count);
             rows.iter().for_each(|r| own_factors.extend_from_slice(&factors[r * count..(r + 1) * count]));
-            verdict = verdict + self.correct_connected(&mut part, &own, &own_factors, each);
+            verdict = verdict + self.correct_connected(&mut part, &own, &own_factors, (each, judged), &of);
             for (at, block) in rows.iter().flat_map(|r| blocks(*r)).zip(part.chunks_exact(self.k)) {
                 matrix[at..at + self.k].copy_from_slice(block);
             }
@@ -289,7 +300,15 @@ impl RoundTrip {
         verdict
     }
 
-    fn correct_connected(&self, matrix: &mut [f32], probes: &[u32], factors: &[f32], each: usize) -> Verdict {
+    /// The same for rows that belong together: of `judged` receivers, then of chance in some of them, `of`.
+    fn correct_connected(
+        &self,
+        matrix: &mut [f32],
+        probes: &[u32],
+        factors: &[f32],
+        (each, judged): (usize, usize),
+        of: &[usize],
+    ) -> Verdict {
         let width = probes.len() * self.k;
         let lambda = Mat::from_fn(width, self.lambda.ncols(), |j, q| self.lambda[(self.row(probes, j), q)]);
         let wanted = self.columns(factors);
@@ -302,6 +321,11 @@ impl RoundTrip {
         let made = change.transpose() * lambda.subcols(fitted, judges.len());
         let (rest, light) = (rest.subcols(fitted, judges.len()), wanted.subcols(fitted, judges.len()));
         let mut verdict = Verdict::default();
+        let follow_by = |t: f32, i: usize, row: &mut [f32]| {
+            row.iter_mut().enumerate().for_each(|(j, a)| *a += t * change[(j, i)]);
+        };
+        let (matrix, chance) = matrix.split_at_mut(judged * each * width);
+        let mut followed = Vec::with_capacity(judged);
         for (receiver, own) in matrix.chunks_exact_mut(each * width).enumerate() {
             let rows = receiver * each..(receiver + 1) * each;
             let sum = |f: &dyn Fn(usize, usize) -> f32| -> f32 {
@@ -310,9 +334,8 @@ impl RoundTrip {
             let best =
                 sum(&|i, q| rest[(i, q)] * made[(i, q)]) / sum(&|i, q| made[(i, q)].powi(2)).max(f32::MIN_POSITIVE);
             let follow = best.clamp(0.0, 1.0).sqrt();
-            for (i, row) in rows.clone().zip(own.chunks_exact_mut(width)) {
-                row.iter_mut().enumerate().for_each(|(j, a)| *a += follow * change[(j, i)]);
-            }
+            rows.clone().zip(own.chunks_exact_mut(width)).for_each(|(i, row)| follow_by(follow, i, row));
+            followed.push(follow);
             verdict = verdict
                 + Verdict {
                     receivers: 1.0,
@@ -321,6 +344,9 @@ impl RoundTrip {
                     before: sum(&|i, q| rest[(i, q)].powi(2)),
                     after: sum(&|i, q| (rest[(i, q)] - follow * made[(i, q)]).powi(2)),
                 };
+        }
+        for (n, row) in chance.chunks_exact_mut(width).enumerate() {
+            follow_by(followed[of[n / each]], judged * each + n, row);
         }
         verdict
     }

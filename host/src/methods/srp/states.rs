@@ -5,9 +5,9 @@
 //! air, with shadows, and one reflection by few rays. Each has a mean square of 1 over the surface, so that none that
 //! lights a cranny outweighs the others. Every fifth state is kept back, to judge by.
 
-use super::atlas::Lookup;
 use super::model::{NO_RECEIVER, Receiver};
 use super::reach::Space;
+use super::stand_in::StandIns;
 use super::world::World;
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
@@ -52,12 +52,12 @@ impl States {
         Self { fitted: 0, judges: 0, light: Vec::new(), deviation: vec![1.0; texels] }
     }
 
-    /// States of a scene at its `receivers` (with their texels, of `texels` in all). `lookup` finds the texel of what a
+    /// States of a scene at its `receivers` (with their texels, of `texels` in all). `stand_ins` find the texel of what a
     /// receiver sees; lamps stand in the open voxels of `space`.
     pub fn new(
         world: &World<'_>,
         space: &Space,
-        lookup: &Lookup,
+        stand_ins: &StandIns,
         receivers: &[(Receiver, u32)],
         texels: usize,
         seed: u32,
@@ -75,7 +75,7 @@ impl States {
         if direct.len() < 2 * STEP {
             return Self::none(texels);
         }
-        let mut light = reflected(world, lookup, &receivers, texels, &direct);
+        let mut light = reflected(world, stand_ins, &receivers, texels, &direct);
         let count = direct.len();
         let mut scale = vec![0.0f32; count];
         for (r, t) in &receivers {
@@ -176,7 +176,7 @@ impl<'a> Sources<'a> {
 /// Adds the light of one reflection to `direct`, `[state][receiver]`, and gives all by texel, `[texel][state]`.
 fn reflected(
     world: &World<'_>,
-    lookup: &Lookup,
+    stand_ins: &StandIns,
     receivers: &[&(Receiver, u32)],
     texels: usize,
     direct: &[Vec<f32>],
@@ -192,10 +192,8 @@ fn reflected(
         let mut sum = by_texel[*t as usize * count..][..count].to_vec();
         for ray in 0..RAYS {
             let direction = frame.world_from_local(cosine_hemisphere(hammersley(ray, RAYS)));
-            let met = world
-                .closest_from(r, direction)
-                .and_then(|s| lookup.one(s.triangle, s.weights, s.front, s.position, s.normal));
-            if let Some(met) = met {
+            let met = world.closest_from(r, direction).map(|seen| stand_ins.of(world, &seen));
+            if let Some(met) = met.filter(|t| *t != NO_RECEIVER) {
                 // Of irradiance E the radiance E·albedo/π leaves; a ray stands for π/RAYS.
                 let light = &by_texel[met as usize * count..][..count];
                 sum.iter_mut().zip(light).for_each(|(s, e)| *s += ALBEDO / RAYS as f32 * e);
@@ -226,8 +224,8 @@ mod tests {
         let reach = Reach::new(&world, &patches, 1).unwrap();
         let atlas = Arc::new(Atlas::new(&world, &patches, &reach.exposed, 600));
         let receivers: Vec<(Receiver, u32)> = atlas.texels.iter().zip(0..).map(|(t, i)| (t.receiver, i)).collect();
-        let lookup = Lookup::new(atlas.clone(), &(0..receivers.len() as u32).collect::<Vec<_>>());
-        let states = States::new(&world, &reach.space, &lookup, &receivers, receivers.len(), 1);
+        let stand_ins = StandIns::new(&world, atlas.clone(), |_| true);
+        let states = States::new(&world, &reach.space, &stand_ins, &receivers, receivers.len(), 1);
         assert!(states.judges * 4 <= states.fitted && states.judges * 5 > states.fitted, "{}", states.judges);
         let middle = scene.bounds().0.midpoint(scene.bounds().1).x;
         let mut both = 0;

@@ -64,6 +64,30 @@ pub struct Rays {
     pub inside: f32,
 }
 
+/// What of a receiver's rays is summed.
+#[derive(Clone, Copy)]
+struct Sum {
+    /// What each ray stands for, as a factor of the integrand.
+    per_ray: f32,
+    /// The same without what stands for rays that no probe sees.
+    per_factor: f32,
+    /// Where the sum is over the difference of two halves: the mean sign of what was sent.
+    halves: Option<f32>,
+}
+
+impl Sum {
+    /// Weight of a ray: 1, or which half it belongs to. Neighbours among the directions, which lie one beside the other, belong
+    /// to different halves: both are stratified like the whole.
+    fn weight(&self, ray: u32) -> f32 {
+        self.halves.map_or(1.0, |mean| sign(ray) - mean)
+    }
+}
+
+/// 1 for rays of one half, −1 for those of the other.
+fn sign(ray: u32) -> f32 {
+    if ray.is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
 /// What a receiver's rays met, in planes of equal length, a multiple of the lanes.
 #[derive(Default)]
 struct Met {
@@ -75,6 +99,10 @@ struct Met {
     normal: [Vec<f32>; 3],
     /// Sum of the probes' weights.
     sum: Vec<f32>,
+    /// Number of rays that left the scene, of those that met the inside of solids, and the sum of signs of all others.
+    open: u32,
+    inside: u32,
+    signs: f32,
 }
 
 /// Points seen from one probe with their weights: planes of equal length, a multiple of the lanes.
@@ -120,81 +148,110 @@ impl Transport<'_> {
         (0..self.probes.len() as u32).filter(|i| within(&self.probes[*i as usize])).collect()
     }
 
-    /// Rows of a receiver for the coefficients of `support`: `rows × support.len() × K`, row-major.
-    /// Where `kinds` of light are given, the receiver's form factors (W/m² per unit of radiance) are added to their rows.
+    /// Sends a receiver's rays and asks what the probes of `support` see of what they meet; [`Transport::rows`] and
+    /// [`Transport::noise`] then say what comes of it.
+    pub fn send(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> Rays {
+        self.trace(r, &Frame::new(r.normal), &mut scratch.met);
+        self.weigh(r, support, scratch);
+        let met = &scratch.met;
+        let all = self.directions.len().max(1) as f32;
+        let cosine_weighted = PI * met.open as f32 / met.sent();
+        let sky = if self.rows == 1 { cosine_weighted } else { self.sky(r) };
+        Rays { sky, unseen: met.unseen() as f32 / all, inside: met.inside as f32 / all }
+    }
+
+    /// Rows of the receiver that sent its rays last, for the coefficients of `support`: `rows × support.len() × K`, row-major.
+    /// Where `kinds` of light are given, its form factors (W/m² per unit of radiance) are added to their rows.
     pub fn rows(
         &self,
         r: &Receiver,
         support: &[u32],
         scratch: &mut Scratch,
         kinds: Option<(&RoundTrip, &mut [f32])>,
-    ) -> (Vec<f32>, Rays) {
+    ) -> Vec<f32> {
+        self.sum(r, support, scratch, false, kinds)
+    }
+
+    /// What of these rows and form factors may be chance: half the difference of two halves of the rays, which varies as
+    /// their mean does. It errs high (by up to two thirds in the Cornell box): the halves of an even set are each less even.
+    pub fn noise(
+        &self,
+        r: &Receiver,
+        support: &[u32],
+        scratch: &mut Scratch,
+        kinds: Option<(&RoundTrip, &mut [f32])>,
+    ) -> Vec<f32> {
+        self.sum(r, support, scratch, true, kinds)
+    }
+
+    fn sum(
+        &self,
+        r: &Receiver,
+        support: &[u32],
+        scratch: &mut Scratch,
+        halves: bool,
+        kinds: Option<(&RoundTrip, &mut [f32])>,
+    ) -> Vec<f32> {
         let frame = Frame::new(r.normal);
-        let (open, inside) = self.trace(r, &frame, &mut scratch.met);
-        self.weigh(r, support, scratch);
         let met = &scratch.met;
-        let unseen = (0..met.seen.len()).filter(|i| met.sum[*i] <= 0.0).count() as u32;
-        let sent = (open as usize + met.seen.len()).max(1) as f32;
-        let per_ray = if self.rows == 1 { PI } else { 2.0 * PI } * (1.0 + unseen as f32 / sent) / sent;
+        let sent = met.sent();
+        let per_factor = if self.rows == 1 { PI } else { 2.0 * PI } / sent;
+        let per_ray = per_factor * (1.0 + met.unseen() as f32 / sent);
+        let sum = Sum { per_ray, per_factor, halves: halves.then(|| met.signs / sent) };
         let k = sh::count(self.order);
         let mut rows = vec![0.0; self.rows as usize * support.len() * k];
         let stride = met.sum.len();
         for (slot, probe) in support.iter().enumerate() {
             let weights = &scratch.weights[slot * stride..(slot + 1) * stride];
-            self.sample(&scratch.met, weights, self.probes[*probe as usize], &frame, &mut scratch.samples);
+            self.sample(&scratch.met, weights, self.probes[*probe as usize], &frame, &sum, &mut scratch.samples);
             for row in 0..self.rows as usize {
                 let at = (row * support.len() + slot) * k;
-                scratch.samples.project(self.order, row, per_ray, &mut rows[at..at + k]);
+                scratch.samples.project(self.order, row, sum.per_ray, &mut rows[at..at + k]);
             }
         }
         if let Some((kinds, factors)) = kinds {
-            self.form_factors(&scratch.met, &frame, sent, kinds, factors);
+            self.form_factors(&scratch.met, &frame, &sum, kinds, factors);
         }
-        let all = self.directions.len().max(1) as f32;
-        let cosine_weighted = PI * open as f32 / sent;
-        let sky = if self.rows == 1 { cosine_weighted } else { self.sky(r) };
-        (rows, Rays { sky, unseen: unseen as f32 / all, inside: inside as f32 / all })
+        rows
     }
 
     /// What a receiver's rays met, by kind of light.
-    fn form_factors(&self, met: &Met, frame: &Frame, sent: f32, kinds: &RoundTrip, factors: &mut [f32]) {
+    fn form_factors(&self, met: &Met, frame: &Frame, sum: &Sum, kinds: &RoundTrip, factors: &mut [f32]) {
         let count = kinds.factor_count();
         // Neighbours among the rays often meet the same texel: they are added together.
         let mut run = (NO_TEXEL, 0.0);
         for ((seen, texel), ray) in met.seen.iter().zip(&met.texel).zip(&met.ray) {
-            let texel = kinds.texel(seen, *texel);
+            let texel = kinds.texel(self.world, seen, *texel);
             if self.rows == 1 {
                 if texel != run.0 {
-                    kinds.add(factors, run.0, run.1 * PI / sent);
+                    kinds.add(factors, run.0, run.1 * sum.per_factor);
                     run = (texel, 0.0);
                 }
-                run.1 += 1.0;
+                run.1 += sum.weight(*ray);
                 continue;
             }
             let y: [f32; 4] = sh::basis(frame.world_from_local(self.directions[*ray as usize]).to_array());
             let rows = factors.chunks_exact_mut(count).zip(y);
-            rows.for_each(|(row, y)| kinds.add(row, texel, 2.0 * PI / sent * y));
+            rows.for_each(|(row, y)| kinds.add(row, texel, sum.per_factor * sum.weight(*ray) * y));
         }
         if self.rows == 1 {
-            kinds.add(factors, run.0, run.1 * PI / sent);
+            kinds.add(factors, run.0, run.1 * sum.per_factor);
         }
     }
 
-    /// Sends a receiver's rays; gives how many left the scene and how many met the inside of solids.
-    fn trace(&self, r: &Receiver, frame: &Frame, met: &mut Met) -> (u32, u32) {
-        let (mut open, mut inside) = (0, 0);
+    /// Sends a receiver's rays.
+    fn trace(&self, r: &Receiver, frame: &Frame, met: &mut Met) {
         met.clear();
         for (ray, local) in self.directions.iter().enumerate() {
             match self.world.closest_from(r, frame.world_from_local(*local)) {
-                None => open += 1,
-                Some(seen) if !(self.exposed)(seen.triangle, seen.front) => inside += 1,
+                None => met.open(ray as u32),
+                Some(seen) if !(self.exposed)(seen.triangle, seen.front) => met.inside += 1,
                 Some(seen) => {
                     met.push(seen, self.atlas.texel_of(seen.triangle, seen.weights, seen.front), ray as u32);
                 }
             }
         }
         met.pad();
-        (open, inside)
     }
 
     /// Weights of the probes in support for everything that was met, and their sums.
@@ -237,11 +294,11 @@ impl Transport<'_> {
     }
 
     /// What one probe contributes.
-    fn sample(&self, met: &Met, weights: &[f32], probe: Vec3, frame: &Frame, samples: &mut Samples) {
+    fn sample(&self, met: &Met, weights: &[f32], probe: Vec3, frame: &Frame, sum: &Sum, samples: &mut Samples) {
         samples.clear();
         for (i, seen) in met.seen.iter().enumerate() {
             if weights[i] > 0.0 {
-                let w = weights[i] / met.sum[i];
+                let w = weights[i] / met.sum[i] * sum.weight(met.ray[i]);
                 let about: [f32; 4] = if self.rows == 1 {
                     [1.0; 4]
                 } else {
@@ -288,6 +345,23 @@ impl Met {
         self.ray.clear();
         self.position.iter_mut().chain(&mut self.normal).for_each(Vec::clear);
         self.sum.clear();
+        (self.open, self.inside, self.signs) = (0, 0, 0.0);
+    }
+
+    /// A ray that left the scene.
+    fn open(&mut self, ray: u32) {
+        self.open += 1;
+        self.signs += sign(ray);
+    }
+
+    /// Rays that count as sent, at least 1.
+    fn sent(&self) -> f32 {
+        (self.open as usize + self.seen.len()).max(1) as f32
+    }
+
+    /// Rays that met what no probe sees.
+    fn unseen(&self) -> usize {
+        (0..self.seen.len()).filter(|i| self.sum[*i] <= 0.0).count()
     }
 
     fn push(&mut self, seen: Seen, texel: u32, ray: u32) {
@@ -298,6 +372,7 @@ impl Met {
         self.seen.push(seen);
         self.texel.push(texel);
         self.ray.push(ray);
+        self.signs += sign(ray);
     }
 
     /// Fills up to whole lanes with what no probe can face.

@@ -41,7 +41,7 @@ impl Assembler {
             positions: Vec::new(),
             camera_positions: Vec::new(),
             light_positions: Vec::new(),
-            options: *options,
+            options: options.clone(),
             zero_area_count: 0,
             glass_count: 0,
             has_all_lightmap_uvs: true,
@@ -147,6 +147,8 @@ impl Assembler {
                 self.glass_count
             ));
         }
+        let view = self.options.view(&self.scene);
+        self.scene.cameras.splice(..0, view);
         if self.scene.cameras.is_empty() {
             self.scene.cameras.push(camera_fit::fit(&self.scene));
             self.note("no camera in the file: where none is named, one that shows the scene stands in");
