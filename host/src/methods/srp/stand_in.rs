@@ -79,14 +79,14 @@ mod tests {
         let reach = Reach::new(&world, &patches, 1).unwrap();
         let atlas = Arc::new(Atlas::new(&world, &patches, &reach.exposed, 2000));
         // Every third texel is lost.
-        let stand_ins = StandIns::new(&world, atlas.clone(), |t| t % 3 != 0);
+        let stand_ins = StandIns::new(&world, atlas.clone(), |t| !t.is_multiple_of(3));
         let mut own = 0;
         for triangle in 0..scene.triangles.len() as u32 {
             for weights in [[0.4, 0.3, 0.3], [0.9, 0.05, 0.05], [0.1, 0.1, 0.8]] {
                 for front in [true, false] {
                     let seen = world.seen(triangle, weights, front);
                     let found = stand_ins.of(&world, &seen);
-                    assert!(found % 3 != 0 && (found as usize) < atlas.texels.len(), "{found}");
+                    assert!(!found.is_multiple_of(3) && (found as usize) < atlas.texels.len(), "{found}");
                     let r = &atlas.texels[found as usize].receiver;
                     if front {
                         assert!((r.position - seen.position).length() < 2.5 * atlas.texel_size);
