@@ -12,8 +12,10 @@ use interreflect_shared::trace::{CountParams, DirectParams, GBufferParams};
 /// Sampling of the direct light; see [`DirectParams`].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DirectSettings {
-    /// Shadow rays to each emissive triangle, and picks where there are many lights.
+    /// Shadow rays to each emissive triangle.
     pub light_samples: u32,
+    /// Shadow rays to lights picked by their power, where there are many.
+    pub picks: u32,
     /// Rays to the environment per receiver, where there is one.
     pub environment_samples: u32,
     /// Lights above which each receiver picks some by their power.
@@ -24,7 +26,7 @@ pub struct DirectSettings {
 
 impl Default for DirectSettings {
     fn default() -> Self {
-        Self { light_samples: 16, environment_samples: 64, pick_above: 64, seed: 0 }
+        Self { light_samples: 16, picks: 128, environment_samples: 64, pick_above: 64, seed: 0 }
     }
 }
 
@@ -83,7 +85,7 @@ pub fn direct(
         environment: environment.extend(0.0),
         count,
         light_count: scene.light_count,
-        light_samples: settings.light_samples,
+        light_samples: if scene.light_count > settings.pick_above { settings.picks } else { settings.light_samples },
         environment_samples: if lit_by_environment { settings.environment_samples } else { 0 },
         pick_above: settings.pick_above,
         seed: settings.seed,

@@ -7,7 +7,7 @@ use interreflect::methods::lpv::volume::{Ledger, Placement, Volume};
 use interreflect::methods::lpv::{self, Lpv, Options};
 use interreflect::methods::{Input, Method, Settings, StageClock};
 use interreflect::reference::{Receiver, ReferenceSettings, irradiance};
-use interreflect::scene::built_in::{SceneBuilder, cornell_box, furnace, sphere_furnace, two_rooms};
+use interreflect::scene::built_in::{SceneBuilder, cornell_box, furnace, louvres, sphere_furnace, two_rooms};
 use interreflect::scene::device::SceneBuffers;
 use interreflect::scene::{Camera, Light, Scene};
 use interreflect_kernels::trace::gbuffer::trace_gbuffer;
@@ -304,6 +304,23 @@ fn a_furnace_keeps_its_energy() {
     let (nrmse, ratio) = error(&result.irradiance, &expected);
     println!("furnace: {ratio:.4} of the closed form, nrmse {nrmse:.4}, {}", result.needs["bounce_ratio"]);
     assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
+}
+
+/// Slats thinner than a cell seem to reflect more than reaches them: without a bound bounces would grow without end.
+#[test]
+fn bounces_never_grow() {
+    for scene in [louvres(), cornell_box()] {
+        let receivers = picture_surfels(&scene, &scene.cameras[0]);
+        let outcome = run(&scene, &receivers, &[("bounces", "8"), ("tail", "0")]);
+        let flux: Vec<f64> = serde_json::from_value(outcome.needs["reflected_flux_per_bounce_w"].clone()).unwrap();
+        let brightest = scene.materials.iter().map(|m| m.albedo.max_element()).fold(0.0, f32::max);
+        println!("{}: {flux:.0?}, brightest {brightest}", scene.name);
+        assert!(flux.len() == 8 && flux.iter().all(|f| *f > 0.0), "{flux:?}");
+        for pair in flux.windows(2) {
+            assert!(pair[1] <= pair[0] * 0.5 * (1.0 + f64::from(brightest)) * 1.001, "{}: {flux:?}", scene.name);
+        }
+        assert!(outcome.irradiance.iter().all(|v| v.is_finite()));
+    }
 }
 
 /// Mean irradiance in the dark room over that in the lit one, for a wall of so many cells.

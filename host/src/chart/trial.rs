@@ -44,7 +44,8 @@ impl SceneSpec {
     /// What loading says.
     pub fn load(&self) -> Result<(Scene, Camera), Error> {
         let sun = self.sun.map(|(direction, irradiance)| (direction.into(), irradiance.into()));
-        let options = LoadOptions { environment: self.env.map(Vec3::from), sun, ..LoadOptions::default() };
+        let environment = self.env.map(Vec3::from);
+        let options = LoadOptions { camera: self.camera.clone(), environment, sun, ..LoadOptions::default() };
         let scene = scene::load(&self.scene, &options)?;
         let camera = scene.camera(self.camera.as_deref())?;
         Ok((scene, camera))

@@ -20,7 +20,7 @@ pub fn measured() -> Result<(String, Scene, Camera)> {
         Some(path) => (path.display().to_string(), Some(SPONZA_VIEW)),
         None => ("colonnade".to_string(), None),
     };
-    let scene = load(&spec, &LoadOptions::default())?;
+    let scene = load(&spec, &LoadOptions { camera: view.map(str::to_owned), ..LoadOptions::default() })?;
     let camera = scene.camera(view)?;
     Ok((scene.name.clone(), scene, camera))
 }

@@ -9,7 +9,7 @@ pub mod volume;
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
-use crate::exec::{BufferId, Executor, ExecutorExt};
+use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use crate::scene::{Camera, Scene};
 use glam::{IVec4, UVec4, Vec3, Vec4};
 use interreflect_kernels::cone::glossy::cone_glossy;
@@ -18,6 +18,7 @@ use interreflect_kernels::lpv::{bounce, gather};
 use interreflect_kernels::math::pack::unpack_f16x2;
 use interreflect_shared::cone::ConeParams;
 use interreflect_shared::lpv::{LpvLayout, LpvParams, LpvQuery, MAX_CASCADES, PASSED_VALUES};
+use interreflect_shared::voxel::VoxelFacet;
 use maps::{Maps, flux_bound};
 use serde_json::json;
 use volume::{Ledger, Placement, Volume};
@@ -276,6 +277,8 @@ struct State {
     volumes: Vec<Volume>,
     maps: Maps,
     voxels: Option<VoxelScene>,
+    /// Largest share of its light that a surface reflects.
+    brightest: f64,
     query: LpvQuery,
     query_uniform: BufferId,
     /// Packed totals of each grid (f16), and stand-ins for grids that are not there.
@@ -416,6 +419,7 @@ impl Method for Lpv {
                 })
             })?;
         }
+        let brightest = brightest(exec, voxels.as_ref())?;
         let query = query(&o, &volumes);
         let mut packed = Vec::new();
         if o.half {
@@ -429,7 +433,7 @@ impl Method for Lpv {
             .collect::<Result<_, _>>()?;
         let query_uniform = exec.upload_one("lpv query", &query)?;
         let report = Report::default();
-        self.state = Some(State { volumes, maps, voxels, query, query_uniform, packed, dummies, report });
+        self.state = Some(State { volumes, maps, voxels, brightest, query, query_uniform, packed, dummies, report });
         Ok(())
     }
 
@@ -607,17 +611,22 @@ impl State {
     }
 
     /// Factor of what was injected: the last bounce stands for all that follow it.
+    ///
+    /// Where cells are too coarse for what is in them, surfaces seem to reflect light that never reached them, and bounces
+    /// would grow: at least half of what the brightest surface absorbs is lost in each.
     fn gain(&mut self, o: &Options, bounce: u32) -> f32 {
         // The largest grid sees all of the scene: its flux tells the ratio.
-        let flux: f64 = self.volumes.last().map_or(0.0, |v| v.injected.iter().sum());
+        let injected: f64 = self.volumes.last().map_or(0.0, |v| v.injected.iter().sum());
         let report = &mut self.report;
-        if let Some(before) = report.bounce_flux.last().filter(|f| **f > 0.0) {
-            report.ratio = Some(flux / before);
-        }
+        let before = report.bounce_flux.last().copied().filter(|f| *f > 0.0);
+        let most = 0.5 * (1.0 + self.brightest);
+        let flux = before.map_or(injected, |before| injected.min(most * before));
+        report.ratio = before.map(|before| flux / before);
         report.bounce_flux.push(flux);
+        let kept = if injected > 0.0 { flux / injected } else { 1.0 };
         match report.ratio {
-            Some(ratio) if o.tail && bounce == o.bounces => (1.0 / (1.0 - ratio.min(MAX_RATIO))) as f32,
-            _ => 1.0,
+            Some(ratio) if o.tail && bounce == o.bounces => (kept / (1.0 - ratio.min(MAX_RATIO))) as f32,
+            _ => kept as f32,
         }
     }
 
@@ -710,6 +719,14 @@ fn query(o: &Options, volumes: &[Volume]) -> LpvQuery {
         _pad1: 0,
         _pad2: 0,
     }
+}
+
+/// Largest share of its light that a voxelized surface reflects, in any channel; 1 where nothing is voxelized.
+fn brightest(exec: &mut dyn Executor, voxels: Option<&VoxelScene>) -> Result<f64, ExecError> {
+    let Some(voxels) = voxels else { return Ok(1.0) };
+    let facets = exec.read_slice::<VoxelFacet>(voxels.facets)?;
+    let brightest = facets.iter().filter(|f| f.area > 0.0).flat_map(|f| f.albedo).fold(0.0, f32::max);
+    Ok(f64::from(brightest))
 }
 
 fn check_memory(o: &Options, placements: &[Placement]) -> Result<(), MethodError> {
