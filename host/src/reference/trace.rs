@@ -102,7 +102,7 @@ struct Stack {
 }
 
 thread_local! {
-    /// One for all walks of a thread: to clear one for every ray would take a tenth of its time in a small scene.
+    /// One for all walks of a thread: it is too large to be cleared for every ray.
     static THREAD_STACK: RefCell<Stack> = const { RefCell::new(Stack { entries: [0; STACK], len: 0 }) };
 }
 
