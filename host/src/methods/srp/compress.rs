@@ -12,7 +12,7 @@
 //! save memory at all.
 //!
 //! **Threshold.** The error asked for, or the cluster's own noise where that is more: `T` comes from finitely many rays, and
-//! what two halves of them disagree on ([`super::transport::Transport::noise`]) is not worth components.
+//! what two halves of them disagree on ([`super::transport::Estimate::Noise`]) is not worth components.
 
 use super::dictionary::{Dictionary, DictionaryOptions};
 use super::model::{Cluster, Loss};

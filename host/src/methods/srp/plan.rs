@@ -9,7 +9,7 @@ use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, 
 use super::probes::{self, Coverage, Placement, Wish};
 use super::reach::Reach;
 use super::round_trip::{self, RoundTrip, Verdict};
-use super::transport::{self, Rays, Scratch, Transport};
+use super::transport::{self, Estimate, Rays, Scratch, Transport};
 use super::visibility::Visibility;
 use super::world::{Seen, World};
 use crate::methods::MethodError;
@@ -353,14 +353,11 @@ impl<'a> Plan<'a> {
         let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
             let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
             let rays = transport.send(receiver, support, scratch);
-            place(i, &transport.rows(receiver, support, scratch, kinds.map(|k| (k, factors))), block);
+            place(i, &transport.rows(receiver, support, scratch, Estimate::Mean, kinds.map(|k| (k, factors))), block);
             let chance = i.is_multiple_of(WITNESSES).then(|| {
                 let (mut block, mut factors) = (vec![0.0; rows * width], vec![0.0; factor_width]);
-                place(
-                    i,
-                    &transport.noise(receiver, support, scratch, kinds.map(|k| (k, &mut factors[..]))),
-                    &mut block,
-                );
+                let kinds = kinds.map(|k| (k, &mut factors[..]));
+                place(i, &transport.rows(receiver, support, scratch, Estimate::Noise, kinds), &mut block);
                 (block, factors)
             });
             (rays, chance)

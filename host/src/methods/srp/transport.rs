@@ -141,6 +141,16 @@ fn interleaved(x: f32, y: f32) -> u32 {
     spread(x) | spread(y) << 1
 }
 
+/// What is made of a receiver's rays.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Estimate {
+    /// Their mean.
+    Mean,
+    /// What of the mean may be chance: half the difference of two halves of the rays, which varies as their mean does. It
+    /// errs high (by up to two thirds in the Cornell box): the halves of an even set are each less even.
+    Noise,
+}
+
 impl Transport<'_> {
     /// Probes whose support holds a point.
     pub fn support(&self, position: Vec3) -> Vec<u32> {
@@ -148,8 +158,8 @@ impl Transport<'_> {
         (0..self.probes.len() as u32).filter(|i| within(&self.probes[*i as usize])).collect()
     }
 
-    /// Sends a receiver's rays and asks what the probes of `support` see of what they meet; [`Transport::rows`] and
-    /// [`Transport::noise`] then say what comes of it.
+    /// Sends a receiver's rays and asks what the probes of `support` see of what they meet; [`Transport::rows`] then says
+    /// what comes of it.
     pub fn send(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> Rays {
         self.trace(r, &Frame::new(r.normal), &mut scratch.met);
         self.weigh(r, support, scratch);
@@ -160,36 +170,15 @@ impl Transport<'_> {
         Rays { sky, unseen: met.unseen() as f32 / all, inside: met.inside as f32 / all }
     }
 
-    /// Rows of the receiver that sent its rays last, for the coefficients of `support`: `rows × support.len() × K`, row-major.
-    /// Where `kinds` of light are given, its form factors (W/m² per unit of radiance) are added to their rows.
+    /// Rows of the receiver that sent its rays last, or their noise, for the coefficients of `support`:
+    /// `rows × support.len() × K`, row-major. Where `kinds` of light are given, its form factors (W/m² per unit of radiance)
+    /// are added to their rows.
     pub fn rows(
         &self,
         r: &Receiver,
         support: &[u32],
         scratch: &mut Scratch,
-        kinds: Option<(&RoundTrip, &mut [f32])>,
-    ) -> Vec<f32> {
-        self.sum(r, support, scratch, false, kinds)
-    }
-
-    /// What of these rows and form factors may be chance: half the difference of two halves of the rays, which varies as
-    /// their mean does. It errs high (by up to two thirds in the Cornell box): the halves of an even set are each less even.
-    pub fn noise(
-        &self,
-        r: &Receiver,
-        support: &[u32],
-        scratch: &mut Scratch,
-        kinds: Option<(&RoundTrip, &mut [f32])>,
-    ) -> Vec<f32> {
-        self.sum(r, support, scratch, true, kinds)
-    }
-
-    fn sum(
-        &self,
-        r: &Receiver,
-        support: &[u32],
-        scratch: &mut Scratch,
-        halves: bool,
+        estimate: Estimate,
         kinds: Option<(&RoundTrip, &mut [f32])>,
     ) -> Vec<f32> {
         let frame = Frame::new(r.normal);
@@ -197,7 +186,7 @@ impl Transport<'_> {
         let sent = met.sent();
         let per_factor = if self.rows == 1 { PI } else { 2.0 * PI } / sent;
         let per_ray = per_factor * (1.0 + met.unseen() as f32 / sent);
-        let sum = Sum { per_ray, per_factor, halves: halves.then(|| met.signs / sent) };
+        let sum = Sum { per_ray, per_factor, halves: (estimate == Estimate::Noise).then(|| met.signs / sent) };
         let k = sh::count(self.order);
         let mut rows = vec![0.0; self.rows as usize * support.len() * k];
         let stride = met.sum.len();
