@@ -19,7 +19,7 @@
 //! which a surface counts once where its fine and once where its coarse voxel lies, cones differ by a random share of a level.
 
 use crate::math::float::{abs, ceil, floor, max, min, to_i32};
-use crate::voxel::grid::{Grid, dominant_axis};
+use crate::voxel::grid::{Grid, dominant_axis, of_axis};
 use crate::voxel::query::VoxelPyramid;
 use glam::{Vec3, Vec4};
 
@@ -57,50 +57,71 @@ const OPAQUE: f32 = 1e-3;
 /// Layers of one cone, at most: three times 512 voxels one by one, and some.
 const MAX_LAYERS: u32 = 2048;
 
-/// The layers that a ray meets along one axis.
+/// A ray along one axis.
 #[derive(Clone, Copy)]
-struct Layers {
+struct Along {
     origin: f32,
     slope: f32,
+    /// Voxels of level 0.
+    count: u32,
+}
+
+/// The layer that a ray meets next along one axis.
+#[derive(Clone, Copy)]
+struct Layer {
     level: u32,
-    /// Next layer of that level.
-    next: i32,
+    /// Index among those of its level.
+    index: i32,
     /// Distance at which the ray crosses its middle; [`f32::MAX`] after the last one.
     t: f32,
 }
 
-impl Layers {
+impl Layer {
     #[inline(always)]
-    fn new(origin: f32, slope: f32, count: u32) -> Self {
-        let below = to_i32(floor(origin - 0.5));
-        let at_or_above = to_i32(ceil(origin - 0.5));
-        let next = if slope < 0.0 { at_or_above - 1 } else { below + 1 };
-        let mut layers = Self { origin, slope, level: 0, next, t: 0.0 };
-        layers.find(count);
-        layers
+    fn first(along: &Along) -> Self {
+        let below = to_i32(floor(along.origin - 0.5));
+        let at_or_above = to_i32(ceil(along.origin - 0.5));
+        let index = if along.slope < 0.0 { at_or_above - 1 } else { below + 1 };
+        Self { level: 0, index, t: Self::distance(along, 0, index) }
     }
 
-    /// Goes on to the next layer, of the next coarser level where that is wanted and begins here.
+    /// The layer after this one, of the next coarser level where that is wanted and begins here.
     #[inline(always)]
-    fn advance(&mut self, wanted: u32, count_of_finest: u32) {
-        let down = self.slope < 0.0;
-        let at_border = (self.next & 1 == 0) == down;
-        self.next = if down { self.next - 1 } else { self.next + 1 };
-        if at_border & (wanted > self.level) {
-            self.level += 1;
-            // Arithmetic shift: rounds down for the layer before the first, too.
-            self.next >>= 1;
+    fn next(&self, along: &Along, wanted: u32) -> Self {
+        let down = along.slope < 0.0;
+        let coarser = (((self.index & 1 == 0) == down) & (wanted > self.level)) as u32;
+        let index = if down { self.index - 1 } else { self.index + 1 };
+        // Arithmetic shift: rounds down for the layer before the first, too.
+        let (level, index) = (self.level + coarser, index >> coarser);
+        Self { level, index, t: Self::distance(along, level, index) }
+    }
+
+    #[inline(always)]
+    fn distance(along: &Along, level: u32, index: i32) -> f32 {
+        let count = (along.count + (1 << level) - 1) >> level;
+        let outwards = if along.slope < 0.0 { index < 0 } else { index >= count as i32 };
+        let middle = (index as f32 + 0.5) * (1u32 << level) as f32;
+        let t = (middle - along.origin) / along.slope;
+        if outwards | (abs(along.slope) < FLATTEST) { f32::MAX } else { t }
+    }
+
+    /// `self` or another layer, by fields: as a choice between records it would be branches on a device.
+    #[inline(always)]
+    fn or(self, other: Self, takes_other: bool) -> Self {
+        Self {
+            level: if takes_other { other.level } else { self.level },
+            index: if takes_other { other.index } else { self.index },
+            t: if takes_other { other.t } else { self.t },
         }
-        self.find(count_of_finest);
     }
+}
 
-    #[inline(always)]
-    fn find(&mut self, count_of_finest: u32) {
-        let count = (count_of_finest + (1 << self.level) - 1) >> self.level;
-        let outwards = ((self.slope < 0.0) & (self.next < 0)) | ((self.slope >= 0.0) & (self.next >= count as i32));
-        let middle = (self.next as f32 + 0.5) * (1u32 << self.level) as f32;
-        self.t = if outwards | (abs(self.slope) < FLATTEST) { f32::MAX } else { (middle - self.origin) / self.slope };
-    }
+/// Axis on which the next layer lies, and that layer.
+#[inline(always)]
+fn nearest(x: Layer, y: Layer, z: Layer) -> (u32, Layer) {
+    let (x_first, y_first) = ((x.t <= y.t) & (x.t <= z.t), y.t <= z.t);
+    let axis = if y_first { 1 } else { 2 };
+    (if x_first { 0 } else { axis }, z.or(y, y_first).or(x, x_first))
 }
 
 /// Slopes below this meet no layer within any grid.
@@ -117,34 +138,24 @@ pub fn trace_cone<G: Grid>(
 ) -> Vec4 {
     let d = grid.dims_levels();
     let main = dominant_axis(direction);
-    let mut x = Layers::new(origin.x, direction.x, d.x);
-    let mut y = Layers::new(origin.y, direction.y, d.y);
-    let mut z = Layers::new(origin.z, direction.z, d.z);
+    let along_x = Along { origin: origin.x, slope: direction.x, count: d.x };
+    let along_y = Along { origin: origin.y, slope: direction.y, count: d.y };
+    let along_z = Along { origin: origin.z, slope: direction.z, count: d.z };
+    let (mut x, mut y, mut z) = (Layer::first(&along_x), Layer::first(&along_y), Layer::first(&along_z));
+    let (mut axis, mut layer) = nearest(x, y, z);
     let mut radiance = Vec3::ZERO;
     // Transmittance up to the surface being crossed, and how much of the beam that surface has covered.
     let (mut reaching, mut covered) = (1.0, 0.0);
     let mut layers_met = 0;
-    while layers_met < MAX_LAYERS {
+    while (layers_met < MAX_LAYERS) & (layer.t < f32::MAX) & (reaching * (1.0 - covered) >= OPAQUE) {
         layers_met += 1;
-        let axis = if (x.t <= y.t) & (x.t <= z.t) {
-            0
-        } else if y.t <= z.t {
-            1
-        } else {
-            2
+        let along = Along {
+            origin: of_axis(axis, origin.x, origin.y, origin.z),
+            slope: of_axis(axis, direction.x, direction.y, direction.z),
+            count: of_axis(axis, d.x, d.y, d.z),
         };
-        let layer = if axis == 0 {
-            x
-        } else if axis == 1 {
-            y
-        } else {
-            z
-        };
-        if (layer.t >= f32::MAX) | (reaching * (1.0 - covered) < OPAQUE) {
-            break;
-        }
         let position = origin + direction * layer.t;
-        let seen = pyramid.crossing(grid, layer.level, axis, layer.next, layer.slope < 0.0, position);
+        let seen = pyramid.crossing(grid, layer.level, axis, layer.index, along.slope < 0.0, position);
         if seen.w > 0.0 {
             let fresh = min(seen.w, 1.0 - covered);
             radiance += seen.truncate() * (reaching * fresh / seen.w);
@@ -153,14 +164,9 @@ pub fn trace_cone<G: Grid>(
             reaching *= 1.0 - covered;
             covered = 0.0;
         }
-        let wanted = march.level(layer.t).min(d.w - 1);
-        if axis == 0 {
-            x.advance(wanted, d.x);
-        } else if axis == 1 {
-            y.advance(wanted, d.y);
-        } else {
-            z.advance(wanted, d.z);
-        }
+        let next = layer.next(&along, march.level(layer.t).min(d.w - 1));
+        (x, y, z) = (x.or(next, axis == 0), y.or(next, axis == 1), z.or(next, axis == 2));
+        (axis, layer) = nearest(x, y, z);
     }
     radiance.extend(reaching * (1.0 - covered))
 }

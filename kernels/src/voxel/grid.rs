@@ -145,6 +145,13 @@ pub fn dominant_axis(v: Vec3) -> u32 {
     }
 }
 
+/// One of three values, by axis.
+#[inline(always)]
+pub fn of_axis<T: Copy>(axis: u32, x: T, y: T, z: T) -> T {
+    let x_or_y = if axis == 0 { x } else { y };
+    if axis == 2 { z } else { x_or_y }
+}
+
 /// Coordinates turned so that `axis` becomes z, in cyclic order.
 #[inline(always)]
 pub fn to_axis(v: Vec3, axis: u32) -> Vec3 {

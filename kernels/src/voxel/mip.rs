@@ -20,7 +20,7 @@ use super::case::CasePyramid;
 use super::cells::pass_rows;
 use super::facet::facet_index;
 use super::grid::below;
-use super::view::{at_most_covered, axis_direction, facet_total, facets_seen, facets_seen_from_everywhere};
+use super::view::{at_most_covered, axis_direction, facet_total, facets_seen};
 use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -104,11 +104,7 @@ pub fn mip_base(
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
             let count = facet_total(facet_bits, cell, first_bit + K as u32);
-            let seen = if p.direction_count == 1 {
-                facets_seen_from_everywhere(next, count, facets, radiance)
-            } else {
-                facets_seen(next, count, looking, facets, radiance)
-            };
+            let seen = facets_seen(next, count, looking, p.direction_count == 1, facets, radiance);
             v[K] = at_most_covered(seen);
             next += count;
         }

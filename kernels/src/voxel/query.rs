@@ -1,8 +1,8 @@
 //! What another renderer imports to look into a voxel pyramid: [`VoxelPyramid::crossing`].
 
 use super::facet::facets_of;
-use super::grid::{Grid, Place, below};
-use super::view::{at_most_covered, axis_direction, facets_seen, facets_seen_from_everywhere};
+use super::grid::{Grid, Place, below, of_axis};
+use super::view::{at_most_covered, axis_direction, facets_seen};
 use crate::kernel::fetch;
 use crate::math::float::{floor, to_i32};
 use glam::{UVec3, UVec4, Vec3, Vec4};
@@ -69,13 +69,6 @@ fn bits_of(i: u32, shift: u32, low_bit: u32) -> u32 {
     (i & 1) << low_bit | (i >> 1 & (shift - 1)) << (low_bit + 3)
 }
 
-/// One of three values, by axis.
-#[inline(always)]
-fn of_axis<T: Copy>(axis: u32, x: T, y: T, z: T) -> T {
-    let x_or_y = if axis == 0 { x } else { y };
-    if axis == 2 { z } else { x_or_y }
-}
-
 impl VoxelPyramid<'_> {
     /// What a viewer who looks along an axis (`down`: against it) sees of one voxel: premultiplied radiance and coverage.
     #[inline(always)]
@@ -83,11 +76,8 @@ impl VoxelPyramid<'_> {
         let isotropic = grid.direction_count() == 1;
         if level == 0 {
             let (first, count) = facets_of(self.cells, self.facet_bits, at.cell, at.bit);
-            let seen = if isotropic {
-                facets_seen_from_everywhere(first, count, self.facets, self.radiance)
-            } else {
-                facets_seen(first, count, axis_direction(axis, down), self.facets, self.radiance)
-            };
+            let looking = axis_direction(axis, down);
+            let seen = facets_seen(first, count, looking, isotropic, self.facets, self.radiance);
             return at_most_covered(seen);
         }
         let record = *fetch(self.cells, (2 * at.cell + 1) as usize) + (word & below(at.bit)).count_ones();
@@ -132,7 +122,7 @@ impl VoxelPyramid<'_> {
         );
         let mut sum = Vec4::ZERO;
         let mut corner = 0u32;
-        while corner < 4 {
+        loop {
             let (u1, v1) = (corner & 1 == 1, corner & 2 == 2);
             let weight = if u1 { u.weight1 } else { u.weight0 } * if v1 { v.weight1 } else { v.weight0 };
             let at = Place {
@@ -144,6 +134,10 @@ impl VoxelPyramid<'_> {
                 sum += self.voxel(grid, level, at, word, axis, down) * weight;
             }
             corner += 1;
+            // Tested at the end: see `facets_seen`.
+            if corner == 4 {
+                break;
+            }
         }
         sum
     }

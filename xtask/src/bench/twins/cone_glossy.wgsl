@@ -34,21 +34,18 @@ struct Surfel {
 @group(0) @binding(8) var<storage, read_write> result: array<vec4<f32>>;
 
 fn facets_seen(first: u32, count: u32, looking: vec3<f32>) -> vec4<f32> {
-    if (params.direction_count == 1u) {
-        var sum = vec4<f32>(0.0);
-        for (var f = first; f < first + count; f++) {
-            sum += vec4<f32>(max(radiance[2u * f].xyz, radiance[2u * f + 1u].xyz), 1.0) * length(facets[f].normal);
-        }
-        return sum;
-    }
     var front = vec4<f32>(0.0);
     var back = vec4<f32>(0.0);
     for (var f = first; f < first + count; f++) {
         let towards = -dot(looking, facets[f].normal);
-        if (towards > 0.0) {
-            front += vec4<f32>(radiance[2u * f].xyz, 1.0) * towards;
+        let a = radiance[2u * f].xyz;
+        let b = radiance[2u * f + 1u].xyz;
+        if (params.direction_count == 1u) {
+            front += vec4<f32>(max(a, b), 1.0) * length(facets[f].normal);
+        } else if (towards > 0.0) {
+            front += vec4<f32>(a, 1.0) * towards;
         } else {
-            back -= vec4<f32>(radiance[2u * f + 1u].xyz, 1.0) * towards;
+            back -= vec4<f32>(b, 1.0) * towards;
         }
     }
     if (back.w > front.w) { return front + back * ((back.w - front.w) / back.w); }
