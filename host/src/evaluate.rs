@@ -2,7 +2,7 @@
 
 use crate::exec::{BufferId, DeviceInfo, ExecError, Executor, ExecutorExt, Mark};
 use crate::image_io::Image;
-use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, StageClock, Terms};
+use crate::methods::{Input, Method, MethodError, MethodRow, Phase, Settings, SharedParts, StageClock, Terms};
 use crate::metrics::ErrorMetrics;
 use crate::report::{self, Frame, MemoryBytes, MethodResult, TimeMs, TimeSpread};
 use crate::scene::device::SceneBuffers;
@@ -162,8 +162,10 @@ pub struct Prepared {
     name: String,
     settings: Settings,
     precompute: Repeated,
-    /// Seconds that its making took.
+    /// Seconds that its making would take from nothing.
     pub wall_s: f64,
+    /// Seconds of these that it was spared, because parts were there already.
+    pub spared_s: f64,
     /// The executor's buffers that are its own: from the first mark to the second.
     made: Vec<[Mark; 2]>,
     /// Label and bytes of the buffers after the first run.
@@ -183,13 +185,44 @@ impl Prepared {
         settings: &Settings,
         repeats: Repeats,
     ) -> Result<Self, MethodError> {
+        Self::making(exec, input, row, settings, repeats, None)
+    }
+
+    /// The same with parts that others of its kind share. Its times are those from nothing.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    pub fn sharing(
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        row: &MethodRow,
+        settings: &Settings,
+        repeats: Repeats,
+        parts: &mut SharedParts,
+    ) -> Result<Self, MethodError> {
+        Self::making(exec, input, row, settings, repeats, Some(parts))
+    }
+
+    fn making(
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        row: &MethodRow,
+        settings: &Settings,
+        repeats: Repeats,
+        mut parts: Option<&mut SharedParts>,
+    ) -> Result<Self, MethodError> {
         let start = Instant::now();
         let (mark, before) = (exec.mark(), exec.buffers().len());
         let mut method: Option<Box<dyn Method>> = None;
+        let mut spared_s = 0.0;
         let precompute = repeat(exec, repeats, |exec, clock| {
             exec.free_since(mark);
             let mut fresh = (row.new)(settings)?;
+            if let Some(parts) = &mut parts {
+                fresh.share(parts);
+            }
             fresh.precompute(exec, input, clock)?;
+            spared_s += clock.spared_ms / 1e3;
             method = Some(fresh);
             Ok(())
         });
@@ -199,7 +232,8 @@ impl Prepared {
             name: row.name.into(),
             settings: settings.clone(),
             precompute,
-            wall_s: start.elapsed().as_secs_f64(),
+            wall_s: start.elapsed().as_secs_f64() + spared_s,
+            spared_s,
             made: vec![[mark, exec.mark()]],
             buffers: Vec::new(),
             before,
@@ -337,13 +371,15 @@ fn repeat(
     let mut runs: Vec<(f64, Vec<(String, f64)>)> = Vec::new();
     let started = Instant::now();
     let warm_up = usize::from(repeats.count > 1);
+    let mut spared_ms = 0.0;
     loop {
         let mut clock = StageClock::default();
         let begin = Instant::now();
         work(exec, &mut clock)?;
         flush(exec)?;
-        runs.push((begin.elapsed().as_secs_f64() * 1e3, clock.stages));
-        let spent_ms = started.elapsed().as_secs_f64() * 1e3;
+        spared_ms += clock.spared_ms;
+        runs.push((begin.elapsed().as_secs_f64() * 1e3 + clock.spared_ms, clock.stages));
+        let spent_ms = started.elapsed().as_secs_f64() * 1e3 + spared_ms;
         if runs.len() >= repeats.count as usize + warm_up || spent_ms >= repeats.budget_ms {
             break;
         }
@@ -419,6 +455,48 @@ mod tests {
             assert!(exec.buffers().len() < live);
         }
         assert!(retuned.len() >= 3, "{retuned:?}");
+    }
+
+    /// What is taken over from others must not show either.
+    #[test]
+    fn a_method_that_takes_parts_of_another_gives_what_it_gives_alone() {
+        let scene = crate::scene::built_in::cornell_box();
+        let mut exec = CpuExecutor::new();
+        let exec: &mut dyn Executor = &mut exec;
+        let buffers = SceneBuffers::upload(exec, &scene).unwrap();
+        let view = View::new(exec, &scene, &buffers, &scene.cameras[0], (12, 12), 1).unwrap();
+        let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
+        let irradiance = exec.zeroed_slice::<Vec4>("irradiance", view.surfels.len()).unwrap();
+        let mut sharing = Vec::new();
+        for row in crate::methods::METHODS.iter().filter(|m| !m.control) {
+            let least = [("receivers", "512"), ("rays", "32"), ("relight_rays", "128")];
+            let known = least.into_iter().filter(|(key, _)| row.settings.iter().any(|s| s.key == *key));
+            let settings = row.with(row.ladder[0].1.iter().copied().chain(known)).unwrap();
+            let axes = crate::fit::axes(row, &settings);
+            let other = |axis: &crate::fit::Axis| {
+                let mut other = settings.clone();
+                other.insert(
+                    axis.key.clone(),
+                    axis.values.iter().find(|v| **v != settings[&axis.key]).cloned().unwrap(),
+                );
+                other
+            };
+            let mut parts = SharedParts::default();
+            // Twice the first: the second time all that can be taken over is.
+            for asked in [settings.clone(), settings.clone()].into_iter().chain(axes.iter().map(other)) {
+                let mut run = |parts: Option<&mut SharedParts>| {
+                    let mut own = Prepared::making(exec, &input, row, &asked, Repeats::ONCE, parts).unwrap();
+                    let made = own.run(exec, &input, view.gbuffer, irradiance, Repeats::ONCE).unwrap();
+                    let spared = own.spared_s > 0.0 && made.times.precompute >= 1e3 * own.spared_s;
+                    own.free(exec);
+                    (made.irradiance, spared)
+                };
+                let (with, spared) = run(Some(&mut parts));
+                assert_eq!(with, run(None).0, "{} {asked:?}", row.name);
+                sharing.extend(spared.then_some(row.name));
+            }
+        }
+        assert!(sharing.len() >= 4, "{sharing:?}");
     }
 
     #[test]

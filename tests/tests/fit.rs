@@ -49,6 +49,9 @@ fn the_choice_keeps_the_error_and_renders_from_its_file() {
     // The page says the same: the choice, every parameter, every other method.
     let page = std::fs::read_to_string(out.join("index.html")).expect("a page");
     assert!(page.contains(&format!("<h1>Use {}</h1>", choice["method"].as_str().unwrap())));
+    // What the numbers are is said before they come in tables.
+    let explained = page.find("The error (block NRMSE) says how far").expect("words for people who never saw it");
+    assert!(explained < page.find("<h2").unwrap());
     for other in report["rejected"].as_array().unwrap() {
         assert!(page.contains(&format!("<h3>{}</h3>", other["method"].as_str().unwrap())), "{other}");
         assert!(other["reason"].as_str().is_some_and(|r| r.len() > 10), "{other}");
@@ -154,6 +157,54 @@ fn what_cannot_be_had_is_said() {
     assert_eq!(report["found"], false);
 }
 
+/// A square in the dark, and a camera that looks down on it.
+fn unlit(folder: &Path) -> String {
+    let file = folder.join("dark.obj");
+    std::fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nf 1 3 4 2\n").unwrap();
+    format!("{}?camera=0.5,1,0.5,0.5,0,0.51,60", file.display())
+}
+
+#[test]
+fn where_no_light_is_nothing_is_computed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (out, scene) = (folder.path(), unlit(folder.path()));
+    let report = json(&run(&["fit", &scene, "--error", "0.1"], out));
+    assert_eq!((&report["found"], &report["dark"]), (&true.into(), &true.into()), "{report:#}");
+    // No method that could be had was run for it.
+    assert_eq!(report["trials"], 1);
+    for other in report["rejected"].as_array().unwrap() {
+        assert!(other["reason"].as_str().unwrap().contains("no indirect light"), "{other}");
+    }
+    let page = std::fs::read_to_string(out.join("index.html")).expect("a page");
+    assert!(page.contains("No indirect light to compute"));
+    // What the page says to run is what runs.
+    let (file, settings) = scene.split_once("?camera=").unwrap();
+    let said = format!("interreflect render {file} --camera={settings} --settings settings.json");
+    assert!(page.contains(&said), "{said}");
+    let settings = [format!("--camera={settings}"), format!("--settings={}", out.join("settings.json").display())];
+    let render = json(&run(&["render", file, &settings[0], &settings[1]], &out.join("render")));
+    assert_eq!(render["method"], report["choice"]["method"]);
+
+    // A search cannot be judged there: a row says so.
+    let verdict = json(&run(&["fit", &scene, "--evaluate", "--budget-minutes", "1", "--methods", "lpv"], out));
+    assert_eq!((verdict["cases"].as_array().unwrap().len(), &verdict["passed"]), (0, &false.into()), "{verdict:#}");
+    assert!(verdict["left_out"][0]["reason"].as_str().is_some_and(|r| r.contains("no indirect light")), "{verdict:#}");
+}
+
+#[test]
+fn reasons_have_words_where_there_is_no_error() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let args = ["fit", "furnace", "--methods", "srp", "--error", "0.05", "--precompute-ms", "4000"];
+    let report = json(&run(&args, folder.path()));
+    assert!(report["choice"]["error"].as_f64().unwrap() < 0.05, "{report:#}");
+    let lines =
+        report["why"].as_array().unwrap().iter().map(|w| &w["words"]).chain(report["spared"].as_array().unwrap());
+    for words in lines {
+        let words = words.as_str().unwrap();
+        assert!(!words.contains("NaN") && !words.contains("inf"), "{words}");
+    }
+}
+
 #[test]
 fn wrong_use_says_what_is_right() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -167,6 +218,7 @@ fn wrong_use_says_what_is_right() {
         (&["fit", "cornell-box", "furnace", "--error", "0.1"], "one scene"),
         (&["fit", "cornell-box", "--error", "-1"], "error"),
         (&["fit", "cornell-box", "--memory", "none"], "MiB"),
+        (&["fit", "cornell-box", "--error", "0.1", "--budget-minutes", "1"], "--evaluate"),
         (&["render", "cornell-box", "--settings", broken], "broken.json"),
         (&["render", "cornell-box", "--settings", unknown], "vct"),
         (&["render", "cornell-box", "--settings", "nowhere.json"], "nowhere.json"),

@@ -7,7 +7,7 @@ use crate::image_io::{Image, ImageError, Rgb8, ToneMap, error_map, png_bytes};
 use crate::methods::METHODS;
 use crate::metrics::{self, RELATIVE_GUARD};
 use crate::report::{
-    Chart, Cost, ERROR_RANGE, PALETTE, bytes, colours, data_uri, document, escape, milliseconds, number,
+    Chart, Cost, ERROR_RANGE, PALETTE, bytes, colours, data_uri, document, escape, milliseconds, number, what_error_is,
 };
 use std::fmt::Write;
 
@@ -32,8 +32,9 @@ pub fn page(report: &ChartReport, charted: &[Charted]) -> Result<String, Error> 
         html,
         "<header>\n<p class=\"eyebrow\">Speed against accuracy</p>\n<h1>Which lighting method is good enough here, and what \
          does it cost?</h1>\n<p class=\"lead\">Every method with every set of its parameters, measured on the same points \
-         of the same scene against path-traced truth. {}</p>\n<ul class=\"facts\">\n",
-        escape(&first_advice(report))
+         of the same scene against path-traced truth. {}</p>\n{}<ul class=\"facts\">\n",
+        escape(&first_advice(report)),
+        what_error_is()
     );
     let mut facts = vec![("Scenes", scenes.join(", "))];
     if let Some(device) = &report.device {

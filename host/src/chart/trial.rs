@@ -38,6 +38,15 @@ pub struct SceneSpec {
 }
 
 impl SceneSpec {
+    /// Options of `render` and `compare` that give this view and light; empty where the scene's own are meant.
+    pub fn arguments(&self) -> String {
+        let numbers = |values: &[f32]| values.iter().map(f32::to_string).collect::<Vec<_>>().join(",");
+        let camera = self.camera.as_ref().map(|camera| format!("--camera={camera}"));
+        let sun = self.sun.map(|(travel, light)| format!("--sun={}", numbers(&[travel, light].concat())));
+        let env = self.env.map(|env| format!("--env={}", numbers(&env)));
+        camera.into_iter().chain(sun).chain(env).collect::<Vec<_>>().join(" ")
+    }
+
     /// The scene and its camera.
     ///
     /// # Errors

@@ -230,7 +230,10 @@ pub struct FitArgs {
     /// the sweep's best; with `--ms` and `--precompute-ms`, of what takes no longer.
     #[arg(long, conflicts_with_all = ["error", "memory", "still"])]
     pub evaluate: bool,
-    /// Goes on as long as there is something to try. Otherwise a search ends after a tenth of the time that trying everything
+    /// With `--evaluate`: minutes for each scene's truth and for its sweep; what there was no time for is said.
+    #[arg(long, value_name = "M", value_parser = minutes)]
+    pub budget_minutes: Option<f64>,
+    /// Goes on as long as there is something to try. Otherwise a search ends after a seventh of the time that trying everything
     /// would take, once something fits.
     #[arg(long)]
     pub thorough: bool,

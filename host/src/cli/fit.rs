@@ -3,7 +3,7 @@
 use super::args::FitArgs;
 use super::{print_json, setup};
 use crate::error::Error;
-use crate::fit::{self, Care, Evidence, FitReport, Goal, Verdict, evaluate_scene};
+use crate::fit::{self, Care, Evidence, FitReport, Goal, Left, Limits, Verdict, evaluate_scene};
 use crate::image_io::write_whole;
 use crate::methods::{MethodRow, method};
 use crate::reference;
@@ -23,6 +23,9 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     if !args.evaluate && goal == (Goal { still: args.still, precompute_ms: args.precompute_ms, ..Goal::default() }) {
         return Err(Error::Usage("fit needs a limit: --error E, --ms T or --memory M".into()));
     }
+    if args.budget_minutes.is_some() && !args.evaluate {
+        return Err(Error::Usage("--budget-minutes bounds --evaluate: a search ends by itself".into()));
+    }
     let out = &args.scenes.out;
     if args.evaluate {
         setup::output_folder(out)?;
@@ -39,7 +42,7 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
         let (name, took) = (fit::changed_settings(c.row, &c.settings), milliseconds(1e3 * c.wall_s));
         eprintln!("  {name}: error {}, {} (asked in {took})", number(c.error), milliseconds(goal.cost(c)));
     };
-    let report = fit::fit(
+    let mut report = fit::fit(
         &mut evidence,
         &spec.scene,
         &methods,
@@ -47,6 +50,7 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
         Care { explain: true, thorough: args.thorough },
         &mut news,
     )?;
+    report.view = spec.arguments();
     write_whole(&out.join("fit.json"), report::to_json(&report)?.as_bytes())?;
     let pictures = match report.choice.as_ref().map(|c| (method(&c.method), c)) {
         Some((Ok(row), choice)) => Some(evidence.pictures(row, &choice.settings)?),
@@ -82,6 +86,9 @@ fn candidates(list: &str) -> Result<Vec<&'static MethodRow>, Error> {
 }
 
 fn print(report: &FitReport, args: &FitArgs) {
+    if report.dark {
+        println!("{}: {}", report.scene, fit::NOTHING_NEEDED);
+    }
     if let Some(c) = &report.choice {
         let settings: Vec<String> = c.settings.iter().map(|(k, v)| format!("{k}={v}")).collect();
         let [low, high] = report.error_bounds;
@@ -127,30 +134,42 @@ fn evaluate(
     const TRUTH_NOISE: f64 = 0.1;
     let truth = setup::truth_settings(&args.truth, args.scenes.seed, TRUTH_NOISE);
     let folder = args.scenes.cache.clone().unwrap_or_else(reference::default_dir);
-    let mut cases = Vec::new();
+    let seconds = args.budget_minutes.map(|m| 60.0 * m);
+    let limits = Limits {
+        goal: Goal { ms: args.ms, precompute_ms: args.precompute_ms, ..Goal::default() },
+        sweep_s: seconds,
+        truth_s: seconds,
+    };
+    let open = || setup::executor(&args.device);
+    let (mut cases, mut left_out) = (Vec::new(), Vec::new());
     for spec in scenes {
-        let open = || setup::executor(&args.device);
-        cases.extend(evaluate_scene(
-            spec,
-            args.scenes.size.into(),
-            truth,
-            Goal { ms: args.ms, precompute_ms: args.precompute_ms, ..Goal::default() },
-            &folder,
-            &open,
-            methods,
-            &mut |line| {
-                eprintln!("{line}");
-            },
-        )?);
+        let mut news = |line: &str| eprintln!("{line}");
+        let size = args.scenes.size.into();
+        match evaluate_scene(spec, size, truth, limits, &folder, &open, methods, &mut news) {
+            Ok(found) if found.is_empty() => {
+                let reason = "there is no indirect light, or nothing that was swept is better than no indirect light"
+                    .to_string();
+                left_out.push(Left { scene: spec.scene.clone(), reason });
+            }
+            Ok(found) => cases.extend(found),
+            // One scene that fails is a row that says so; a scene that does not exist is a mistake.
+            Err(error) if error.exit_code() == 2 => return Err(error),
+            Err(error) => left_out.push(Left { scene: spec.scene.clone(), reason: error.to_string() }),
+        }
+        // After each scene: what is known is not lost with the next.
+        let verdict = Verdict::of(cases.clone(), left_out.clone());
+        write_whole(&args.scenes.out.join("evaluate.json"), report::to_json(&verdict)?.as_bytes())?;
     }
-    let verdict = Verdict::of(cases);
-    write_whole(&args.scenes.out.join("evaluate.json"), report::to_json(&verdict)?.as_bytes())?;
+    let verdict = Verdict::of(cases, left_out);
     if as_json {
         print_json(&verdict);
         return Ok(());
     }
     for case in &verdict.cases {
         println!("{case}");
+    }
+    for left in &verdict.left_out {
+        println!("{}: no cases: {}", left.scene, left.reason);
     }
     println!(
         "{} cases: {:.0} % within the limit (90 % wanted), {:.0} % at no more than 1.3 times the best cost, {:.0} % in no more \

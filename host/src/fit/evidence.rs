@@ -7,13 +7,14 @@ use crate::error::Error;
 use crate::evaluate::{Prepared, Repeats, View};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::image_io::{Image, ImageError, ToneMap, png_bytes};
-use crate::methods::{Input, MethodRow, Settings, StageClock, Terms};
+use crate::methods::{Input, MethodRow, Settings, SharedParts, StageClock, Terms};
 use crate::metrics::BLOCK_PX;
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::Scene;
 use crate::scene::device::SceneBuffers;
 use glam::{DVec3, Vec3, Vec4};
 use interreflect_shared::scene::Surfel;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -28,10 +29,10 @@ const TRUTH_SPP: u32 = 128;
 /// Standard errors between an estimate and its bound for blocks that were not looked at: few settings are to be turned down,
 /// or taken, for the blocks that the sample happened to hold.
 const SAMPLING_CONFIDENCE: f64 = 2.0;
-/// The same for the truth's noise: one side of nine in ten.
-const NOISE_CONFIDENCE: f64 = 1.28;
-/// Times as many samples as [`TRUTH_SPP`], where every block is known and its noise alone leaves the answer open.
-const MORE_SAMPLES: u32 = 4;
+/// The same for the truth's noise: one side of eight in ten, for what lies right at the bound; most lies lower.
+const NOISE_CONFIDENCE: f64 = 0.84;
+/// How often the samples may be doubled, where every block is known and its noise alone leaves the answer open.
+const DOUBLINGS: u32 = 2;
 /// Runs of each phase of a whole picture, and milliseconds after which a phase is not repeated.
 const REPEATS: Repeats = Repeats { count: 3, budget_ms: 150.0 };
 /// The same of a glance: what is quick is run again, because the first run is slower and short times are noisy.
@@ -78,6 +79,8 @@ pub struct Candidate {
     pub memory_bytes: u64,
     /// Seconds that the trial takes from nothing.
     pub wall_s: f64,
+    /// Seconds that it took, what it shared with others not counted.
+    pub took_s: f64,
     /// What terms beyond its settings would carry, as far as the method knows.
     pub terms: Vec<Terms>,
     /// Mean irradiance (W/m²) of each block that was computed, in the evidence's order of blocks.
@@ -106,12 +109,14 @@ pub struct Evidence {
     irradiance: [BufferId; 2],
     /// What was precomputed last, the last first.
     kept: Vec<Prepared>,
+    /// Parts of precomputation by method.
+    parts: BTreeMap<&'static str, SharedParts>,
     /// Seconds of precomputation that needed not be repeated.
     pub shared_s: f64,
     start: Instant,
     truth: Vec<BlockTruth>,
-    /// Whether the truth has all the samples that it will have.
-    refined: bool,
+    /// How often its samples were doubled.
+    doublings: u32,
     /// Seconds that truths took.
     pub truth_s: f64,
     /// Seconds that methods took.
@@ -171,10 +176,11 @@ impl Evidence {
             sample,
             irradiance,
             kept: Vec::new(),
+            parts: BTreeMap::new(),
             shared_s: 0.0,
             start,
             truth: Vec::new(),
-            refined: false,
+            doublings: 0,
             truth_s: 0.0,
             trials_s: 0.0,
             trials: 0,
@@ -258,7 +264,7 @@ impl Evidence {
         let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
         let irradiance = self.irradiance[usize::from(whole)];
         let run = prepared.run(self.exec.as_mut(), &input, points, irradiance, repeats);
-        let shared_s = if is_kept { prepared.wall_s } else { 0.0 };
+        let shared_s = if is_kept { prepared.wall_s } else { prepared.spared_s };
         self.keep(prepared);
         let run = run?;
         let took_s = start.elapsed().as_secs_f64();
@@ -288,6 +294,7 @@ impl Evidence {
             frame_ms,
             memory_bytes: run.buffers.iter().map(|b| b.1).sum(),
             wall_s,
+            took_s,
             terms: run.terms,
             means,
             effort,
@@ -306,7 +313,8 @@ impl Evidence {
             return Ok((self.kept.remove(at), true));
         }
         let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
-        Ok((Prepared::new(self.exec.as_mut(), &input, row, settings, repeats)?, false))
+        let parts = self.parts.entry(row.name).or_default();
+        Ok((Prepared::sharing(self.exec.as_mut(), &input, row, settings, repeats, parts)?, false))
     }
 
     /// Keeps what was precomputed, and gives back what was not asked for the longest.
@@ -350,7 +358,7 @@ impl Evidence {
     }
 
     /// Looks at more blocks until the error is clearly below or above a limit, or all levels are used; at `least` as many as
-    /// that in any case.
+    /// that in any case. A finer truth, where only its noise leaves the answer open, may take `refining_s` (s) more.
     ///
     /// # Errors
     /// What the path tracer and the method say.
@@ -360,6 +368,7 @@ impl Evidence {
         candidate: &mut Candidate,
         limit: f64,
         least: usize,
+        refining_s: f64,
     ) -> Result<(), Error> {
         let least = least.min(self.blocks.len());
         for level in LEVELS {
@@ -372,41 +381,47 @@ impl Evidence {
             }
             self.trace(level)?;
             if candidate.means.len() < level.min(self.blocks.len()) {
-                let glance_s = candidate.wall_s;
+                let glance_s = (candidate.wall_s, candidate.took_s);
                 *candidate = self.execute(row, &candidate.settings, Effort::Whole)?;
-                candidate.wall_s = glance_s;
+                (candidate.wall_s, candidate.took_s) = glance_s;
             }
             self.judge(candidate);
         }
-        let open = candidate.bounds[0] <= limit && limit < candidate.bounds[1];
-        if open && candidate.blocks == self.blocks.len() && !self.refined {
-            self.refine_truth()?;
+        let is_open = |c: &Candidate| c.bounds[0] <= limit && limit < c.bounds[1];
+        // As many samples again take as long as all before.
+        let affordable = |evidence: &Self| evidence.doublings < DOUBLINGS && evidence.truth_s < refining_s;
+        while is_open(candidate) && candidate.blocks == self.blocks.len() && affordable(self) {
+            self.double_samples()?;
             self.judge(candidate);
         }
         Ok(())
     }
 
-    /// Traces more samples of every block, all of which are known.
-    fn refine_truth(&mut self) -> Result<(), Error> {
-        self.refined = true;
+    /// Traces as many samples again of every block, all of which are known.
+    fn double_samples(&mut self) -> Result<(), Error> {
+        self.doublings += 1;
         let old = std::mem::take(&mut self.truth);
-        let more = MORE_SAMPLES - 1;
-        self.truth = self.traced(0..self.blocks.len(), more * TRUTH_SPP, 0xF17E)?;
-        let share = f64::from(more) / f64::from(MORE_SAMPLES);
+        let samples = TRUTH_SPP << (self.doublings - 1);
+        self.truth = self.traced(0..self.blocks.len(), samples, 0xF17E + self.doublings)?;
         for (new, old) in self.truth.iter_mut().zip(old) {
-            new.mean = old.mean.lerp(new.mean, share);
-            new.variance = new.variance * share * share + old.variance * (1.0 - share) * (1.0 - share);
+            new.mean = old.mean.lerp(new.mean, 0.5);
+            new.variance = 0.25 * (new.variance + old.variance);
         }
         Ok(())
     }
 
-    /// Whether no indirect light reaches the first level of blocks.
+    /// Whether no indirect light reaches what is seen: the truth is black in all blocks.
     ///
     /// # Errors
     /// What the path tracer says.
     pub fn is_dark(&mut self) -> Result<bool, Error> {
-        self.trace(LEVELS[0])?;
-        Ok(self.mean() <= 0.0)
+        for level in LEVELS {
+            self.trace(level)?;
+            if self.mean() > 0.0 {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Traces the truth of the first `count` blocks.

@@ -23,7 +23,7 @@ mod words;
 pub use evidence::{Candidate, Effort, Evidence};
 pub use model::Effect;
 pub use page::page;
-pub use sweep::{Case, LEAST_WITHIN, MOST_COST, MOST_TIME, Open, Verdict, evaluate_scene};
+pub use sweep::{Case, LEAST_WITHIN, Left, Limits, MOST_COST, MOST_TIME, Open, Verdict, evaluate_scene};
 
 use crate::error::Error;
 use crate::methods::{MethodRow, Settings};
@@ -227,10 +227,16 @@ pub struct Tried {
 pub struct FitReport {
     /// Scene.
     pub scene: String,
+    /// Options of `render` that give the view that was judged; empty where it is the scene's own.
+    #[serde(default)]
+    pub view: String,
     /// What was asked for.
     pub goal: Goal,
     /// Whether something fits.
     pub found: bool,
+    /// Whether no indirect light is to be seen: the choice is then to compute none.
+    #[serde(default)]
+    pub dark: bool,
     /// The choice; what comes closest where nothing fits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choice: Option<SettingsFile>,
@@ -278,6 +284,9 @@ pub struct Care {
     pub thorough: bool,
 }
 
+/// What is said of every method where there is nothing to compute.
+pub const NOTHING_NEEDED: &str = "no indirect light reaches what the camera sees: nothing needs to be computed";
+
 /// Finds the settings for a goal.
 ///
 /// # Errors
@@ -294,12 +303,12 @@ pub fn fit(
     let (trials, truth_s, shared_s) = (evidence.trials, evidence.truth_s, evidence.shared_s);
     let dark = evidence.is_dark()?;
     let mut search = Search::new(evidence, goal, care.thorough, methods, news);
-    let mut chosen = None;
-    if dark {
-        search.reject_all("no indirect light reaches what the camera sees: nothing needs to be computed");
+    let mut chosen = if dark {
+        search.reject_all(NOTHING_NEEDED);
+        Some(search.nothing_needed()?)
     } else {
-        chosen = search.find()?;
-    }
+        search.find()?
+    };
     let search_s = start.elapsed().as_secs_f64();
     let found = chosen.is_some();
     if chosen.is_none() {
@@ -313,8 +322,10 @@ pub fn fit(
     let rejected = search.rejections(choice.as_ref());
     Ok(FitReport {
         scene: scene.into(),
+        view: String::new(),
         goal,
         found,
+        dark,
         error_bounds: choice.as_ref().map_or([0.0; 2], |c| c.bounds.map(finite)),
         blocks: choice.as_ref().map_or(0, |c| c.blocks),
         choice: choice.map(|c| SettingsFile {

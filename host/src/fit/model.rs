@@ -90,6 +90,7 @@ mod tests {
             frame_ms: frame,
             memory_bytes: 0,
             wall_s: 0.0,
+            took_s: 0.0,
             terms: Vec::new(),
             means: vec![DVec3::splat(mean)],
             effort: Effort::Glance,

@@ -1,9 +1,10 @@
 //! `index.html` of a fit: what to use, why each parameter has its value, why the other methods do not, and all that was tried.
 
-use super::{FitReport, Goal, Neighbour, Reason, SettingsFile, Tried, changed_settings};
+use super::{FitReport, Goal, NOTHING_NEEDED, Neighbour, Reason, SettingsFile, Tried, changed_settings};
 use crate::methods::METHODS;
 use crate::report::{
     Chart, ChartPoint, Cost, Device, PALETTE, bytes, colours, data_uri, document, escape, milliseconds, number,
+    what_error_is,
 };
 use std::fmt::Write;
 
@@ -15,9 +16,10 @@ pub fn page(report: &FitReport, size: [u32; 2], device: &Device, pictures: Optio
     let _ = write!(
         html,
         "<header>\n<p class=\"eyebrow\">No more light than the scene needs</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n\
-         <ul class=\"facts\">\n",
+         {}<ul class=\"facts\">\n",
         escape(&head),
-        escape(&lead)
+        escape(&lead),
+        what_error_is()
     );
     let facts = [
         ("Scene", scene.to_string()),
@@ -75,6 +77,10 @@ fn answer(report: &FitReport) -> (String, String) {
         let why = report.rejected.first().map_or("no method gave an answer", |r| r.reason.as_str());
         return ("Nothing is needed, or nothing works".into(), format!("{}: {why}.", short(&report.scene)));
     };
+    if report.dark {
+        let lead = format!("On {}, {NOTHING_NEEDED}. {} leaves it out.", short(&report.scene), c.method);
+        return ("No indirect light to compute".into(), lead);
+    }
     let cost = if report.goal.still { c.ms[1] } else { c.ms[0] };
     let what = match report.goal.error {
         Some(_) => "the cheapest that was found to keep the limits",
@@ -125,10 +131,12 @@ fn chosen(html: &mut String, report: &FitReport, choice: &SettingsFile, pictures
     let settings = if settings.is_empty() { "all at their defaults" } else { settings };
     let _ = write!(html, "<dt>Settings</dt><dd><code>{}</code></dd></dl>", escape(settings));
     if report.found {
+        let view = if report.view.is_empty() { String::new() } else { format!(" {}", report.view) };
         let _ = write!(
             html,
-            "<p class=\"note\">Use them: <code>interreflect render {} --settings settings.json</code></p>",
-            escape(&report.scene)
+            "<p class=\"note\">Use them: <code>interreflect render {}{} --settings settings.json</code></p>",
+            escape(&report.scene),
+            escape(&view)
         );
     }
     html.push_str("</div>\n");

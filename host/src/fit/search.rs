@@ -31,7 +31,20 @@ const NEGLIGIBLE: f64 = 0.1;
 const CONFIRMED_BLOCKS: usize = 512;
 /// Part of the time that a sweep of all rungs and their neighbours would take, as far as their times are known, after which a
 /// search that has something that fits looks no further.
-const PATIENCE: f64 = 0.1;
+const PATIENCE: f64 = 0.15;
+/// Part of that sweep's time that a finer truth may take.
+const REFINING: f64 = 0.05;
+/// Cost of what fits over that of what may fit, from which on a finer truth is traced to know.
+const WORTH: f64 = 1.3;
+/// Overrun beyond which a method is not rescued: steps beside a rung do not make up for that much.
+const BEYOND_RESCUE: f64 = 4.0;
+/// Times as much as the patience with what fits, after which a search that has found nothing leaves ladders without hope.
+const HOPE: f64 = 1.5;
+/// Overrun of a rung up to which one dearer parameter is tried before the next rung, and how many such.
+const NARROW: f64 = 1.25;
+const BESIDE: usize = 3;
+/// Ratio of times from rung to rung where only one is known.
+const GROWTH: f64 = 2.0;
 /// Least ratio of errors from rung to rung that a ladder is expected to go on with, and how much better than that it may
 /// turn out to be.
 const OPTIMISM: [f64; 2] = [0.6, 0.7];
@@ -84,23 +97,50 @@ impl<'a> Search<'a> {
     }
 
     /// Seconds that a sweep of every rung and its neighbours would take at least: rungs that were not run as long as the last
-    /// that was.
+    /// that was, up to the one that, as times grow from rung to rung, would not keep the limits. Its trials would share as much
+    /// with each other as those of the search did.
     fn sweep_s(&self) -> f64 {
         let mut sum = 0.0;
         for row in self.methods {
+            let own = || self.tried.iter().filter(|c| c.row == row.name);
+            let own_share = own().map(|c| c.took_s).sum::<f64>() / own().map(|c| c.wall_s).sum::<f64>().max(1e-9);
             let mut each_s = 0.0;
+            // Of precomputation and of a frame, rung by rung (ms).
+            let mut times: Vec<[f64; 2]> = Vec::new();
             for (_, changes) in row.ladder {
                 let Ok(rung) = row.with(changes.iter().copied()) else { continue };
                 let ran = self.tried.iter().find(|c| c.row == row.name && c.settings == rung);
-                each_s = ran.map_or(each_s, |c| c.wall_s);
-                let beside = |axis: &Axis| [-1, 1].into_iter().filter(|d| step(&rung, axis, *d).is_some()).count();
-                sum += each_s * (1 + axes(row, &rung).iter().map(beside).sum::<usize>()) as f64;
-                if ran.is_some_and(|c| !self.goal.affords(c)) {
+                let grown = [0, 1].map(|k| grown(times.iter().map(|t| t[k])));
+                let [precompute, frame] = ran.map_or(grown, |c| [c.precompute_ms, self.goal.cost(c)]);
+                times.push([precompute, frame]);
+                if self.goal.precompute_ms.is_some_and(|limit| precompute > limit)
+                    || self.goal.ms.is_some_and(|limit| frame > limit)
+                {
                     break;
                 }
+                each_s = ran.map_or(each_s, |c| c.wall_s);
+                let beside = |axis: &Axis| [-1, 1].into_iter().filter(|d| step(&rung, axis, *d).is_some()).count();
+                sum += each_s * (1.0 + own_share * axes(row, &rung).iter().map(beside).sum::<usize>() as f64);
             }
         }
         sum
+    }
+
+    /// Whether it has found nothing that fits for so long that ladders without hope are not worth a climb; says so once.
+    fn is_given_up(&mut self) -> bool {
+        const WORDS: &str = "nothing fits so far";
+        if self.patience.is_infinite() || self.best().is_some() {
+            return false;
+        }
+        let (spent_s, sweep_s) = (self.evidence.elapsed_s(), self.sweep_s());
+        let over = spent_s > HOPE * self.patience * sweep_s;
+        if over && !self.spared.iter().any(|s| s.starts_with(WORDS)) {
+            self.spared.push(format!(
+                "{WORDS}, after {spent_s:.1} s, and as errors fall from rung to rung none of the dearer ones would (`--thorough` \
+                 tries them all the same)"
+            ));
+        }
+        over
     }
 
     /// Whether it has something that fits, and has looked long enough for something better; says so once.
@@ -118,6 +158,11 @@ impl<'a> Search<'a> {
             ));
         }
         over
+    }
+
+    /// Seconds that a finer truth may take.
+    fn refining_s(&self) -> f64 {
+        if self.patience.is_infinite() { f64::INFINITY } else { REFINING * self.sweep_s() }
     }
 
     /// Sets of settings and seconds that the evidence has spent.
@@ -206,7 +251,10 @@ impl<'a> Search<'a> {
     fn run_clear(&mut self, row: &'static MethodRow, settings: &Settings) -> Result<Option<Candidate>, Error> {
         let Some(mut candidate) = self.run(row, settings) else { return Ok(None) };
         if let Some(limit) = self.goal.error {
-            self.evidence.settle(row, &mut candidate, limit, 0)?;
+            // What would save little more than what is known to fit is not worth a finer truth.
+            let worth = self.best().is_none_or(|b| WORTH * self.goal.cost(&candidate) < self.goal.cost(&b));
+            let refining_s = if worth { self.refining_s() } else { 0.0 };
+            self.evidence.settle(row, &mut candidate, limit, 0, refining_s)?;
             self.remember(&candidate);
         }
         Ok(Some(candidate))
@@ -240,6 +288,11 @@ impl<'a> Search<'a> {
             if hopeless(&open[at]) && !self.rescued {
                 return Ok(());
             }
+            if hopeless(&open[at]) && self.is_given_up() {
+                open.iter().for_each(|l| self.spare_ladder(l));
+                open.clear();
+                return Ok(());
+            }
             let ladder = &mut open[at];
             let row = ladder.row;
             let settings = row.with(row.ladder[ladder.next].1.iter().copied())?;
@@ -247,11 +300,34 @@ impl<'a> Search<'a> {
             let Some(candidate) = self.run_clear(row, &settings)? else { continue };
             ladder.cost = self.goal.cost(&candidate);
             ladder.errors.push(candidate.error);
+            // Less than a rung may be missing.
+            if let Some(beside) = self.beside(row, &candidate)? {
+                ladder.cost = self.goal.cost(&beside);
+            }
             if self.goal.precompute_ms.is_some_and(|ms| candidate.precompute_ms > ms) {
                 // Its further rungs take longer to prepare.
                 open.remove(at);
             }
         }
+    }
+
+    /// Something that fits one step beside a rung that all but does: less to ask for, and to run, than the next rung.
+    fn beside(&mut self, row: &'static MethodRow, rung: &Candidate) -> Result<Option<Candidate>, Error> {
+        let misses = self.goal.affords(rung) && !self.goal.accepts(rung) && self.goal.overrun(rung) <= NARROW;
+        let axes = if misses { axes(row, &rung.settings) } else { Vec::new() };
+        let mut asked = 0;
+        // The size is what costs most to ask for.
+        for axis in axes.into_iter().skip(1) {
+            let Some(settings) = step(&rung.settings, &axis, 1) else { continue };
+            if asked >= BESIDE || self.carries_nothing(rung, &axis.key) {
+                continue;
+            }
+            asked += 1;
+            if let Some(found) = self.run_clear(row, &settings)?.filter(|c| self.fits(c)) {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
     }
 
     fn spare_ladder(&mut self, ladder: &Ladder) {
@@ -277,10 +353,19 @@ impl<'a> Search<'a> {
         };
         let mut starts: Vec<(&'static MethodRow, Candidate)> = self.methods.iter().filter_map(nearest).collect();
         starts.sort_by(|a, b| nearer(&&a.1, &&b.1));
+        starts.retain(|(_, c)| self.goal.overrun(c) <= BEYOND_RESCUE);
         for (row, mut best) in starts {
-            for axis in axes(row, &best.settings) {
-                // Too slow or too large asks for less, too wrong for more.
-                let direction = if self.goal.affords(&best) { 1 } else { -1 };
+            // Too slow or too large asks for less, too wrong for more.
+            let direction = if self.goal.affords(&best) { 1 } else { -1 };
+            let mut axes = axes(row, &best.settings);
+            if direction > 0 && !axes.is_empty() {
+                // The size is what costs most to ask for.
+                axes.rotate_left(1);
+            }
+            for axis in axes {
+                if direction > 0 && self.carries_nothing(&best, &axis.key) {
+                    continue;
+                }
                 while let Some(settings) = step(&best.settings, &axis, direction) {
                     let Some(next) = self.run_clear(row, &settings)? else { break };
                     if self.goal.overrun(&next) > NEARER * self.goal.overrun(&best) {
@@ -296,34 +381,71 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
+    /// Where no indirect light is to be seen: the method that computes none, exact at no cost.
+    ///
+    /// # Errors
+    /// What it says.
+    pub(super) fn nothing_needed(&mut self) -> Result<Candidate, Error> {
+        let row = &crate::methods::direct::ROW;
+        let mut candidate = self.evidence.execute(row, &row.defaults(), Effort::Whole)?;
+        // A black truth has no scale to state an error by.
+        (candidate.error, candidate.bounds, candidate.blocks) = (0.0, [0.0; 2], candidate.means.len());
+        Ok(candidate)
+    }
+
     /// Where nothing fits: the smallest error of all that time and memory allow, or of all.
     pub(super) fn closest(&self) -> Option<Candidate> {
         let least = |all: &mut dyn Iterator<Item = &Candidate>| all.min_by(|a, b| a.error.total_cmp(&b.error)).cloned();
         least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
     }
 
-    /// Something better than the best rung: beside it, beside what all but fits, beside what fits and costs little more.
-    fn refine(&mut self, best: Candidate) -> Result<(), Error> {
-        let Some(row) = self.row(best.row) else { return Ok(()) };
-        let Some(limit) = self.goal.error else { return self.raise(row, best) };
-        let mut best = self.lower(row, best, limit)?;
-        for row in self.methods.iter().copied() {
+    /// Something better than the best rung: beside it, beside what all but fits, beside what fits and costs little more. First
+    /// the methods whose trials take least: there is time for what is quick to ask, and what it finds bounds the others.
+    fn refine(&mut self, first: Candidate) -> Result<(), Error> {
+        let Some(row) = self.row(first.row) else { return Ok(()) };
+        let Some(limit) = self.goal.error else { return self.raise(row, first) };
+        let mut rows = self.methods.to_vec();
+        rows.sort_by(|a, b| self.trial_s(a).total_cmp(&self.trial_s(b)));
+        let mut best = first.clone();
+        for row in rows {
             if self.is_patience_over() {
                 break;
             }
             let cost = self.goal.cost(&best);
-            let rival = self.tried.iter().filter(|c| c.row == row.name && c.row != best.row);
-            let rival = rival.filter(|c| self.fits(c) && self.goal.cost(c) < RIVAL * cost);
-            let rival = rival.min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b))).cloned();
-            let between = self.between_rungs(row, cost, limit)?;
-            for start in rival.into_iter().chain(between) {
-                let found = self.lower(row, start, limit)?;
-                if self.goal.cost(&found) < self.goal.cost(&best) {
-                    best = found;
-                }
+            let start = if row.name == first.row { Some(first.clone()) } else { self.rival(row, cost) };
+            if let Some(start) = start {
+                best = self.cheaper(best, row, start, limit)?;
+            }
+            let cost = self.goal.cost(&best);
+            if let Some(between) = self.between_rungs(row, cost, limit)? {
+                best = self.cheaper(best, row, between, limit)?;
             }
         }
         Ok(())
+    }
+
+    /// Seconds of the method's longest trial from nothing; infinite where it was not tried.
+    fn trial_s(&self, row: &MethodRow) -> f64 {
+        let own = self.tried.iter().filter(|c| c.row == row.name);
+        own.map(|c| c.wall_s).max_by(f64::total_cmp).unwrap_or(f64::INFINITY)
+    }
+
+    /// The cheapest of a method that fits and may still become cheaper than what costs `cost` (ms).
+    fn rival(&self, row: &MethodRow, cost: f64) -> Option<Candidate> {
+        let own = self.tried.iter().filter(|c| c.row == row.name && self.fits(c) && self.goal.cost(c) < RIVAL * cost);
+        own.min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b))).cloned()
+    }
+
+    /// The cheaper of `best` and what is found below `start`.
+    fn cheaper(
+        &mut self,
+        best: Candidate,
+        row: &'static MethodRow,
+        start: Candidate,
+        limit: f64,
+    ) -> Result<Candidate, Error> {
+        let found = self.lower(row, start, limit)?;
+        Ok(if self.goal.cost(&found) < self.goal.cost(&best) { found } else { best })
     }
 
     /// Cheaper settings that still fit, from some that do.
@@ -633,7 +755,8 @@ impl<'a> Search<'a> {
                 let Some(row) = self.row(glance.row) else { continue };
                 let mut whole = self.evidence.try_settings(row, &glance.settings, Effort::Whole)?;
                 if let Some(limit) = self.goal.error {
-                    self.evidence.settle(row, &mut whole, limit, CONFIRMED_BLOCKS)?;
+                    let refining_s = self.refining_s();
+                    self.evidence.settle(row, &mut whole, limit, CONFIRMED_BLOCKS, refining_s)?;
                 }
                 self.remember(&whole);
             }
@@ -710,6 +833,16 @@ impl<'a> Search<'a> {
     }
 }
 
+/// The next of some times, if they go on growing as the last two did.
+fn grown(times: impl DoubleEndedIterator<Item = f64>) -> f64 {
+    let mut last_first = times.rev();
+    match (last_first.next(), last_first.next()) {
+        (Some(last), Some(before)) => last * (last / before.max(1e-9)).max(1.0),
+        (Some(last), None) => GROWTH * last,
+        _ => 0.0,
+    }
+}
+
 /// What a setting cuts off, and the part of the light that it carries, where the method knows.
 fn beyond(at: &Candidate, key: &str) -> Option<(&'static str, f64)> {
     let terms = at.terms.iter().find(|t| t.key == key)?;
@@ -721,4 +854,18 @@ fn changed(settings: &Settings, key: &str, value: &str) -> Settings {
     let mut changed = settings.clone();
     changed.insert(key.into(), value.into());
     changed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_go_on_as_they_grew() {
+        assert_eq!(grown([].into_iter()), 0.0);
+        assert_eq!(grown([3.0].into_iter()), GROWTH * 3.0);
+        assert_eq!(grown([1.0, 2.0, 6.0].into_iter()), 18.0);
+        // What falls by chance is not expected to go on falling.
+        assert_eq!(grown([6.0, 2.0].into_iter()), 2.0);
+    }
 }

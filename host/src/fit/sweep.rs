@@ -3,8 +3,12 @@
 //! The sweep runs every rung of every method, and around each rung every parameter's neighbouring values, each for the whole
 //! picture, every phase up to three times after a warm-up until it has taken 150 ms, and judges them by the
 //! truth of the whole picture, whose time counts. Trials share precomputation in both where settings allow it; what that
-//! spared the sweep is reported, so that its time without sharing can be told. The search runs from nothing once per target, with a cache of its own: loading
-//! the scene, tracing its truths, its trials and its confirmation count. Scene and executor are loaded once in both.
+//! spared the sweep is reported, so that its time without sharing can be told. The search runs from nothing once per target,
+//! with a cache of its own: loading the scene, tracing its truths, its trials and its confirmation count. Scene and executor
+//! are loaded once in both.
+//!
+//! A sweep may have a time limit: it goes rung by rung through all methods, so that what a limit cuts off is what takes
+//! longest. How much that is stands in every case; the search is then held to less time than the whole sweep would take.
 
 use super::{Candidate, Care, Effort, Evidence, Goal, axes, changed_settings, fit, step};
 use crate::chart::trial::SceneSpec;
@@ -62,14 +66,38 @@ pub struct Case {
     pub fit_trials: usize,
     /// Sets of settings that the sweep ran.
     pub sweep_trials: usize,
+    /// Sets of settings that the sweep had no time for.
+    #[serde(default)]
+    pub sweep_left: usize,
+}
+
+/// A scene without cases.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Left {
+    /// Scene.
+    pub scene: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// What bounds an evaluation.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Limits {
+    /// Longest frame and precomputation of what the sweep takes for an answer.
+    pub goal: Goal,
+    /// Seconds of the sweep's trials.
+    pub sweep_s: Option<f64>,
+    /// Seconds of its truth.
+    pub truth_s: Option<f64>,
 }
 
 impl std::fmt::Display for Case {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let number = |v: Option<f64>| v.map_or_else(|| "-".into(), |v| format!("{v:.3}"));
+        let left = if self.sweep_left > 0 { format!(", {} sets not swept", self.sweep_left) } else { String::new() };
         write!(
             f,
-            "{} error <= {:.3}: {} with {} {}, cost x {} of {}, time x {:.3} ({:.1} s, {} trials)",
+            "{} error <= {:.3}: {} with {} {}, cost x {} of {}, time x {:.3} ({:.1} s, {} trials{left})",
             self.scene,
             self.target,
             self.choice,
@@ -89,6 +117,9 @@ impl std::fmt::Display for Case {
 pub struct Verdict {
     /// Cases.
     pub cases: Vec<Case>,
+    /// Scenes without cases.
+    #[serde(default)]
+    pub left_out: Vec<Left>,
     /// Share of cases within the limit.
     pub within: f64,
     /// Share of cases whose cost is at most [`MOST_COST`] of the best.
@@ -100,15 +131,15 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Adds cases up.
-    pub fn of(cases: Vec<Case>) -> Self {
+    /// Adds cases up. Scenes that were left out count for nothing.
+    pub fn of(cases: Vec<Case>, left_out: Vec<Left>) -> Self {
         let share =
             |f: &dyn Fn(&Case) -> bool| cases.iter().filter(|c| f(c)).count() as f64 / cases.len().max(1) as f64;
         let within = share(&|c| c.within);
         let cheap = share(&|c| c.cost_ratio.is_some_and(|r| r <= MOST_COST));
         let quick = share(&|c| c.fit_s <= MOST_TIME * c.sweep_s);
         let passed = !cases.is_empty() && [within, cheap, quick].iter().all(|s| *s >= LEAST_WITHIN);
-        Self { within, cheap, quick, passed, cases }
+        Self { within, cheap, quick, passed, cases, left_out }
     }
 }
 
@@ -123,8 +154,8 @@ struct Swept {
     cost: f64,
 }
 
-/// Sweeps a scene within the time limits of `limits`, and searches it once for each target error. The search knows none of
-/// those but the precomputation's: what takes longer than the sweep's best is a worse answer, and not a forbidden one.
+/// Sweeps a scene within the time limits of `limits`, and searches it once for each target error, within the same. No cases
+/// where no indirect light is to be seen, or nothing is better than none.
 ///
 /// # Errors
 /// What loading and path tracing say.
@@ -132,25 +163,35 @@ pub fn evaluate_scene(
     spec: &SceneSpec,
     size: [u32; 2],
     truth: ReferenceSettings,
-    limits: Goal,
+    limits: Limits,
     folder: &Path,
     open: &Open<'_>,
     methods: &[&'static MethodRow],
     news: &mut dyn FnMut(&str),
 ) -> Result<Vec<Case>, Error> {
-    let plan = TruthPlan { settings: truth, limit_s: None, cache: folder.to_path_buf(), notes: folder.to_path_buf() };
+    let plan = TruthPlan {
+        settings: truth,
+        limit_s: limits.truth_s,
+        cache: folder.to_path_buf(),
+        notes: folder.to_path_buf(),
+    };
     let judge = Judge::new(spec, size, &plan, &mut |_| {})?;
+    if judge.mean.max_element() <= 0.0 {
+        return Ok(Vec::new());
+    }
     let mut evidence = Evidence::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?;
     let start = Instant::now();
-    let swept = sweep(&mut evidence, &judge, methods, limits)?;
+    let (swept, sweep_left) = sweep(&mut evidence, &judge, methods, limits)?;
     // The truth of a later run comes from the cache; its time is what it took to trace.
     let sweep_s = start.elapsed().as_secs_f64() + judge.about.ms / 1e3;
     let shared_s = evidence.shared_s;
     news(&format!(
-        "{}: {} sets of settings swept in {sweep_s:.1} s ({:.1} s if none shared its precomputation)",
+        "{}: {} sets of settings swept in {sweep_s:.1} s ({:.1} s if none shared its precomputation), {sweep_left} not for want \
+         of time; noise of the truth's blocks {:.3}",
         spec.scene,
         swept.len(),
-        sweep_s + shared_s
+        sweep_s + shared_s,
+        judge.about.noise_floor.map_or(0.0, |f| f.nrmse_block)
     ));
     let mut errors: Vec<f64> = swept.iter().map(|s| s.error).filter(|e| *e < NO_LIGHT).collect();
     errors.sort_by(f64::total_cmp);
@@ -159,54 +200,81 @@ pub fn evaluate_scene(
     targets.dedup();
     let mut cases = Vec::new();
     for target in targets {
-        let goal = Goal { error: Some(target), precompute_ms: limits.precompute_ms, ..Goal::default() };
-        let case =
+        let goal = Goal { error: Some(target), ..limits.goal };
+        let mut case =
             one(spec, size, goal, &swept, &judge, &mut evidence, [sweep_s, shared_s], (open, methods, truth.seed))?;
+        case.sweep_left = sweep_left;
         news(&format!("  {case}"));
         cases.push(case);
     }
     Ok(cases)
 }
 
-/// Every rung of every method, and every neighbour of every rung; only cheaper neighbours of the last rung, and no rung
-/// after one whose frames or precomputation are longer than the limit.
+/// A rung's settings and its neighbours'.
+struct Rung {
+    row: &'static MethodRow,
+    /// Place in the ladder.
+    place: usize,
+    /// The rung's own first.
+    sets: Vec<Settings>,
+}
+
+/// Every rung of every method, and every neighbour of every rung, each set once; only cheaper neighbours of a ladder's last.
+/// The first rungs of all methods, then the second ones.
+fn rungs(methods: &[&'static MethodRow]) -> Result<Vec<Rung>, Error> {
+    let mut rungs: Vec<Rung> = Vec::new();
+    for row in methods {
+        for (place, (_, changes)) in row.ladder.iter().enumerate() {
+            let own = row.with(changes.iter().copied())?;
+            let directions: &[isize] = if place + 1 < row.ladder.len() { &[-1, 1] } else { &[-1] };
+            let axes = axes(row, &own);
+            let beside = axes.iter().flat_map(|axis| directions.iter().filter_map(|d| step(&own, axis, *d)));
+            let mut sets: Vec<Settings> = Vec::new();
+            for set in std::iter::once(own.clone()).chain(beside) {
+                let known = rungs.iter().filter(|r| r.row.name == row.name).flat_map(|r| &r.sets).chain(&sets);
+                // A rung is asked for itself, whoever's neighbour it is: by it the ladder is seen to be too slow.
+                if sets.is_empty() || !known.into_iter().any(|s| *s == set) {
+                    sets.push(set);
+                }
+            }
+            rungs.push(Rung { row, place, sets });
+        }
+    }
+    rungs.sort_by_key(|r| r.place);
+    Ok(rungs)
+}
+
+/// Runs all [`rungs`], but none of a method after one whose frames or precomputation are longer than the limit. What kept the
+/// limits, and how many sets there was no time for.
 fn sweep(
     evidence: &mut Evidence,
     judge: &Judge,
     methods: &[&'static MethodRow],
-    limits: Goal,
-) -> Result<Vec<Swept>, Error> {
+    limits: Limits,
+) -> Result<(Vec<Swept>, usize), Error> {
+    let start = Instant::now();
     let mut swept: Vec<Swept> = Vec::new();
-    for row in methods {
-        for (k, (_, changes)) in row.ladder.iter().enumerate() {
-            let rung = row.with(changes.iter().copied())?;
-            let directions: &[isize] = if k + 1 < row.ladder.len() { &[-1, 1] } else { &[-1] };
-            let neighbours: Vec<Settings> = axes(row, &rung)
-                .iter()
-                .flat_map(|axis| directions.iter().filter_map(|d| step(&rung, axis, *d)))
-                .collect();
-            let mut too_slow = false;
-            for (n, settings) in std::iter::once(rung).chain(neighbours).enumerate() {
-                if swept.iter().any(|s| s.row.name == row.name && s.settings == settings) {
-                    continue;
-                }
-                // What a method refuses is no answer.
-                let Ok(candidate) = evidence.execute(row, &settings, Effort::Whole) else { continue };
-                if !limits.affords(&candidate) {
-                    too_slow |= n == 0;
-                } else if let Some(error) = full_error(evidence, judge, &candidate)? {
-                    swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });
-                }
-                if too_slow {
-                    break;
-                }
+    let (mut too_slow, mut left): (Vec<&str>, usize) = (Vec::new(), 0);
+    for Rung { row, sets, .. } in rungs(methods)? {
+        for (n, settings) in sets.into_iter().enumerate() {
+            let known = swept.iter().any(|s| s.row.name == row.name && s.settings == settings);
+            if known || too_slow.contains(&row.name) {
+                continue;
             }
-            if too_slow {
-                break;
+            if limits.sweep_s.is_some_and(|most| start.elapsed().as_secs_f64() > most) {
+                left += 1;
+                continue;
+            }
+            // What a method refuses is no answer.
+            let Ok(candidate) = evidence.execute(row, &settings, Effort::Whole) else { continue };
+            if !limits.goal.affords(&candidate) {
+                too_slow.extend((n == 0).then_some(row.name));
+            } else if let Some(error) = full_error(evidence, judge, &candidate)? {
+                swept.push(Swept { row, settings, error, cost: candidate.dynamic_ms });
             }
         }
     }
-    Ok(swept)
+    Ok((swept, left))
 }
 
 /// Block NRMSE over the whole picture, without what the truth's noise adds.
@@ -247,6 +315,7 @@ fn one(
         sweep_shared_s,
         fit_trials: report.trials,
         sweep_trials: swept.len(),
+        sweep_left: 0,
     };
     let chosen = report.choice.filter(|_| report.found);
     let (Some(choice), Some(best)) = (chosen, best) else { return Ok(case) };
@@ -284,8 +353,9 @@ mod tests {
             sweep_shared_s: 1.0,
             fit_trials: 5,
             sweep_trials: 50,
+            sweep_left: 0,
         };
-        assert!(Verdict::of(vec![good.clone(); 10]).passed);
+        assert!(Verdict::of(vec![good.clone(); 10], vec![]).passed);
         for bad in [
             Case { within: false, ..good.clone() },
             Case { cost_ratio: Some(1.4), ..good.clone() },
@@ -293,8 +363,9 @@ mod tests {
             Case { fit_s: 3.0, ..good.clone() },
         ] {
             let one_in_ten = |n: usize| [vec![bad.clone(); n], vec![good.clone(); 10 - n]].concat();
-            assert!(Verdict::of(one_in_ten(1)).passed && !Verdict::of(one_in_ten(2)).passed);
+            let passed = |n: usize| Verdict::of(one_in_ten(n), vec![]).passed;
+            assert!(passed(1) && !passed(2));
         }
-        assert!(!Verdict::of(vec![]).passed);
+        assert!(!Verdict::of(vec![], vec![]).passed);
     }
 }

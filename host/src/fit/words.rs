@@ -30,7 +30,7 @@ pub(super) fn explain(
     if let Some(n) = above {
         parts.push(match (n.error, n.ms) {
             (Some(e), Some(ms)) => {
-                let change = 100.0 * (e / chosen.error - 1.0);
+                let change = change(chosen.error, e);
                 let verdict = match goal.error {
                     Some(_) => "not needed",
                     None if goal.ms.is_some_and(|limit| ms > limit) => "too slow",
@@ -38,7 +38,7 @@ pub(super) fn explain(
                     None => "no better",
                 };
                 let (value, source) = (&n.value, source(n));
-                format!("{value} changes the error by {change:+.1} % in {ms:.1} ms{source}: {verdict}")
+                format!("{value} {change} in {ms:.1} ms{source}: {verdict}")
             }
             _ => format!("{} is refused", n.value),
         });
@@ -55,6 +55,15 @@ pub(super) fn percent(share: f64) -> String {
     if percent >= 10.0 { format!("{percent:.0} %") } else { format!("{percent:.2} %") }
 }
 
+/// What happens to an error: in relation to what it was, unless that was nothing.
+fn change(before: f64, after: f64) -> String {
+    if before > 0.0 && after.is_finite() {
+        format!("changes the error by {:+.1} %", 100.0 * (after / before - 1.0))
+    } else {
+        format!("has an error of {after:.3}")
+    }
+}
+
 /// Where an estimate comes from.
 fn source(n: &Neighbour) -> String {
     n.estimated_at.as_ref().map_or_else(String::new, |at| format!(" (estimated with {at})"))
@@ -63,7 +72,7 @@ fn source(n: &Neighbour) -> String {
 /// Why a step was not tried.
 pub(super) fn spared(step: &str, at: &str, errors: [f64; 2], costs: [f64; 2], limit: Option<f64>) -> String {
     let [error, predicted] = errors;
-    let change = 100.0 * (predicted / error - 1.0);
+    let change = change(error, predicted);
     let saved = 100.0 * (1.0 - costs[1] / costs[0]);
     let verdict = match limit {
         Some(limit) if predicted > limit => "over the limit",
@@ -71,5 +80,17 @@ pub(super) fn spared(step: &str, at: &str, errors: [f64; 2], costs: [f64; 2], li
         None => "not needed",
     };
     let at = if at.is_empty() { String::new() } else { format!(" (estimated with {at})") };
-    format!("{step} changes the error by {change:+.1} % and saves {saved:.0} % of the time{at}: {verdict}, not tried")
+    format!("{step} {change} and saves {saved:.0} % of the time{at}: {verdict}, not tried")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_nothing_has_no_percentage() {
+        assert_eq!(change(0.2, 0.21), "changes the error by +5.0 %");
+        assert_eq!(change(0.0, 0.0), "has an error of 0.000");
+        assert_eq!(change(0.0, 0.02), "has an error of 0.020");
+    }
 }

@@ -15,7 +15,9 @@ use crate::scene::Scene;
 use glam::Vec3;
 use interreflect_shared::scene::Surfel;
 use serde::{Deserialize, Serialize};
+use std::any::Any;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What can go wrong in a method.
 #[derive(Debug, thiserror::Error)]
@@ -141,6 +143,9 @@ impl Phase {
 pub struct StageClock {
     /// Stage name and milliseconds, in order; a stage that ran twice appears twice.
     pub stages: Vec<(String, f64)>,
+    /// Milliseconds of what a method did not do itself, because it took it over from others ([`Method::share`]): from nothing it
+    /// would have taken these too.
+    pub spared_ms: f64,
 }
 
 impl StageClock {
@@ -208,6 +213,9 @@ pub struct SearchAxis {
     pub values: &'static [&'static str],
 }
 
+/// What methods of one kind share ([`Method::share`]); nothing until the first of them puts something there.
+pub type SharedParts = Option<Arc<dyn Any + Send + Sync>>;
+
 /// A lighting method with its buffers. The three phases are called in order; a later frame or light change calls only
 /// its own phase again and must not allocate.
 pub trait Method: Send {
@@ -224,6 +232,11 @@ pub trait Method: Send {
     fn retune(&mut self, _: &Settings) -> bool {
         false
     }
+
+    /// Before [`Method::precompute`]: from now on parts of it may be taken over from others of the same method, for the same
+    /// scene and seed, that were given the same `parts`, and are left there for them. What is taken over is bit for bit what
+    /// would have been computed, and its time is told to the clock ([`StageClock::spared_ms`]). Nothing by default.
+    fn share(&mut self, _parts: &mut SharedParts) {}
 
     /// Computes what depends on lights and materials.
     fn light_change(

@@ -17,7 +17,7 @@ pub use json::{
     Camera, Comparison, Device, MemoryBytes, MethodResult, Ordered, RenderReport, TimeMs, TimeSpread, Truth,
     settings_json, to_json, version,
 };
-pub(crate) use page::{data_uri, document};
+pub(crate) use page::{data_uri, document, what_error_is};
 pub use table::Table;
 pub(crate) use table::{bytes, milliseconds, number};
 pub use write::{ERROR_RANGE, Frame, Pictures, flip_error, folder_names, tone_map, write_comparison, write_render};

@@ -4,10 +4,12 @@ use super::atlas::Lookup;
 use super::feedback::Feedback;
 use super::model::{Blend, SrpBake};
 use super::runtime::{Points, RuntimeOptions, SrpRuntime};
-use super::{BakeOptions, Compression, NAME, Placement, Plan, Window, file};
+use super::{BakeOptions, Compression, Memo, NAME, Placement, Plan, Window, file};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::methods::settings::parse;
-use crate::methods::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
+use crate::methods::{
+    Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, SharedParts, StageClock, Terms, Unit,
+};
 use glam::Vec3;
 use interreflect_kernels::math::sh;
 use interreflect_shared::scene::{NO_SURFACE, SceneTriangle, Surfel};
@@ -15,6 +17,7 @@ use interreflect_shared::trace::DirectParams;
 use rayon::prelude::*;
 use serde_json::json;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Row of the methods table.
 pub const ROW: MethodRow = MethodRow {
@@ -182,7 +185,7 @@ pub const ROW: MethodRow = MethodRow {
             &[("receivers", "40960"), ("probes", "125"), ("order", "9"), ("rays", "1024"), ("relight_rays", "8192")],
         ),
     ],
-    new: |settings| Ok(Box::new(Srp { options: Options::parse(settings)?, state: None })),
+    new: |settings| Ok(Box::new(Srp { options: Options::parse(settings)?, state: None, memo: None })),
 };
 
 /// Bounces end when the slowest mode of the loop has fallen to this share.
@@ -261,6 +264,8 @@ impl Options {
 struct Srp {
     options: Options,
     state: Option<State>,
+    /// Parts of bakes that it shares with others; without it they are gone once baking is done.
+    memo: Option<Arc<Memo>>,
 }
 
 /// What [`Method::precompute`] makes.
@@ -316,6 +321,11 @@ impl Method for Srp {
             changed: true,
         });
         Ok(())
+    }
+
+    fn share(&mut self, parts: &mut SharedParts) {
+        let memo = parts.get_or_insert_with(|| Arc::new(Memo::default()));
+        self.memo = memo.clone().downcast().ok();
     }
 
     fn retune(&mut self, settings: &Settings) -> bool {
@@ -450,9 +460,13 @@ impl Srp {
         } else {
             let options = BakeOptions { seed: input.seed, ..self.options.bake.clone() };
             clock.stage(exec, "plan", |_| {
-                plan = Some(Plan::new(input.scene, &options)?);
+                plan = Some(match &self.memo {
+                    Some(memo) => Plan::sharing(input.scene, &options, memo)?,
+                    None => Plan::new(input.scene, &options)?,
+                });
                 Ok::<(), MethodError>(())
             })?;
+            clock.spared_ms += plan.as_ref().map_or(0.0, |plan| plan.spared_ms);
             clock.stage(exec, "transport", |_| {
                 baked = plan.as_ref().map(|plan| {
                     let (bake, lookup) = plan.bake();

@@ -21,6 +21,7 @@ pub mod dictionary;
 pub mod error_map;
 pub mod feedback;
 pub mod file;
+pub mod memo;
 pub mod model;
 pub mod occluders;
 pub mod packed;
@@ -39,6 +40,7 @@ pub mod world;
 mod method;
 
 pub use compress::Compression;
+pub use memo::Memo;
 pub use method::{ROW, bake_options};
 pub use model::{Cluster, SrpBake};
 pub use plan::{BakeOptions, Plan, Window};

@@ -5,6 +5,7 @@
 use super::atlas::{Atlas, Lookup, free_receiver};
 use super::charts::Patches;
 use super::compress::{Block, Compression};
+use super::memo::Memo;
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
 use super::probes::{self, Coverage, Placement, Wish};
 use super::reach::Reach;
@@ -145,11 +146,11 @@ pub struct Plan<'a> {
     /// The scene.
     pub world: World<'a>,
     /// Voxels and exposed sides.
-    pub reach: Reach,
+    pub reach: Arc<Reach>,
     /// The lightmap.
     pub atlas: Arc<Atlas>,
     /// Receivers that count, with their texel ([`NO_RECEIVER`] in free space).
-    pub receivers: Vec<(Receiver, u32)>,
+    pub receivers: Arc<Vec<(Receiver, u32)>>,
     /// Probes (m).
     pub probes: Vec<Vec3>,
     /// Radius of their support (m).
@@ -161,11 +162,33 @@ pub struct Plan<'a> {
     /// Receivers of each cluster.
     pub clusters: Vec<Vec<u32>>,
     /// What transport is corrected and compression judged by.
-    round_trip: RoundTrip,
+    round_trip: Arc<RoundTrip>,
     /// What was said of the correction of all clusters, once they are put together.
     verdict: OnceLock<Verdict>,
     /// What is known of mutual visibility; `None` where every ray asks for itself.
     visibility: Option<Visibility>,
+    /// Milliseconds that its parts took which another plan had made.
+    pub spared_ms: f64,
+}
+
+/// What of a plan depends on the scene and its receivers alone.
+pub(super) struct Ground {
+    reach: Arc<Reach>,
+    atlas: Arc<Atlas>,
+    receivers: Arc<Vec<(Receiver, u32)>>,
+    /// Texels dropped because they lie inside solids.
+    dropped: usize,
+    /// Kinds of light that no probe has seen yet.
+    kinds: RoundTrip,
+    /// Milliseconds that `reach` took, where another made it.
+    taken_ms: f64,
+}
+
+/// Probes for some [`Ground`].
+pub(super) struct Places {
+    probes: Vec<Vec3>,
+    radius: f32,
+    coverage: Coverage,
 }
 
 /// Transport of one of the plan's clusters, perhaps split for compression.
@@ -201,58 +224,45 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// What the voxel kernels return; a scene that the path tracer does not take.
     pub fn new(scene: &'a crate::scene::Scene, options: &BakeOptions) -> Result<Self, MethodError> {
+        Self::sharing(scene, options, &Memo::default())
+    }
+
+    /// The same from those parts that other plans for the same scene left in `memo`, where what these depend on is alike, and
+    /// bit for bit the same; leaves its own.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn sharing(scene: &'a crate::scene::Scene, options: &BakeOptions, memo: &Memo) -> Result<Self, MethodError> {
         let world = World::new(scene)?;
-        let area: f32 = scene
-            .triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = scene.corners(t);
-                0.5 * (b - a).cross(c - a).length()
-            })
-            .sum();
-        let texel = PATCH_TEXEL * (area / options.receivers.max(1) as f32).sqrt();
-        let patches = Patches::new(scene, texel);
-        let reach = Reach::new(&world, &patches, options.seed)?;
-        let atlas = Arc::new(Atlas::new(&world, &patches, &reach.exposed, options.receivers));
-        let valid: Vec<bool> = atlas
-            .texels
-            .par_iter()
-            .map(|t| is_outside(&world, &patches, &reach, &t.receiver, atlas.texel_size))
-            .collect();
-        let mut receivers: Vec<(Receiver, u32)> =
-            (atlas.texels.iter().enumerate()).filter(|(i, _)| valid[*i]).map(|(i, t)| (t.receiver, i as u32)).collect();
-        let dropped = atlas.texels.len() - receivers.len();
-        receivers.extend(options.free.iter().map(|(p, n)| (free_receiver(*p, *n), NO_RECEIVER)));
-        let points: Vec<Receiver> = receivers.iter().map(|r| r.0).collect();
-        let manual = options.probe_positions.clone();
-        let mut probes =
-            manual.clone().unwrap_or_else(|| probes::place(&reach.space, options.placement, options.probes));
-        let share = if manual.is_some() { 0.0 } else { options.added_probes };
-        let wish = Wish {
-            overlap: options.overlap,
-            bound: options.unseen_bound,
-            limit: (share * probes.len() as f32) as u32,
-            texel_size: atlas.texel_size,
-        };
-        let (radius, coverage) = probes::cover(&world, &reach.space, &points, &mut probes, &wish);
+        let mut spared_ms = 0.0;
+        let key = options.of_ground();
+        let ground = memo.ground.get(key, &mut spared_ms, || Ground::new(&world, options, memo))?;
+        spared_ms += ground.taken_ms;
+        let points: Vec<Receiver> = ground.receivers.iter().map(|r| r.0).collect();
+        let key = options.of_places();
+        let places = memo.places.get(key, &mut spared_ms, || Ok(Places::new(&world, &ground, &points, options)))?;
+        let key = options.of_round_trip();
+        let round_trip =
+            memo.round_trips.get(key, &mut spared_ms, || Ok(seen_by_probes(&world, &ground, &places, options)))?;
         let clusters = split((0..points.len() as u32).collect(), &points, options.cluster_size.max(1) as usize);
-        let visibility =
-            if options.texel_visibility { Visibility::new(atlas.texels.len(), probes.len()) } else { None };
-        let round_trip = seen_by_probes(&world, &atlas, &reach, &receivers, &probes, options);
+        let (texels, probes) = (ground.atlas.texels.len(), places.probes.len());
+        // Not shared: it fills while transport is computed, whose time would then be another's.
+        let visibility = if options.texel_visibility { Visibility::new(texels, probes) } else { None };
         Ok(Self {
             round_trip,
             verdict: OnceLock::new(),
             visibility,
             options: options.clone(),
             world,
-            reach,
-            atlas,
-            receivers,
-            probes,
-            radius,
-            coverage,
-            dropped,
+            reach: ground.reach.clone(),
+            atlas: ground.atlas.clone(),
+            receivers: ground.receivers.clone(),
+            probes: places.probes.clone(),
+            radius: places.radius,
+            coverage: places.coverage,
+            dropped: ground.dropped,
             clusters,
+            spared_ms,
         })
     }
 
@@ -349,7 +359,7 @@ impl<'a> Plan<'a> {
                 block[row * width + slot * k..][..k].copy_from_slice(coefs);
             }
         };
-        let kinds = self.round_trip.corrects().then_some(&self.round_trip);
+        let kinds = self.round_trip.corrects().then_some(&*self.round_trip);
         let fill = |scratch: &mut Scratch, (i, (block, factors)): (usize, (&mut [f32], &mut [f32]))| {
             let (receiver, support) = (&self.receivers[members[i] as usize].0, &supports[i]);
             let rays = transport.send(receiver, support, scratch);
@@ -433,27 +443,96 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Kinds of light on the receivers' surfaces, and what the probes see of them.
-fn seen_by_probes(
-    world: &World<'_>,
-    atlas: &Arc<Atlas>,
-    reach: &Reach,
-    receivers: &[(Receiver, u32)],
-    probes: &[Vec3],
-    options: &BakeOptions,
-) -> RoundTrip {
-    let ridge = f64::from(options.ridge);
-    let mut round_trip = RoundTrip::new(world, &reach.space, atlas.clone(), receivers, ridge, options.seed);
-    let directions = relight_directions(options.relight_rays.max(round_trip::RAYS));
+impl BakeOptions {
+    /// Only what [`Ground`] depends on: everything else is as by default.
+    fn of_ground(&self) -> Self {
+        Self { receivers: self.receivers, free: self.free.clone(), seed: self.seed, ..Self::default() }
+    }
+
+    /// Only what [`Places`] depend on.
+    fn of_places(&self) -> Self {
+        Self {
+            probes: self.probes,
+            probe_positions: self.probe_positions.clone(),
+            placement: self.placement,
+            overlap: self.overlap,
+            unseen_bound: self.unseen_bound,
+            added_probes: self.added_probes,
+            ..self.of_ground()
+        }
+    }
+
+    /// Only what the round trip depends on.
+    fn of_round_trip(&self) -> Self {
+        Self { order: self.order, ridge: self.ridge, relight_rays: self.round_trip_rays(), ..self.of_places() }
+    }
+
+    /// Rays of a probe by which it sees kinds of light.
+    fn round_trip_rays(&self) -> u32 {
+        self.relight_rays.max(round_trip::RAYS)
+    }
+}
+
+impl Ground {
+    fn new(world: &World<'_>, options: &BakeOptions, memo: &Memo) -> Result<Self, MethodError> {
+        let scene = world.scene;
+        let area: f32 = scene
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = scene.corners(t);
+                0.5 * (b - a).cross(c - a).length()
+            })
+            .sum();
+        let texel = PATCH_TEXEL * (area / options.receivers.max(1) as f32).sqrt();
+        let patches = Patches::new(scene, texel);
+        let (key, mut taken_ms) = ((options.seed, patches.chart.clone()), 0.0);
+        let reach = memo.reach.get(key, &mut taken_ms, || Reach::new(world, &patches, options.seed))?;
+        let atlas = Arc::new(Atlas::new(world, &patches, &reach.exposed, options.receivers));
+        let valid: Vec<bool> = atlas
+            .texels
+            .par_iter()
+            .map(|t| is_outside(world, &patches, &reach, &t.receiver, atlas.texel_size))
+            .collect();
+        let mut receivers: Vec<(Receiver, u32)> =
+            (atlas.texels.iter().enumerate()).filter(|(i, _)| valid[*i]).map(|(i, t)| (t.receiver, i as u32)).collect();
+        let dropped = atlas.texels.len() - receivers.len();
+        receivers.extend(options.free.iter().map(|(p, n)| (free_receiver(*p, *n), NO_RECEIVER)));
+        let kinds = RoundTrip::new(world, &reach.space, atlas.clone(), &receivers, options.seed);
+        Ok(Self { reach, atlas, receivers: Arc::new(receivers), dropped, kinds, taken_ms })
+    }
+}
+
+impl Places {
+    fn new(world: &World<'_>, ground: &Ground, points: &[Receiver], options: &BakeOptions) -> Self {
+        let space = &ground.reach.space;
+        let manual = options.probe_positions.clone();
+        let share = if manual.is_some() { 0.0 } else { options.added_probes };
+        let mut probes = manual.unwrap_or_else(|| probes::place(space, options.placement, options.probes));
+        let wish = Wish {
+            overlap: options.overlap,
+            bound: options.unseen_bound,
+            limit: (share * probes.len() as f32) as u32,
+            texel_size: ground.atlas.texel_size,
+        };
+        let (radius, coverage) = probes::cover(world, space, points, &mut probes, &wish);
+        Self { probes, radius, coverage }
+    }
+}
+
+/// What the probes see of the kinds of light on the receivers' surfaces.
+fn seen_by_probes(world: &World<'_>, ground: &Ground, places: &Places, options: &BakeOptions) -> RoundTrip {
+    let (atlas, probes, mut round_trip) = (&ground.atlas, &places.probes, ground.kinds.clone());
+    let directions = relight_directions(options.round_trip_rays());
     let chart = &atlas.charts.chart;
     let texel = |i: usize| {
         let seen = world.closest(probes[i / directions.len()], directions[i % directions.len()]);
-        let exposed = |s: &Seen| reach.exposed[chart[s.triangle as usize] as usize][usize::from(!s.front)];
+        let exposed = |s: &Seen| ground.reach.exposed[chart[s.triangle as usize] as usize][usize::from(!s.front)];
         let own = |s: &Seen| atlas.texel_of(s.triangle, s.weights, s.front);
         seen.filter(exposed).map_or(NO_RECEIVER, |s| round_trip.texel(world, &s, own(&s)))
     };
     let met: Vec<u32> = (0..probes.len() * directions.len()).into_par_iter().map(texel).collect();
-    round_trip.see(&directions, &met, options.order);
+    round_trip.see(&directions, &met, options.order, f64::from(options.ridge));
     round_trip
 }
 

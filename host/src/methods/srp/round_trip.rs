@@ -50,16 +50,17 @@ const LIGHTS: usize = 256;
 /// Rays of a probe by which it sees the patches, at least: several per patch, where relight rays may pass small ones by.
 pub const RAYS: u32 = 1 << 13;
 
-/// Kinds of light and what the probes see of them.
+/// Kinds of light and what the probes see of them. What does not depend on probes is shared by clones.
+#[derive(Clone)]
 pub struct RoundTrip {
     /// Smallest patch of each texel, [`NO_PATCH`] for those without a receiver.
-    patch_of: Vec<u32>,
-    stand_ins: StandIns,
+    patch_of: Arc<Vec<u32>>,
+    stand_ins: Arc<StandIns>,
     /// Number of the smallest patches.
     patches: usize,
     /// Larger patches: that of each smallest one, and their number.
     sizes: Vec<(Vec<u32>, usize)>,
-    states: States,
+    states: Arc<States>,
     /// `Λ`, a row per probe and coefficient; a column per kind of light to fit to, then one per judge.
     lambda: Mat<f32>,
     metric: Mat<f64>,
@@ -139,14 +140,7 @@ fn larger(points: &[Receiver], patch_of: &[u32], patches: usize) -> Vec<(Vec<u32
 
 impl RoundTrip {
     /// Kinds of light for the `receivers` (with their texels of `atlas`), seen by nobody yet.
-    pub fn new(
-        world: &World<'_>,
-        space: &Space,
-        atlas: Arc<Atlas>,
-        receivers: &[(Receiver, u32)],
-        ridge: f64,
-        seed: u32,
-    ) -> Self {
+    pub fn new(world: &World<'_>, space: &Space, atlas: Arc<Atlas>, receivers: &[(Receiver, u32)], seed: u32) -> Self {
         let texels = atlas.texels.len();
         let on_surface: Vec<&(Receiver, u32)> = receivers.iter().filter(|(_, t)| (*t as usize) < texels).collect();
         let points: Vec<Receiver> = on_surface.iter().map(|r| r.0).collect();
@@ -157,15 +151,15 @@ impl RoundTrip {
         let stand_ins = StandIns::new(world, atlas, |t| patch_of[t as usize] != NO_PATCH);
         let states = States::new(world, space, &stand_ins, receivers, texels, seed);
         Self {
-            stand_ins,
-            patch_of,
+            stand_ins: Arc::new(stand_ins),
+            patch_of: Arc::new(patch_of),
             patches,
             sizes,
-            states,
+            states: Arc::new(states),
             lambda: Mat::zeros(0, 0),
             metric: Mat::zeros(0, 0),
             k: 0,
-            ridge,
+            ridge: 0.0,
         }
     }
 
@@ -220,9 +214,10 @@ impl RoundTrip {
         all
     }
 
-    /// Takes what the probes see: `met[probe · rays + ray]` is the texel that a relight ray meets.
-    pub fn see(&mut self, directions: &[Vec3], met: &[u32], order: u32) {
-        self.k = sh::count(order);
+    /// Takes what the probes see: `met[probe · rays + ray]` is the texel that a relight ray meets. Corrects by `ridge` from now
+    /// on; until then nothing.
+    pub fn see(&mut self, directions: &[Vec3], met: &[u32], order: u32, ridge: f64) {
+        (self.k, self.ridge) = (sh::count(order), ridge);
         let (rays, width) = (directions.len().max(1), self.factor_count());
         let weight = 4.0 * std::f32::consts::PI / rays as f32;
         let basis: Vec<[f32; sh::MAX_COUNT]> = directions.iter().map(|d| sh::basis(d.to_array())).collect();

@@ -5,6 +5,7 @@ mod sections;
 use super::chart::Chart;
 use super::headline::headline;
 use super::{Comparison, escape};
+use crate::metrics::BLOCK_PX;
 use base64::Engine;
 use std::fmt::Write;
 
@@ -38,8 +39,9 @@ pub(super) fn page(comparison: &Comparison, pictures: &[Picture]) -> String {
     let _ = write!(
         html,
         "<header>\n<p class=\"eyebrow\">Global illumination against path-traced truth</p>\n<h1>{scene}</h1>\n\
-         <p class=\"lead\">{}</p>\n<ul class=\"facts\">\n",
-        escape(&headline(comparison))
+         <p class=\"lead\">{}</p>\n{}<ul class=\"facts\">\n",
+        escape(&headline(comparison)),
+        what_error_is()
     );
     let truth = &comparison.truth;
     let facts = [
@@ -64,6 +66,15 @@ pub(super) fn page(comparison: &Comparison, pictures: &[Picture]) -> String {
         escape(&comparison.version)
     );
     document(&format!("{}: lighting methods against path-traced truth", comparison.scene), &html, SCRIPT)
+}
+
+/// What the one number is that pages judge methods by, as a paragraph to stand before its first use or right below it.
+pub(crate) fn what_error_is() -> String {
+    format!(
+        "<p class=\"note\">The error (block NRMSE) says how far a method's indirect light is from the path-traced truth, over \
+         blocks of {BLOCK_PX} × {BLOCK_PX} pixels, as a part of the truth's average: 0 is perfect, 0.1 or 10 % is off by a tenth of \
+         the average brightness, no indirect light at all 1 or more.</p>\n"
+    )
 }
 
 /// A page that needs nothing else: its title (text), the inside of `main` (HTML), and its script; tables of class
