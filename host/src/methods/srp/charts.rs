@@ -15,6 +15,11 @@ use std::collections::{HashMap, HashSet, VecDeque};
 pub const CHART_COSINE: f32 = 0.75;
 /// Empty texels between charts.
 const GUTTER: i32 = 1;
+/// Sizes of triangles that are told apart when the largest is looked for, per doubling: rounding does not choose between the
+/// halves of a rectangle.
+const SIZES_PER_OCTAVE: f32 = 2.0;
+/// Edges this much shorter than the longest are as long.
+const NEARLY: f32 = 0.99;
 /// Largest side of the lightmap in texels.
 const MAX_SIDE: i32 = 16_384;
 /// Most texels of a file's own UV set that two triangles at different places may claim.
@@ -78,8 +83,10 @@ impl Patches {
         let key = |v: u32| scene.positions[v as usize].to_array().map(f32::to_bits);
         let neighbours = Neighbours::new(scene, key);
         let normals: Vec<Vec3> = scene.triangles.iter().map(|t| scaled_normal(scene.corners(t))).collect();
+        let largest = normals.iter().map(|n| n.length()).fold(f32::MIN_POSITIVE, f32::max);
+        let size = |t: usize| ((normals[t].length() / largest).log2() * SIZES_PER_OCTAVE + 0.4).floor();
         let mut largest_first: Vec<usize> = (0..scene.triangles.len()).collect();
-        largest_first.sort_by(|a, b| normals[*b].length().total_cmp(&normals[*a].length()).then(a.cmp(b)));
+        largest_first.sort_by(|a, b| size(*b).total_cmp(&size(*a)).then(a.cmp(b)));
         let mut chart = vec![u32::MAX; scene.triangles.len()];
         let mut plane = vec![[Vec2::ZERO; 3]; scene.triangles.len()];
         let mut count = 0;
@@ -156,7 +163,8 @@ impl Sheet {
         // A right angle's legs rather than the diagonal between two triangles of a rectangle.
         let square =
             (0..3).find(|&i| edges[i].normalize_or_zero().dot(edges[(i + 1) % 3].normalize_or_zero()).abs() < 1e-2);
-        let longest = edges.into_iter().max_by(|x, y| x.length().total_cmp(&y.length())).unwrap_or(Vec3::X);
+        let most = edges.iter().map(|e| e.length()).fold(0.0, f32::max);
+        let longest = edges.into_iter().find(|e| e.length() >= NEARLY * most).unwrap_or(Vec3::X);
         let along = square.map_or(longest, |i| edges[i]);
         let x = (along - normal * normal.dot(along)).normalize_or(normal.any_orthonormal_vector());
         Self { axes: [x, normal.cross(x)], normal, origin: a, texel_size, depths: HashMap::new() }

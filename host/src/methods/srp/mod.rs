@@ -10,7 +10,8 @@
 //! way to compress.
 //!
 //! Deviations from SL17 and LE, with reasons in the modules: surfaces reflect on both sides, so that backs that can be
-//! reached are receivers too; probes are thinned out of all open space by default, not only of what lies beside surfaces;
+//! reached are receivers too; probes are spread over all open space by default (Lloyd's relaxation), SL17's thinning of what lies
+//! beside surfaces is a setting; nothing is decided by rounding, so that a scene's unit and place do not change the bake;
 //! the environment and emitters are direct light and never pass through the probes; receivers are points, not texel areas;
 //! transport is corrected by least squares, and components are chosen for the light that they carry.
 

@@ -12,10 +12,9 @@ use super::reach::Reach;
 use super::round_trip::{self, RoundTrip, Verdict};
 use super::transport::{self, Estimate, Rays, Scratch, Transport};
 use super::visibility::Visibility;
-use super::world::{Seen, World};
+use super::world::{Seen, World, frame};
 use crate::methods::MethodError;
 use glam::Vec3;
-use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spherical_fibonacci};
 use interreflect_kernels::math::sh;
 use rayon::prelude::*;
@@ -31,6 +30,10 @@ const INSIDE_ALLOWED: f32 = 0.5;
 const GAP: f32 = 0.2;
 /// One receiver in so many of a cluster says how much of its transport is noise.
 const WITNESSES: usize = 8;
+/// Sides this much shorter than the longest are as long.
+const NEARLY: f32 = 0.99;
+/// The middle of a side, beside which rows of texels do not lie.
+const MIDDLE: f32 = 0.5013;
 /// Chart overlaps are found at texels this much larger than the scene's area over the receivers allows for.
 const PATCH_TEXEL: f32 = 1.0;
 
@@ -547,9 +550,9 @@ fn is_outside(world: &World<'_>, patches: &Patches, reach: &Reach, r: &Receiver,
     if r.triangle == FREE {
         return true;
     }
-    let frame = Frame::new(r.geometric_normal);
+    let about = frame(r.geometric_normal);
     let meets_inside = |i: &u32| {
-        let direction = frame.world_from_local(cosine_hemisphere(hammersley(*i, VALIDITY_RAYS)));
+        let direction = about.world_from_local(cosine_hemisphere(hammersley(*i, VALIDITY_RAYS)));
         world.closest_from(r, direction).is_some_and(|seen| {
             let exposed = reach.exposed[patches.chart[seen.triangle as usize] as usize][usize::from(!seen.front)];
             !exposed || (seen.position - r.position).length() < GAP * texel_size
@@ -574,12 +577,14 @@ pub fn split(members: Vec<u32>, points: &[Receiver], most: usize) -> Vec<Vec<u32
     parts
 }
 
-/// Two non-empty halves: by the middle of the box's longest side, by number where all lie on one side.
+/// Two non-empty halves: by the middle of the box's longest side, by number where all lie on one side. Rounding decides
+/// neither which of equal sides is the longest, nor on which side of the middle a point lies that lies in it.
 pub fn halve(mut members: Vec<u32>, position: impl Fn(u32) -> Vec3) -> (Vec<u32>, Vec<u32>) {
     let (low, high) =
         members.iter().fold((Vec3::MAX, Vec3::MIN), |(l, h), i| (l.min(position(*i)), h.max(position(*i))));
-    let axis = (0..3).max_by(|a, b| (high - low)[*a].total_cmp(&(high - low)[*b]).then(b.cmp(a))).unwrap_or(0);
-    let middle = 0.5 * (low + high)[axis];
+    let extent = high - low;
+    let axis = (0..3).find(|a| extent[*a] >= NEARLY * extent.max_element()).unwrap_or(0);
+    let middle = low[axis] + MIDDLE * extent[axis];
     let (near, far): (Vec<u32>, Vec<u32>) = members.iter().partition(|i| position(**i)[axis] < middle);
     if near.is_empty() || far.is_empty() {
         let far = members.split_off(members.len() / 2);
@@ -653,6 +658,7 @@ impl Plan<'_> {
             "own_uv_set": self.atlas.charts.from_file,
             "probes": bake.probes.len(),
             "probes_added": self.coverage.added,
+            "probes_added_limit": self.coverage.limit,
             "receivers_without_probe": self.coverage.unseen,
             "receivers_without_probe_before": self.coverage.unseen_before,
             "receivers_without_probe_in_gaps": self.coverage.unseen_in_gaps,

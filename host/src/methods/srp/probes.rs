@@ -2,15 +2,20 @@
 
 use super::model::{FREE, Receiver};
 use super::reach::Space;
-use super::world::World;
-use glam::Vec3;
-use interreflect_kernels::math::frame::Frame;
+use super::world::{World, frame};
+use glam::{DVec3, Vec3};
 use interreflect_kernels::math::rng::hash;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley};
 use rayon::prelude::*;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
 
 /// Candidates at most; more would make the removal quadratic in earnest.
 const MAX_CANDIDATES: usize = 6144;
+/// The same where nothing is removed.
+const MAX_MEMBERS: usize = 1 << 15;
+/// Steps by which probes come to stand in the middle of what is nearest to them. Many carry what rounding changes far.
+const RELAXATIONS: usize = 16;
 /// Receivers at most by which the radius is judged.
 const MAX_JUDGES: usize = 4096;
 /// Receivers at most by which visibility is judged.
@@ -44,20 +49,90 @@ pub fn weight(t: f32) -> f32 {
     if t < 1.0 { (2.0 * t - 3.0) * t * t + 1.0 } else { 0.0 }
 }
 
-/// Positions of about `count` probes: an overcomplete set of candidates, of which those in the densest places are removed
-/// one after the other. Fewer where there are not as many candidates.
+/// Positions of about `count` probes; fewer where there are not as many candidates.
+///
+/// [`Placement::Surface`]: of an overcomplete set of candidates those in the densest places are removed one after the other
+/// (SL17 §4.1). [`Placement::Volume`]: each in the middle of what is nearest to it (Lloyd 1982). One candidate more or less, as
+/// rounding makes them, changes all that removal does afterwards; a middle it hardly moves.
 pub fn place(space: &Space, placement: Placement, count: u32) -> Vec<Vec3> {
     let candidate = |i: &usize| {
         let beside_surface = || space.beside(*i).any(|n| space.solid[n]);
         space.open[*i] && (placement == Placement::Volume || beside_surface())
     };
+    let count = count.max(1) as usize;
+    let most = if placement == Placement::Volume { MAX_MEMBERS } else { MAX_CANDIDATES };
     let mut candidates: Vec<usize> = (0..space.open.len()).filter(candidate).collect();
     // An even choice among too many, the same on every run.
     candidates.sort_by_key(|i| hash(*i as u32));
-    candidates.truncate(MAX_CANDIDATES.max(count as usize));
+    candidates.truncate(most.max(count));
     candidates.sort_unstable();
-    let points: Vec<Vec3> = candidates.iter().map(|i| space.centre(*i)).collect();
-    thin(points, count.max(1) as usize)
+    // In voxels, which are the same numbers whatever the scene's unit and place.
+    let points: Vec<Vec3> = candidates.iter().map(|i| space.voxel(*i).as_vec3() + 0.5).collect();
+    let chosen = match placement {
+        Placement::Surface => thin(points, count),
+        Placement::Volume => relax(points, count, &|p| space.at_voxel(p).is_some_and(|v| space.open[v])),
+    };
+    chosen.into_iter().map(|p| space.grid.origin + p * space.grid.voxel_size).collect()
+}
+
+/// `count` points of which each lies in the middle of those of `points` that are nearest to it, or at the nearest of them where
+/// the middle is not `free`: halves of halves, then [`RELAXATIONS`] steps of Lloyd's.
+fn relax(points: Vec<Vec3>, count: usize, free: &dyn Fn(Vec3) -> bool) -> Vec<Vec3> {
+    if points.len() <= count {
+        return points;
+    }
+    let mut chosen = Vec::with_capacity(count);
+    portions(points.clone(), count, &mut chosen);
+    let mut owner = nearest_of(&points, &chosen);
+    for _ in 0..RELAXATIONS {
+        chosen = middles(&points, &owner, chosen);
+        owner = nearest_of(&points, &chosen);
+    }
+    // A middle may lie inside a solid.
+    let mut nearest: Vec<(f32, Vec3)> = chosen.iter().map(|p| (f32::MAX, *p)).collect();
+    for (p, o) in points.iter().zip(&owner) {
+        let distance = (*p - chosen[*o as usize]).length_squared();
+        if distance < nearest[*o as usize].0 {
+            nearest[*o as usize] = (distance, *p);
+        }
+    }
+    chosen.iter().zip(nearest).map(|(p, n)| if free(*p) { *p } else { n.1 }).collect()
+}
+
+/// The middles of as many portions, of as many points each as can be, cut across the longest side.
+fn portions(mut points: Vec<Vec3>, count: usize, middles: &mut Vec<Vec3>) {
+    if count <= 1 || points.len() <= 1 {
+        middles.push(points.iter().sum::<Vec3>() / points.len().max(1) as f32);
+        return;
+    }
+    let (low, high) = points.iter().fold((Vec3::MAX, Vec3::MIN), |(l, h), p| (l.min(*p), h.max(*p)));
+    let extent = high - low;
+    // Of nearly equal sides the first: a voxel more or less does not turn the cut.
+    let axis = (0..3).find(|a| extent[*a] >= 0.8 * extent.max_element()).unwrap_or(0);
+    let order = |p: &Vec3| [axis, (axis + 1) % 3, (axis + 2) % 3].map(|a| p[a] as u32);
+    points.sort_by_key(order);
+    let first = count / 2;
+    let rest = points.split_off((points.len() * first / count).max(1));
+    portions(points, first, middles);
+    portions(rest, count - first, middles);
+}
+
+/// The nearest of `chosen` to each point.
+fn nearest_of(points: &[Vec3], chosen: &[Vec3]) -> Vec<u32> {
+    let places = chosen.iter().zip(0..).map(|(p, i)| GeomWithData::new(p.to_array(), i)).collect();
+    let tree: RTree<GeomWithData<[f32; 3], u32>> = RTree::bulk_load(places);
+    points.par_iter().map(|p| tree.nearest_neighbor(p.to_array()).map_or(0, |n| n.data)).collect()
+}
+
+/// The middles of the points of each owner; who owns nothing stays.
+fn middles(points: &[Vec3], owner: &[u32], chosen: Vec<Vec3>) -> Vec<Vec3> {
+    let mut sums = vec![(DVec3::ZERO, 0.0); chosen.len()];
+    for (p, o) in points.iter().zip(owner) {
+        let sum = &mut sums[*o as usize];
+        *sum = (sum.0 + p.as_dvec3(), sum.1 + 1.0);
+    }
+    let middle = |(stays, (sum, n)): (Vec3, (DVec3, f64))| if n > 0.0 { (sum / n).as_vec3() } else { stays };
+    chosen.into_iter().zip(sums).map(middle).collect()
 }
 
 /// Removes the point of highest kernel density until `count` are left: weighted sample elimination (Yuksel 2015, §3) with
@@ -121,6 +196,8 @@ fn overlapping(probes: &[Vec3], receivers: &[Receiver], overlap: f32) -> f32 {
 pub struct Coverage {
     /// Probes that were added.
     pub added: u32,
+    /// Probes that could have been: where as many were, it is their number that leaves receivers unseen.
+    pub limit: u32,
     /// Share of receivers that no probe in support sees, those in gaps left out.
     pub unseen: f32,
     /// Share of receivers that saw none before probes were added, those in gaps left out.
@@ -182,6 +259,7 @@ pub fn cover(
     let after = Unseen::new(world, receivers, probes, radius, ROUNDS, wish.texel_size);
     let coverage = Coverage {
         added: (probes.len() - placed) as u32,
+        limit: wish.limit,
         unseen: after.share(after.elsewhere.len()),
         unseen_before: before.share(before.elsewhere.len()),
         unseen_in_gaps: after.share(after.in_gaps),
@@ -228,9 +306,9 @@ fn is_in_gap(world: &World<'_>, r: &Receiver, texel_size: f32) -> bool {
 
 /// Directions about a receiver by the cosine law, and how far it sees there (m), [`f32::MAX`] out of the scene.
 fn looks<'a>(world: &'a World<'_>, r: &'a Receiver) -> impl Iterator<Item = (Vec3, f32)> + 'a {
-    let frame = Frame::new(r.geometric_normal);
+    let about = frame(r.geometric_normal);
     (0..LOOKS).map(move |i| {
-        let direction = frame.world_from_local(cosine_hemisphere(hammersley(i, LOOKS)));
+        let direction = about.world_from_local(cosine_hemisphere(hammersley(i, LOOKS)));
         (direction, world.closest_from(r, direction).map_or(f32::MAX, |s| (s.position - r.position).length()))
     })
 }
@@ -308,15 +386,40 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thinning_leaves_points_evenly_apart() {
+    fn thinning_and_relaxing_leave_points_evenly_apart() {
         let points: Vec<Vec3> =
-            (0..1000).map(|i| Vec3::new((i % 10) as f32, (i / 10 % 10) as f32, (i / 100) as f32) * 0.1).collect();
-        let left = thin(points, 27);
-        assert_eq!(left.len(), 27);
-        let nearest = |p: &Vec3| left.iter().filter(|q| *q != p).map(|q| (*q - *p).length()).fold(f32::MAX, f32::min);
-        let closest = left.iter().map(nearest).fold(f32::MAX, f32::min);
-        // A 3 × 3 × 3 grid in the unit cube would stand 0.3 to 0.45 apart.
-        assert!(closest >= 0.2, "{closest}");
+            (0..1000).map(|i| Vec3::new((i % 10) as f32, (i / 10 % 10) as f32, (i / 100) as f32)).collect();
+        for left in [thin(points.clone(), 27), relax(points, 27, &|_| true)] {
+            assert_eq!(left.len(), 27);
+            let nearest =
+                |p: &Vec3| left.iter().filter(|q| *q != p).map(|q| (*q - *p).length()).fold(f32::MAX, f32::min);
+            let closest = left.iter().map(nearest).fold(f32::MAX, f32::min);
+            // A grid of 3 × 3 × 3 would stand 3 to 4.5 apart.
+            assert!(closest >= 2.0, "{closest}");
+        }
+    }
+
+    #[test]
+    fn a_candidate_more_or_less_hardly_moves_what_is_relaxed() {
+        // A room with a block in it, and the same without one in a hundred of the points beside the block.
+        let all = (0..8000).map(|i| Vec3::new((i % 20) as f32, (i / 20 % 20) as f32, (i / 400) as f32) + 0.5);
+        let block = |p: Vec3, side: f32| {
+            p.y < side && (p - Vec3::new(8.0, 0.0, 12.0)).with_y(0.0).abs().max_element() < 0.4 * side
+        };
+        let points: Vec<Vec3> = all.filter(|p| !block(*p, 10.0)).collect();
+        let fewer: Vec<Vec3> = points
+            .iter()
+            .copied()
+            .filter(|p| !block(*p, 12.0) || !hash(p.dot(Vec3::new(1.0, 20.0, 400.0)) as u32).is_multiple_of(9))
+            .collect();
+        let gone = points.len() - fewer.len();
+        assert!((20..120).contains(&gone), "{gone}");
+        let free = |p: Vec3| !block(p, 10.0);
+        let (a, b) = (relax(points, 27, &free), relax(fewer, 27, &free));
+        let moved = a.iter().zip(&b).map(|(p, q)| (*p - *q).length()).fold(0.0, f32::max);
+        // Of a spacing of 6.6.
+        assert!(moved < 0.7, "{moved}");
+        assert!(a.iter().chain(&b).all(|p| free(*p)));
     }
 
     #[test]

@@ -2,12 +2,16 @@
 //!
 //! Walks start at the cameras, at lamps and on the fronts of emissive triangles, and are reflected a few times: a chart's
 //! side that is met belongs to the world, the inside of a wall and the underside of a box on the floor do not. By
-//! reciprocity no side that these walks cannot reach sends light to what they reach. Voxels that a walk passes, and the
+//! reciprocity no side that these walks cannot reach sends light to what they reach. Voxels that walks pass, and the
 //! empty voxels connected with them inside the scene's bounds, are where probes may stand (SL17 §4.1 floods from outside
 //! in; a walk needs no closed geometry and no "outside").
+//!
+//! One walk in a million slips through the crack that rounding leaves where a box stands on the floor, and would open the inside
+//! of the box. What one walk alone found therefore does not count: voxels take two, and sides of charts two, or one that came
+//! through voxels which are open, or a way back to such voxels.
 
 use super::charts::Patches;
-use super::world::World;
+use super::world::{Seen, World};
 use crate::exec::{CpuExecutor, ExecutorExt};
 use crate::methods::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use crate::methods::{MethodError, StageClock};
@@ -17,14 +21,17 @@ use glam::{UVec3, Vec3};
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::rng::rand2;
 use interreflect_kernels::math::sampling;
+use interreflect_kernels::trace::leave_surface;
 use interreflect_kernels::voxel::grid::place;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
 
 /// Walks at least, and per chart.
 const WALKS: (u32, u32) = (1 << 15, 4);
 /// Reflections of a walk.
 const REFLECTIONS: u32 = 8;
+/// Ways by which what one walk alone met is tried to be left.
+const ESCAPES: u32 = 16;
 /// Voxels along the scene's longest side.
 const RESOLUTION: u32 = 64;
 
@@ -67,7 +74,12 @@ impl Space {
 
     /// Voxel that holds a point, where the grid has one.
     pub fn at(&self, p: Vec3) -> Option<usize> {
-        let v = ((p - self.grid.origin) / self.grid.voxel_size).floor();
+        self.at_voxel((p - self.grid.origin) / self.grid.voxel_size)
+    }
+
+    /// The same of a point that is given in voxels from the grid's corner.
+    pub fn at_voxel(&self, p: Vec3) -> Option<usize> {
+        let v = p.floor();
         let inside = v.min_element() >= 0.0 && v.cmplt(self.grid.dims.as_vec3()).all();
         inside.then(|| self.index(v.as_uvec3()))
     }
@@ -92,11 +104,10 @@ impl Reach {
     pub fn new(world: &World<'_>, patches: &Patches, seed: u32) -> Result<Self, MethodError> {
         let (grid, solid) = solid(world)?;
         let mut space = Space { grid, open: vec![false; solid.len()], solid };
-        let passed: Vec<AtomicBool> = space.solid.iter().map(|_| AtomicBool::new(false)).collect();
-        let met: Vec<[AtomicBool; 2]> = (0..patches.count).map(|_| Default::default()).collect();
+        let passed: Vec<Passed> = space.solid.iter().map(|_| Passed::default()).collect();
         let starts = starts(world);
         let walks = WALKS.0.max(WALKS.1 * patches.count);
-        (0..walks).into_par_iter().for_each(|walk| {
+        let met = (0..walks).into_par_iter().flat_map_iter(|walk| {
             let random = |dimension| rand2(seed, walk, dimension);
             let (mut from, normal) = starts[walk as usize % starts.len()].sample(world, random(0));
             let mut direction = match normal {
@@ -104,22 +115,95 @@ impl Reach {
                 None => sampling::sphere(random(1)),
             };
             let mut own = NO_TRIANGLE;
+            let mut met = Vec::with_capacity(REFLECTIONS as usize);
             for reflection in 0..REFLECTIONS {
                 let Some(seen) = world.closest_but(from, direction, own) else { break };
-                pass(&space, from, seen.position, &passed);
-                met[patches.chart[seen.triangle as usize] as usize][usize::from(!seen.front)].store(true, Relaxed);
-                direction =
-                    Frame::new(seen.normal).world_from_local(sampling::cosine_hemisphere(random(2 + reflection)));
-                from = interreflect_kernels::trace::leave_surface(seen.position, seen.normal, seen.error, direction);
+                let mut by_way_of = None;
+                for voxel in along(&space, from, seen.position).filter(|i| !space.solid[*i]) {
+                    passed[voxel].mark(walk);
+                    by_way_of = Some(voxel);
+                }
+                met.push(Met { walk, seen, by_way_of });
+                (from, direction) = reflected(&seen, random(2 + reflection));
                 own = seen.triangle;
             }
+            met
         });
-        let seeds = passed.iter().enumerate().filter(|(_, p)| p.load(Relaxed)).map(|(i, _)| i);
-        let seeds: Vec<usize> = seeds.filter(|i| !space.solid[*i]).collect();
+        let met: Vec<Met> = met.collect();
+        let seeds = passed.iter().enumerate().filter(|(_, p)| p.twice.load(Relaxed)).map(|(i, _)| i);
+        let seeds: Vec<usize> = seeds.collect();
         flood(&mut space, seeds, world.scene.bounds());
-        let exposed = met.iter().map(|[f, b]| [f.load(Relaxed), b.load(Relaxed)]).collect();
+        let exposed = exposed(world, &space, patches, &met, seed);
         Ok(Self { exposed, space })
     }
+}
+
+/// What a walk met.
+struct Met {
+    walk: u32,
+    seen: Seen,
+    /// The last voxel without surface on the way there.
+    by_way_of: Option<usize>,
+}
+
+/// Which walks passed a voxel.
+#[derive(Default)]
+struct Passed {
+    /// Number of one of them plus 1; 0: none.
+    by: AtomicU32,
+    /// Whether there was another.
+    twice: AtomicBool,
+}
+
+impl Passed {
+    fn mark(&self, walk: u32) {
+        if self.twice.load(Relaxed) {
+            return;
+        }
+        if let Err(other) = self.by.compare_exchange(0, walk + 1, Relaxed, Relaxed)
+            && other != walk + 1
+        {
+            self.twice.store(true, Relaxed);
+        }
+    }
+}
+
+/// A way on from a surface: where it starts and its direction.
+fn reflected(seen: &Seen, random: glam::Vec2) -> (Vec3, Vec3) {
+    let direction = Frame::new(seen.normal).world_from_local(sampling::cosine_hemisphere(random));
+    (leave_surface(seen.position, seen.normal, seen.error, direction), direction)
+}
+
+/// Per chart: whether front and back were met by two walks, or by one that came through open voxels or could have.
+fn exposed(world: &World<'_>, space: &Space, patches: &Patches, met: &[Met], seed: u32) -> Vec<[bool; 2]> {
+    let mut first: Vec<[Option<&Met>; 2]> = vec![[None; 2]; patches.count as usize];
+    let mut exposed = vec![[false; 2]; patches.count as usize];
+    for m in met {
+        let (chart, side) = (patches.chart[m.seen.triangle as usize] as usize, usize::from(!m.seen.front));
+        let again = first[chart][side].is_some_and(|before| before.walk != m.walk);
+        exposed[chart][side] |= again || m.by_way_of.is_some_and(|v| space.open[v]);
+        first[chart][side].get_or_insert(m);
+    }
+    exposed.par_iter_mut().zip(&first).for_each(|(exposed, met)| {
+        for side in 0..2 {
+            exposed[side] = exposed[side] || met[side].is_some_and(|m| escapes(world, space, m, seed));
+        }
+    });
+    exposed
+}
+
+/// Whether there is a way from what a walk met to open voxels or out of the scene.
+fn escapes(world: &World<'_>, space: &Space, met: &Met, seed: u32) -> bool {
+    let escapes = |trial: u32| {
+        let mut at = met.seen;
+        (0..REFLECTIONS).any(|reflection| {
+            let (from, direction) = reflected(&at, rand2(seed ^ 0x5759, met.walk * ESCAPES + trial, reflection));
+            let Some(next) = world.closest_but(from, direction, at.triangle) else { return true };
+            at = next;
+            along(space, from, next.position).any(|v| space.open[v])
+        })
+    };
+    (0..ESCAPES).any(escapes)
 }
 
 /// Where walks start.
@@ -161,20 +245,14 @@ fn starts(world: &World<'_>) -> Vec<Start> {
     starts
 }
 
-/// Marks the voxels along a segment, at steps of half a voxel.
-fn pass(space: &Space, from: Vec3, to: Vec3, passed: &[AtomicBool]) {
+/// The voxels along a segment, at steps of half a voxel.
+fn along(space: &Space, from: Vec3, to: Vec3) -> impl Iterator<Item = usize> + '_ {
     let (low, size) = (space.grid.origin, space.grid.dims.as_vec3() * space.grid.voxel_size);
-    let Some((enter, leave)) = clip(from, to - from, low, low + size) else { return };
+    let (enter, leave) = clip(from, to - from, low, low + size).unwrap_or((0.0, 0.0));
     let length = (to - from).length() * (leave - enter);
     let steps = (2.0 * length / space.grid.voxel_size).ceil() as u32;
-    for k in 0..steps {
-        let t = enter + (leave - enter) * (k as f32 + 0.5) / steps as f32;
-        if let Some(i) = space.at(from + (to - from) * t)
-            && !passed[i].load(Relaxed)
-        {
-            passed[i].store(true, Relaxed);
-        }
-    }
+    let at = move |k: u32| from + (to - from) * (enter + (leave - enter) * (k as f32 + 0.5) / steps as f32);
+    (0..steps).filter_map(move |k| space.at(at(k)))
 }
 
 /// The part of `from + t·step`, 0 ≤ t ≤ 1, that lies in a box.
@@ -193,9 +271,11 @@ fn clip(from: Vec3, step: Vec3, low: Vec3, high: Vec3) -> Option<(f32, f32)> {
     (enter < leave).then_some((enter, leave))
 }
 
-/// Opens the empty voxels that are connected with the seeds and whose centres lie within bounds.
+/// Opens the empty voxels that are connected with the seeds and whose centres lie within bounds, by a quarter of a voxel at
+/// least: there are always centres on the bounds themselves, and rounding is not to decide.
 fn flood(space: &mut Space, mut queue: Vec<usize>, (low, high): (Vec3, Vec3)) {
-    let inside = |p: Vec3| p.cmpge(low).all() && p.cmple(high).all();
+    let margin = 0.25 * space.grid.voxel_size;
+    let inside = |p: Vec3| p.cmpge(low + margin).all() && p.cmple(high - margin).all();
     queue.retain(|i| inside(space.centre(*i)));
     queue.iter().for_each(|i| space.open[*i] = true);
     while let Some(i) = queue.pop() {

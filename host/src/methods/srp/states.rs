@@ -8,9 +8,8 @@
 use super::model::{NO_RECEIVER, Receiver};
 use super::reach::Space;
 use super::stand_in::StandIns;
-use super::world::World;
+use super::world::{World, frame};
 use glam::Vec3;
-use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::rng::{rand, rand2};
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, sphere};
 use rayon::prelude::*;
@@ -29,6 +28,8 @@ const LEAST_LIT: f32 = 1e-3;
 const RAYS: u32 = 32;
 /// Reflectance of all surfaces.
 const ALBEDO: f32 = 0.5;
+/// Voxels that are tried for a lamp's place.
+const TRIES: u32 = 256;
 /// Lamps are not nearer to a receiver than this part of the scene's diagonal, as far as the falloff is concerned.
 const NEAREST: f32 = 0.01;
 /// Variance (of 1) that places have which no state lights.
@@ -122,7 +123,6 @@ struct Sources<'a> {
     world: &'a World<'a>,
     space: &'a Space,
     receivers: &'a [&'a (Receiver, u32)],
-    open: Vec<usize>,
     /// The scene's diagonal (m).
     size: f32,
     seed: u32,
@@ -131,8 +131,7 @@ struct Sources<'a> {
 impl<'a> Sources<'a> {
     fn new(world: &'a World<'a>, space: &'a Space, receivers: &'a [&'a (Receiver, u32)], seed: u32) -> Self {
         let (low, high) = world.scene.bounds();
-        let open = (0..space.open.len()).filter(|i| space.open[*i]).collect();
-        Self { world, space, receivers, open, size: (high - low).length(), seed }
+        Self { world, space, receivers, size: (high - low).length(), seed }
     }
 
     /// Suns and lamps by turns; a lamp where the sun lights nothing.
@@ -144,8 +143,11 @@ impl<'a> Sources<'a> {
         if s.is_multiple_of(2) && scouts().any(|(r, _)| self.at(&sun, r) > 0.0) {
             return Some(sun);
         }
-        let pick = (rand(self.seed ^ 0x5758, s as u32, 0) * self.open.len() as f32) as usize;
-        self.open.get(pick.min(self.open.len().saturating_sub(1))).map(|v| Source::Lamp(self.space.centre(*v)))
+        // By trial, so that a voxel more or less among the open ones moves no lamp but its own.
+        let count = self.space.open.len();
+        let voxel = |k: u32| (rand(self.seed ^ 0x5758, s as u32, k) * count as f32) as usize;
+        let open = (0..TRIES).map(voxel).find(|v| self.space.open.get(*v) == Some(&true));
+        open.map(|v| Source::Lamp(self.space.centre(v)))
     }
 
     fn lit(&self, source: &Source) -> Vec<f32> {
@@ -188,10 +190,10 @@ fn reflected(
         own.iter_mut().zip(direct).for_each(|(e, state)| *e = state[i]);
     }
     let gathered = |(r, t): &&(Receiver, u32)| {
-        let frame = Frame::new(r.normal);
+        let about = frame(r.normal);
         let mut sum = by_texel[*t as usize * count..][..count].to_vec();
         for ray in 0..RAYS {
-            let direction = frame.world_from_local(cosine_hemisphere(hammersley(ray, RAYS)));
+            let direction = about.world_from_local(cosine_hemisphere(hammersley(ray, RAYS)));
             let met = world.closest_from(r, direction).map(|seen| stand_ins.of(world, &seen));
             if let Some(met) = met.filter(|t| *t != NO_RECEIVER) {
                 // Of irradiance E the radiance E·albedo/π leaves; a ray stands for π/RAYS.

@@ -17,7 +17,7 @@ use super::model::Receiver;
 use super::probes::weight;
 use super::round_trip::RoundTrip;
 use super::visibility::{NO_TEXEL, Visibility};
-use super::world::{Seen, World};
+use super::world::{Seen, World, frame};
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, hemisphere};
@@ -161,7 +161,7 @@ impl Transport<'_> {
     /// Sends a receiver's rays and asks what the probes of `support` see of what they meet; [`Transport::rows`] then says
     /// what comes of it.
     pub fn send(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> Rays {
-        self.trace(r, &Frame::new(r.normal), &mut scratch.met);
+        self.trace(r, &frame(r.normal), &mut scratch.met);
         self.weigh(r, support, scratch);
         let met = &scratch.met;
         let all = self.directions.len().max(1) as f32;
@@ -181,7 +181,7 @@ impl Transport<'_> {
         estimate: Estimate,
         kinds: Option<(&RoundTrip, &mut [f32])>,
     ) -> Vec<f32> {
-        let frame = Frame::new(r.normal);
+        let frame = frame(r.normal);
         let met = &scratch.met;
         let sent = met.sent();
         let per_factor = if self.rows == 1 { PI } else { 2.0 * PI } / sent;
@@ -301,7 +301,7 @@ impl Transport<'_> {
 
     /// Open share of the sky by the cosine law, times π.
     fn sky(&self, r: &Receiver) -> f32 {
-        let frame = Frame::new(r.normal);
+        let frame = frame(r.normal);
         let count = self.directions.len() as u32;
         let leaves = |i: &u32| {
             let direction = frame.world_from_local(cosine_hemisphere(hammersley(*i, count)));

@@ -7,11 +7,24 @@ use crate::reference::trace::{NO_TRIANGLE, Tracer};
 use crate::scene::Scene;
 use crate::scene::device::PackedScene;
 use glam::Vec3;
+use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::trace::{self, Hit, Ray, leave_surface};
 use interreflect_shared::scene::Surfel;
 
 /// Rays to a point end this share of the way: 8 roundings before it.
 const BEFORE_THE_POINT: f32 = 1.0 - 4.768_371_6e-7;
+
+/// Cosine between a normal and an axis from which on the next axis is taken: of no slope that is common.
+const ALONG: f32 = 0.77;
+
+/// Frame around a normal for the rays of receivers. [`Frame::new`] jumps where `normal.z` changes its sign, and the normals of
+/// upright walls lie there: rounding would decide which rays a wall sends. Here the tangent is the first axis that does not lie
+/// along the normal, made perpendicular to it.
+pub fn frame(normal: Vec3) -> Frame {
+    let axis = if normal.x.abs() < ALONG { Vec3::X } else { Vec3::Z };
+    let tangent = (axis - normal * normal.dot(axis)).normalize();
+    Frame { tangent, bitangent: normal.cross(tangent), normal }
+}
 
 /// A scene with what rays need.
 pub struct World<'a> {
@@ -146,5 +159,41 @@ impl<'a> World<'a> {
         let towards = if front { -outward } else { outward };
         let hit = Hit { t: 1.0, triangle: device, u: weights[1], v: weights[2] };
         Surfel { triangle, ..trace::surface(&self.packed.view(), &Ray::new(Vec3::ZERO, towards), &hit) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use interreflect_kernels::math::sampling::spherical_fibonacci;
+
+    #[test]
+    fn frames_do_not_follow_the_rounding_of_upright_and_level_normals() {
+        for i in 0..4096 {
+            let f = frame(spherical_fibonacci(i, 4096));
+            let error = [
+                f.tangent.length() - 1.0,
+                f.bitangent.length() - 1.0,
+                f.tangent.dot(f.bitangent),
+                f.tangent.dot(f.normal),
+            ];
+            assert!(
+                error.iter().all(|e| e.abs() < 1e-6) && f.tangent.cross(f.bitangent).dot(f.normal) > 0.999,
+                "{error:?}"
+            );
+        }
+        for step in 0..27 {
+            let n = Vec3::new((step % 3) as f32, (step / 3 % 3) as f32, (step / 9) as f32) - 1.0;
+            if n != Vec3::ZERO {
+                let f = frame(n.normalize());
+                for k in 0..100 {
+                    let g = frame((n + 1e-6 * spherical_fibonacci(k, 100)).normalize());
+                    assert!(
+                        (f.tangent - g.tangent).length() < 1e-5 && (f.bitangent - g.bitangent).length() < 1e-5,
+                        "{n}"
+                    );
+                }
+            }
+        }
     }
 }
