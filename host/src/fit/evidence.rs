@@ -317,6 +317,11 @@ impl Evidence {
         Ok((Prepared::sharing(self.exec.as_mut(), &input, row, settings, repeats, parts)?, false))
     }
 
+    /// Whether settings can be asked without precomputing anything.
+    pub fn is_prepared(&mut self, row: &MethodRow, settings: &Settings) -> bool {
+        self.kept.iter_mut().any(|p| p.serves(row, settings))
+    }
+
     /// Keeps what was precomputed, and gives back what was not asked for the longest.
     fn keep(&mut self, prepared: Prepared) {
         self.kept.insert(0, prepared);

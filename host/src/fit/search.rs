@@ -406,13 +406,13 @@ impl<'a> Search<'a> {
         let Some(limit) = self.goal.error else { return self.raise(row, first) };
         let mut rows = self.methods.to_vec();
         rows.sort_by(|a, b| self.trial_s(a).total_cmp(&self.trial_s(b)));
-        let mut best = first.clone();
+        let mut best = self.lower_prepared(row, first.clone())?;
         for row in rows {
             if self.is_patience_over() {
                 break;
             }
             let cost = self.goal.cost(&best);
-            let start = if row.name == first.row { Some(first.clone()) } else { self.rival(row, cost) };
+            let start = if row.name == best.row { Some(best.clone()) } else { self.rival(row, cost) };
             if let Some(start) = start {
                 best = self.cheaper(best, row, start, limit)?;
             }
@@ -421,7 +421,27 @@ impl<'a> Search<'a> {
                 best = self.cheaper(best, row, between, limit)?;
             }
         }
-        Ok(())
+        match self.row(best.row) {
+            Some(row) => self.lower_prepared(row, best).map(drop),
+            None => Ok(()),
+        }
+    }
+
+    /// Every axis down for which nothing needs to be precomputed: that is asked so quickly that patience does not matter.
+    fn lower_prepared(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<Candidate, Error> {
+        for axis in axes(row, &best.settings) {
+            while let Some(settings) = step(&best.settings, &axis, -1) {
+                if !self.evidence.is_prepared(row, &settings) {
+                    break;
+                }
+                let Some(next) = self.run_clear(row, &settings)? else { break };
+                if !(self.fits(&next) && self.goal.cost(&next) <= SAVES * self.goal.cost(&best)) {
+                    break;
+                }
+                best = next;
+            }
+        }
+        Ok(best)
     }
 
     /// Seconds of the method's longest trial from nothing; infinite where it was not tried.

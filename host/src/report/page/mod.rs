@@ -73,7 +73,7 @@ pub(crate) fn what_error_is() -> String {
     format!(
         "<p class=\"note\">The error (block NRMSE) says how far a method's indirect light is from the path-traced truth, over \
          blocks of {BLOCK_PX} × {BLOCK_PX} pixels, as a part of the truth's average: 0 is perfect, 0.1 or 10 % is off by a tenth of \
-         the average brightness, no indirect light at all 1 or more.</p>\n"
+         the average brightness; without any indirect light it would be 1 or more.</p>\n"
     )
 }
 
