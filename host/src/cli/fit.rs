@@ -92,6 +92,9 @@ fn print(report: &FitReport, args: &FitArgs) {
     if let Some(c) = &report.choice {
         let settings: Vec<String> = c.settings.iter().map(|(k, v)| format!("{k}={v}")).collect();
         let [low, high] = report.error_bounds;
+        if report.found && report.goal.error.is_some_and(|limit| high > limit) {
+            println!("{}: nothing is sure to keep the limit; this is likeliest to", report.scene);
+        }
         println!("{}: {} {}", report.scene, c.method, settings.join(" "));
         println!(
             "  error {} ({} to {}, from {} blocks), {} with moving lights, {} with still ones, {}",

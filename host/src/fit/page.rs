@@ -87,8 +87,12 @@ fn answer(report: &FitReport) -> (String, String) {
         None => "the most accurate that was found within the limits",
     };
     if report.found {
+        let doubt = match report.goal.error {
+            Some(limit) if report.error_bounds[1] > limit => " It may be over the limit: nothing is sure to keep it.",
+            _ => "",
+        };
         let lead = format!(
-            "On {}, {} is {what}: an error of {} in {} per frame, {} of memory.",
+            "On {}, {} is {what}: an error of {} in {} per frame, {} of memory.{doubt}",
             short(&report.scene),
             c.method,
             percent(c.error),

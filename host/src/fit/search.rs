@@ -38,8 +38,9 @@ const REFINING: f64 = 0.05;
 const WORTH: f64 = 1.3;
 /// Overrun beyond which a method is not rescued: steps beside a rung do not make up for that much.
 const BEYOND_RESCUE: f64 = 4.0;
-/// Times as much as the patience with what fits, after which a search that has found nothing leaves ladders without hope.
-const HOPE: f64 = 1.5;
+/// Times as much as the patience with what fits, after which a search that has found nothing leaves ladders without hope,
+/// and steps beside what comes nearest.
+const HOPE: f64 = 2.5;
 /// Overrun of a rung up to which one dearer parameter is tried before the next rung, and how many such.
 const NARROW: f64 = 1.25;
 const BESIDE: usize = 3;
@@ -126,7 +127,7 @@ impl<'a> Search<'a> {
         sum
     }
 
-    /// Whether it has found nothing that fits for so long that ladders without hope are not worth a climb; says so once.
+    /// Whether it has found nothing that fits for so long that what is left has little hope; says so once.
     fn is_given_up(&mut self) -> bool {
         const WORDS: &str = "nothing fits so far";
         if self.patience.is_infinite() || self.best().is_some() {
@@ -136,8 +137,8 @@ impl<'a> Search<'a> {
         let over = spent_s > HOPE * self.patience * sweep_s;
         if over && !self.spared.iter().any(|s| s.starts_with(WORDS)) {
             self.spared.push(format!(
-                "{WORDS}, after {spent_s:.1} s, and as errors fall from rung to rung none of the dearer ones would (`--thorough` \
-                 tries them all the same)"
+                "{WORDS}, after {spent_s:.1} s, and what is left has little hope, as errors fell (`--thorough` tries it all the \
+                 same)"
             ));
         }
         over
@@ -200,8 +201,24 @@ impl<'a> Search<'a> {
             let found = self.confirmed()?;
             // Where a closer look turned everything down there may be rungs left that were too dear before.
             if found.is_some() || open.is_empty() {
-                return Ok(found);
+                return found.map_or_else(|| self.doubtful(), |found| Ok(Some(found)));
             }
+        }
+    }
+
+    /// Where nothing is sure to keep the limit: what most likely does, by the whole picture.
+    fn doubtful(&mut self) -> Result<Option<Candidate>, Error> {
+        let Some(limit) = self.goal.error else { return Ok(None) };
+        loop {
+            let likely = self.tried.iter().filter(|c| self.goal.affords(c) && c.error <= limit);
+            let Some(likely) = likely.min_by(|a, b| a.error.total_cmp(&b.error)).cloned() else { return Ok(None) };
+            let Some(row) = self.row(likely.row).filter(|_| likely.effort == Effort::Glance) else {
+                return Ok(Some(likely));
+            };
+            let mut whole = self.evidence.try_settings(row, &likely.settings, Effort::Whole)?;
+            let refining_s = self.refining_s();
+            self.evidence.settle(row, &mut whole, limit, CONFIRMED_BLOCKS, refining_s)?;
+            self.remember(&whole);
         }
     }
 
@@ -367,6 +384,9 @@ impl<'a> Search<'a> {
                     continue;
                 }
                 while let Some(settings) = step(&best.settings, &axis, direction) {
+                    if self.is_given_up() {
+                        return Ok(());
+                    }
                     let Some(next) = self.run_clear(row, &settings)? else { break };
                     if self.goal.overrun(&next) > NEARER * self.goal.overrun(&best) {
                         break;
