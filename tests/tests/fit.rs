@@ -194,7 +194,7 @@ fn where_no_light_is_nothing_is_computed() {
 #[test]
 fn reasons_have_words_where_there_is_no_error() {
     let folder = tempfile::tempdir().expect("a folder");
-    let args = ["fit", "furnace", "--methods", "srp", "--error", "0.05", "--precompute-ms", "4000"];
+    let args = ["fit", "furnace", "--methods", "srp", "--error", "0.05"];
     let report = json(&run(&args, folder.path()));
     assert!(report["choice"]["error"].as_f64().unwrap() < 0.05, "{report:#}");
     let lines =

@@ -40,7 +40,7 @@ const WORTH: f64 = 1.3;
 const BEYOND_RESCUE: f64 = 4.0;
 /// Times as much as the patience with what fits, after which a search that has found nothing leaves ladders without hope,
 /// and steps beside what comes nearest.
-const HOPE: f64 = 2.5;
+const HOPE: f64 = 4.0;
 /// Overrun of a rung up to which one dearer parameter is tried before the next rung, and how many such.
 const NARROW: f64 = 1.25;
 const BESIDE: usize = 3;
