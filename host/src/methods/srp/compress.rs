@@ -379,9 +379,10 @@ mod tests {
 
     #[test]
     fn ranks_suffice_and_clusters_that_need_more_are_halved() {
-        // Two halves of the points that see two different probes, each of 20 directions.
+        // Two halves of the points, some way apart, that see two different probes, each of 20 directions.
         let (count, k) = (600usize, 36usize);
-        let points: Vec<Vec3> = (0..count).map(|i| Vec3::new(i as f32, 0.0, 0.0)).collect();
+        let far = |i: usize| if i < count / 2 { 0.0 } else { 20.0 };
+        let points: Vec<Vec3> = (0..count).map(|i| Vec3::new(i as f32 + far(i), 0.0, 0.0)).collect();
         let mut matrix = vec![0.0; count * 2 * k];
         for i in 0..count {
             let probe = usize::from(i >= count / 2);

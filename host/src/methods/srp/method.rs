@@ -98,10 +98,10 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "added_probes",
-            default: "1",
+            default: "4",
             allowed: "from 0 to 16",
-            help: "Probes that may be added where receivers see none, as a share of `probes`. More: fewer dark corners; projection in \
-                   proportion.",
+            help: "Most probes that may be added, as a share of `probes`, while more than one receiver in 200 sees none. More: \
+                   fewer dark corners; projection in proportion to those that are added.",
         },
         Setting {
             key: "compression",

@@ -66,7 +66,7 @@ pub struct BakeOptions {
     /// Largest share of receivers that may see no probe in support before probes are added; those in gaps narrower than a
     /// texel, which are counted apart, are left out.
     pub unseen_bound: f32,
-    /// Probes that may be added for that, as a share of those placed.
+    /// Probes that may be added for that, as a share of those placed: no more are added than that takes.
     pub added_probes: f32,
     /// Ridge of the correction of transport by its round trip (see [`round_trip`]), relative to the mean of the diagonal; 0:
     /// not corrected. Lower: nearer to the truth for light like that which it is fitted to, more noise from other light.
@@ -100,7 +100,7 @@ impl Default for BakeOptions {
             overlap: 10.0,
             sharpness: 1.0,
             unseen_bound: 0.005,
-            added_probes: 1.0,
+            added_probes: 4.0,
             ridge: 1e-2,
             texel_visibility: true,
             rows: 1,
