@@ -149,9 +149,9 @@ fn a_strip_beside_its_receivers_is_blurred_and_coefficients_or_probes_heal_it() 
         errors[0].0, errors[1].0, errors[2].0, errors[3].0
     );
     assert!(errors[0].0 > 0.5, "the published failure does not show: {errors:?}");
-    // Higher orders heal a fifth of it, more probes a third at least (0.42 here; a third to a half, as they happen to stand to the
-    // strip), and the correction some of the rest.
-    assert!(errors[1].0 < 0.82 * errors[0].0 && errors[2].0 < 0.667 * errors[0].0, "{errors:?}");
+    // Higher orders heal a fifth of it, more probes two fifths at least (how much depends on how they happen to stand to the
+    // strip: 0.53 is left here, 0.45 to 0.64 with other placements), and the correction some of the rest.
+    assert!(errors[1].0 < 0.82 * errors[0].0 && errors[2].0 < 0.6 * errors[0].0, "{errors:?}");
     assert!(errors[3].0 < errors[1].0, "{errors:?}");
 }
 

@@ -447,6 +447,17 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// What settings give, where that is sure to fit and saves time.
+    fn surely_cheaper(
+        &mut self,
+        row: &'static MethodRow,
+        settings: &Settings,
+        best: &Candidate,
+    ) -> Result<Option<Candidate>, Error> {
+        let next = self.run_clear(row, settings)?;
+        Ok(next.filter(|next| self.fits(next) && self.goal.cost(next) <= SAVES * self.goal.cost(best)))
+    }
+
     /// Every axis down for which nothing needs to be precomputed: that is asked so quickly that patience does not matter.
     fn lower_prepared(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<Candidate, Error> {
         for axis in axes(row, &best.settings) {
@@ -454,10 +465,7 @@ impl<'a> Search<'a> {
                 if !self.evidence.is_prepared(row, &settings) {
                     break;
                 }
-                let Some(next) = self.run_clear(row, &settings)? else { break };
-                if !(self.fits(&next) && self.goal.cost(&next) <= SAVES * self.goal.cost(&best)) {
-                    break;
-                }
+                let Some(next) = self.surely_cheaper(row, &settings, &best)? else { break };
                 best = next;
             }
         }
@@ -517,10 +525,7 @@ impl<'a> Search<'a> {
             if self.goal.cost(&next) > SAVES * self.goal.cost(&best) {
                 break;
             }
-            let Some(next) = self.run_clear(row, &settings)? else { break };
-            if !(self.fits(&next) && self.goal.cost(&next) <= SAVES * self.goal.cost(&best)) {
-                break;
-            }
+            let Some(next) = self.surely_cheaper(row, &settings, &best)? else { break };
             best = next;
         }
         Ok(best)

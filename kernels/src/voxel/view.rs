@@ -43,7 +43,7 @@ pub fn facet_total(facet_bits: &[u32], cell: u32, bit: u32) -> u32 {
 /// without regard to direction, the brighter side of each stands for both, and its whole area covers.
 ///
 /// One loop for both, tested at its end: devices that mask branches pay for every loop, and for the round in which a test
-/// at its start fails (together a tenth of a cone on llvmpipe).
+/// at its start fails.
 #[inline(always)]
 pub fn facets_seen(
     first: u32,
