@@ -11,6 +11,7 @@ pub mod evaluate;
 pub mod exec;
 pub mod fit;
 pub mod image_io;
+pub mod memory;
 pub mod methods;
 pub mod metrics;
 pub mod reference;

@@ -3,6 +3,9 @@
 use clap::Parser;
 use std::process::ExitCode;
 
+#[global_allocator]
+static ALLOCATOR: interreflect::memory::LargePages = interreflect::memory::LargePages;
+
 fn main() -> ExitCode {
     let cli = interreflect::cli::Cli::parse();
     let json = cli.json;

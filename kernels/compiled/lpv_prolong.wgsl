@@ -48,18 +48,18 @@ var<storage> coarse_opacity: type_5;
 var<storage, read_write> out: type_5;
 
 fn function_() {
-    var phi_91_: u32;
-    var phi_175_: bool;
-    var phi_177_: bool;
+    var phi_92_: u32;
+    var phi_176_: bool;
     var phi_178_: bool;
-    var phi_375_: u32;
-    var phi_384_: u32;
-    var phi_385_: u32;
-    var phi_418_: u32;
-    var phi_427_: u32;
-    var phi_428_: u32;
-    var phi_1020_: array<f32, 6>;
-    var phi_1021_: array<f32, 6>;
+    var phi_179_: bool;
+    var phi_370_: u32;
+    var phi_379_: u32;
+    var phi_380_: u32;
+    var phi_413_: u32;
+    var phi_422_: u32;
+    var phi_423_: u32;
+    var phi_967_: array<f32, 6>;
+    var phi_968_: array<f32, 6>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -73,11 +73,11 @@ fn function_() {
                 if (_e34 == 0u) {
                     break;
                 }
-                phi_91_ = (3u * (_e42 / _e34));
+                phi_92_ = (3u * (_e42 / _e34));
             } else {
-                phi_91_ = 0u;
+                phi_92_ = 0u;
             }
-            let _e48 = phi_91_;
+            let _e48 = phi_92_;
             let _e49 = (3u * _e42);
             let _e53 = (_e29.x + (_e29.y * 2097152u));
             if (_e53 < (_e48 * _e32.x)) {
@@ -111,233 +111,233 @@ fn function_() {
                 if (_e68 >= _e69) {
                     let _e78 = (_e76 < _e32.y);
                     if _e78 {
-                        phi_175_ = (_e74 < _e32.z);
+                        phi_176_ = (_e74 < _e32.z);
                     } else {
-                        phi_175_ = bool();
+                        phi_176_ = bool();
                     }
-                    let _e81 = phi_175_;
-                    phi_177_ = _e81;
-                    phi_178_ = select(true, false, _e78);
+                    let _e81 = phi_176_;
+                    phi_178_ = _e81;
+                    phi_179_ = select(true, false, _e78);
                 } else {
-                    phi_177_ = bool();
-                    phi_178_ = true;
+                    phi_178_ = bool();
+                    phi_179_ = true;
                 }
-                let _e84 = phi_177_;
-                let _e86 = phi_178_;
+                let _e84 = phi_178_;
+                let _e86 = phi_179_;
                 if select(_e84, false, _e86) {
                     let _e90 = params.member.member_11;
                     let _e93 = before.member[_e61];
-                    let _e95 = (_e62 + _e61);
-                    let _e98 = state.member[_e95];
-                    let _e99 = ((_e93 * _e90) + _e98);
-                    let _e103 = before.member[(_e49 + _e61)];
-                    let _e109 = state.member[((_e62 + _e49) + _e61)];
-                    let _e110 = ((_e103 * _e90) + _e109);
-                    let _e111 = (_e42 * 6u);
-                    let _e115 = before.member[(_e111 + _e61)];
-                    let _e121 = state.member[((_e62 + _e111) + _e61)];
-                    let _e122 = ((_e115 * _e90) + _e121);
-                    let _e123 = (_e42 * 9u);
-                    let _e127 = before.member[(_e123 + _e61)];
-                    let _e133 = state.member[((_e62 + _e123) + _e61)];
-                    let _e134 = ((_e127 * _e90) + _e133);
-                    let _e135 = (_e42 * 12u);
-                    let _e139 = before.member[(_e135 + _e61)];
-                    let _e145 = state.member[((_e62 + _e135) + _e61)];
-                    let _e146 = ((_e139 * _e90) + _e145);
-                    let _e149 = before.member[_e95];
-                    let _e155 = state.member[((_e62 + _e62) + _e61)];
-                    let _e156 = ((_e149 * _e90) + _e155);
-                    let _e160 = params.member.member_12;
-                    if (_e160 > 0f) {
-                        let _e164 = params.member.member_3;
-                        let _e166 = (_e164.x + 1u);
-                        let _e169 = ((_e164.y + 1u) * _e166);
-                        let _e170 = (_e169 + _e166);
-                        let _e174 = (_e170 + ((_e164.z + 1u) * _e169));
-                        let _e175 = (_e76 / 2u);
-                        let _e176 = (_e74 / 2u);
-                        let _e180 = params.member.member_3[1u];
-                        let _e181 = (_e175 + 1u);
-                        let _e182 = (_e180 - 1u);
-                        let _e189 = ((_e76 & 1u) == 1u);
-                        let _e194 = params.member.member_3[2u];
-                        let _e195 = (_e176 + 1u);
-                        let _e196 = (_e194 - 1u);
-                        let _e203 = ((_e74 & 1u) == 1u);
-                        let _e206 = (_e61 - (_e66 * _e42));
-                        let _e208 = (_e170 + (_e175 * _e166));
-                        let _e209 = (_e176 * _e169);
-                        let _e210 = (_e208 + _e209);
-                        let _e211 = (_e59 & 1u);
-                        let _e213 = (0.5f < f32(_e211));
-                        let _e217 = opacity.member[(_e206 - 1u)];
-                        let _e220 = opacity.member[_e206];
-                        let _e225 = opacity.member[(_e206 + 1u)];
-                        let _e229 = opacity.member[(_e206 - 2u)];
-                        let _e237 = coarse_opacity.member[((_e210 - 1u) + ((_e59 + 1u) / 2u))];
-                        let _e239 = (0.25f * (1f - _e237));
-                        let _e240 = (_e237 * select(_e220, _e217, _e213));
-                        if _e189 {
-                            phi_375_ = (2u * _e34);
+                    let _e94 = (_e62 + _e61);
+                    let _e97 = state.member[_e94];
+                    let _e98 = fma(_e93, _e90, _e97);
+                    let _e102 = before.member[(_e49 + _e61)];
+                    let _e107 = state.member[((_e62 + _e49) + _e61)];
+                    let _e108 = fma(_e102, _e90, _e107);
+                    let _e109 = (_e42 * 6u);
+                    let _e113 = before.member[(_e109 + _e61)];
+                    let _e118 = state.member[((_e62 + _e109) + _e61)];
+                    let _e119 = fma(_e113, _e90, _e118);
+                    let _e120 = (_e42 * 9u);
+                    let _e124 = before.member[(_e120 + _e61)];
+                    let _e129 = state.member[((_e62 + _e120) + _e61)];
+                    let _e130 = fma(_e124, _e90, _e129);
+                    let _e131 = (_e42 * 12u);
+                    let _e135 = before.member[(_e131 + _e61)];
+                    let _e140 = state.member[((_e62 + _e131) + _e61)];
+                    let _e141 = fma(_e135, _e90, _e140);
+                    let _e144 = before.member[_e94];
+                    let _e149 = state.member[((_e62 + _e62) + _e61)];
+                    let _e150 = fma(_e144, _e90, _e149);
+                    let _e154 = params.member.member_12;
+                    if (_e154 > 0f) {
+                        let _e158 = params.member.member_3;
+                        let _e160 = (_e158.x + 1u);
+                        let _e163 = ((_e158.y + 1u) * _e160);
+                        let _e164 = (_e163 + _e160);
+                        let _e168 = (_e164 + ((_e158.z + 1u) * _e163));
+                        let _e169 = (_e76 / 2u);
+                        let _e170 = (_e74 / 2u);
+                        let _e174 = params.member.member_3[1u];
+                        let _e175 = (_e169 + 1u);
+                        let _e176 = (_e174 - 1u);
+                        let _e183 = ((_e76 & 1u) == 1u);
+                        let _e188 = params.member.member_3[2u];
+                        let _e189 = (_e170 + 1u);
+                        let _e190 = (_e188 - 1u);
+                        let _e197 = ((_e74 & 1u) == 1u);
+                        let _e200 = (_e61 - (_e66 * _e42));
+                        let _e202 = (_e164 + (_e169 * _e160));
+                        let _e203 = (_e170 * _e163);
+                        let _e204 = (_e202 + _e203);
+                        let _e205 = (_e59 & 1u);
+                        let _e207 = (0.5f < f32(_e205));
+                        let _e211 = opacity.member[(_e200 - 1u)];
+                        let _e214 = opacity.member[_e200];
+                        let _e219 = opacity.member[(_e200 + 1u)];
+                        let _e223 = opacity.member[(_e200 - 2u)];
+                        let _e231 = coarse_opacity.member[((_e204 - 1u) + ((_e59 + 1u) / 2u))];
+                        let _e233 = (0.25f * (1f - _e231));
+                        let _e234 = (_e231 * select(_e214, _e211, _e207));
+                        if _e183 {
+                            phi_370_ = (2u * _e34);
                         } else {
-                            phi_375_ = _e34;
+                            phi_370_ = _e34;
                         }
-                        let _e249 = phi_375_;
-                        if _e189 {
-                            phi_385_ = 0u;
+                        let _e243 = phi_370_;
+                        if _e183 {
+                            phi_380_ = 0u;
                         } else {
                             if (_e76 >= 2u) {
-                                phi_384_ = (3u * _e34);
+                                phi_379_ = (3u * _e34);
                             } else {
-                                phi_384_ = _e34;
+                                phi_379_ = _e34;
                             }
-                            let _e253 = phi_384_;
-                            phi_385_ = _e253;
+                            let _e247 = phi_379_;
+                            phi_380_ = _e247;
                         }
-                        let _e255 = phi_385_;
-                        let _e258 = (_e59 / 2u);
-                        let _e262 = coarse_opacity.member[(((_e174 + _e210) - select(_e166, 0u, _e189)) + _e258)];
-                        let _e264 = ((_e42 + _e206) + _e34);
-                        let _e268 = opacity.member[(_e264 - _e249)];
-                        let _e272 = opacity.member[(_e264 - _e255)];
-                        let _e274 = (0.25f * (1f - _e262));
-                        let _e275 = (_e262 * _e268);
-                        let _e277 = (1f - (_e274 + _e275));
-                        let _e280 = (_e274 + (_e275 * (1f - _e272)));
-                        if _e203 {
-                            phi_418_ = (2u * _e37);
+                        let _e249 = phi_380_;
+                        let _e252 = (_e59 / 2u);
+                        let _e256 = coarse_opacity.member[(((_e168 + _e204) - select(_e160, 0u, _e183)) + _e252)];
+                        let _e258 = ((_e42 + _e200) + _e34);
+                        let _e262 = opacity.member[(_e258 - _e243)];
+                        let _e266 = opacity.member[(_e258 - _e249)];
+                        let _e268 = (0.25f * (1f - _e256));
+                        let _e269 = (_e256 * _e262);
+                        let _e271 = (1f - (_e268 + _e269));
+                        let _e274 = (_e268 + (_e269 * (1f - _e266)));
+                        if _e197 {
+                            phi_413_ = (2u * _e37);
                         } else {
-                            phi_418_ = _e37;
+                            phi_413_ = _e37;
                         }
-                        let _e284 = phi_418_;
-                        if _e203 {
-                            phi_428_ = 0u;
+                        let _e278 = phi_413_;
+                        if _e197 {
+                            phi_423_ = 0u;
                         } else {
                             if (_e74 >= 2u) {
-                                phi_427_ = (3u * _e37);
+                                phi_422_ = (3u * _e37);
                             } else {
-                                phi_427_ = _e37;
+                                phi_422_ = _e37;
                             }
-                            let _e288 = phi_427_;
-                            phi_428_ = _e288;
+                            let _e282 = phi_422_;
+                            phi_423_ = _e282;
                         }
-                        let _e290 = phi_428_;
-                        let _e297 = coarse_opacity.member[((((2u * _e174) + _e210) - select(_e169, 0u, _e203)) + _e258)];
-                        let _e300 = (((2u * _e42) + _e206) + _e37);
-                        let _e304 = opacity.member[(_e300 - _e284)];
-                        let _e308 = opacity.member[(_e300 - _e290)];
-                        let _e310 = (0.25f * (1f - _e297));
-                        let _e311 = (_e297 * _e304);
-                        let _e313 = (1f - (_e310 + _e311));
-                        let _e316 = (_e310 + (_e311 * (1f - _e308)));
-                        let _e317 = f32(_e59);
-                        let _e321 = params.member.member_3[0u];
-                        let _e325 = (_e317 < 0.5f);
-                        let _e328 = (((2f * f32(_e321)) - 1.5f) < _e317);
-                        let _e329 = select(select((1f - (_e239 + _e240)), 1f, _e325), 1f, _e328);
-                        let _e330 = select(select((_e239 + (_e240 * (1f - select(_e229, _e225, _e213)))), 0f, _e325), 0f, _e328);
-                        let _e331 = (_e66 * _e174);
-                        let _e332 = (_e331 + _e210);
-                        let _e334 = (_e170 + (select((select(1u, _e175, (1u < _e175)) - 1u), select(_e181, _e182, (_e182 < _e181)), _e189) * _e166));
-                        let _e336 = (_e331 + (_e334 + _e209));
-                        let _e337 = (select((select(1u, _e176, (1u < _e176)) - 1u), select(_e195, _e196, (_e196 < _e195)), _e203) * _e169);
-                        let _e339 = (_e331 + (_e208 + _e337));
-                        let _e341 = (_e331 + (_e334 + _e337));
-                        let _e342 = (3u * _e174);
-                        let _e343 = (_e332 + _e258);
-                        let _e346 = coarse.member[_e343];
-                        let _e348 = (2u * _e211);
-                        let _e353 = coarse.member[((_e343 + _e348) - 1u)];
-                        let _e356 = (_e336 + _e258);
-                        let _e359 = coarse.member[_e356];
-                        let _e365 = coarse.member[((_e356 + _e348) - 1u)];
-                        let _e368 = (_e339 + _e258);
-                        let _e371 = coarse.member[_e368];
-                        let _e377 = coarse.member[((_e368 + _e348) - 1u)];
-                        let _e380 = (_e341 + _e258);
-                        let _e383 = coarse.member[_e380];
-                        let _e389 = coarse.member[((_e380 + _e348) - 1u)];
-                        let _e404 = ((_e342 + _e332) + _e258);
-                        let _e407 = coarse.member[_e404];
-                        let _e413 = coarse.member[((_e404 + _e348) - 1u)];
-                        let _e417 = ((_e342 + _e336) + _e258);
-                        let _e420 = coarse.member[_e417];
-                        let _e426 = coarse.member[((_e417 + _e348) - 1u)];
-                        let _e430 = ((_e342 + _e339) + _e258);
-                        let _e433 = coarse.member[_e430];
-                        let _e439 = coarse.member[((_e430 + _e348) - 1u)];
-                        let _e443 = ((_e342 + _e341) + _e258);
-                        let _e446 = coarse.member[_e443];
-                        let _e452 = coarse.member[((_e443 + _e348) - 1u)];
-                        let _e466 = (_e174 * 6u);
-                        let _e468 = ((_e466 + _e332) + _e258);
-                        let _e471 = coarse.member[_e468];
-                        let _e477 = coarse.member[((_e468 + _e348) - 1u)];
-                        let _e481 = ((_e466 + _e336) + _e258);
-                        let _e484 = coarse.member[_e481];
-                        let _e490 = coarse.member[((_e481 + _e348) - 1u)];
-                        let _e494 = ((_e466 + _e339) + _e258);
-                        let _e497 = coarse.member[_e494];
-                        let _e503 = coarse.member[((_e494 + _e348) - 1u)];
-                        let _e507 = ((_e466 + _e341) + _e258);
-                        let _e510 = coarse.member[_e507];
-                        let _e516 = coarse.member[((_e507 + _e348) - 1u)];
-                        let _e530 = (_e174 * 9u);
-                        let _e532 = ((_e530 + _e332) + _e258);
-                        let _e535 = coarse.member[_e532];
-                        let _e541 = coarse.member[((_e532 + _e348) - 1u)];
-                        let _e545 = ((_e530 + _e336) + _e258);
-                        let _e548 = coarse.member[_e545];
-                        let _e554 = coarse.member[((_e545 + _e348) - 1u)];
-                        let _e558 = ((_e530 + _e339) + _e258);
-                        let _e561 = coarse.member[_e558];
-                        let _e567 = coarse.member[((_e558 + _e348) - 1u)];
-                        let _e571 = ((_e530 + _e341) + _e258);
-                        let _e574 = coarse.member[_e571];
-                        let _e580 = coarse.member[((_e571 + _e348) - 1u)];
-                        let _e594 = (_e174 * 12u);
-                        let _e596 = ((_e594 + _e332) + _e258);
-                        let _e599 = coarse.member[_e596];
-                        let _e605 = coarse.member[((_e596 + _e348) - 1u)];
-                        let _e609 = ((_e594 + _e336) + _e258);
-                        let _e612 = coarse.member[_e609];
-                        let _e618 = coarse.member[((_e609 + _e348) - 1u)];
-                        let _e622 = ((_e594 + _e339) + _e258);
-                        let _e625 = coarse.member[_e622];
-                        let _e631 = coarse.member[((_e622 + _e348) - 1u)];
-                        let _e635 = ((_e594 + _e341) + _e258);
-                        let _e638 = coarse.member[_e635];
-                        let _e644 = coarse.member[((_e635 + _e348) - 1u)];
-                        let _e658 = (_e174 * 15u);
-                        let _e660 = ((_e658 + _e332) + _e258);
-                        let _e663 = coarse.member[_e660];
-                        let _e669 = coarse.member[((_e660 + _e348) - 1u)];
-                        let _e673 = ((_e658 + _e336) + _e258);
-                        let _e676 = coarse.member[_e673];
-                        let _e682 = coarse.member[((_e673 + _e348) - 1u)];
-                        let _e686 = ((_e658 + _e339) + _e258);
-                        let _e689 = coarse.member[_e686];
-                        let _e695 = coarse.member[((_e686 + _e348) - 1u)];
-                        let _e699 = ((_e658 + _e341) + _e258);
-                        let _e702 = coarse.member[_e699];
-                        let _e708 = coarse.member[((_e699 + _e348) - 1u)];
-                        phi_1020_ = array<f32, 6>((_e99 + (((((((_e346 * _e329) + (_e353 * _e330)) * _e277) + (((_e359 * _e329) + (_e365 * _e330)) * _e280)) * _e313) + (((((_e371 * _e329) + (_e377 * _e330)) * _e277) + (((_e383 * _e329) + (_e389 * _e330)) * _e280)) * _e316)) * _e160)), (_e110 + (((((((_e407 * _e329) + (_e413 * _e330)) * _e277) + (((_e420 * _e329) + (_e426 * _e330)) * _e280)) * _e313) + (((((_e433 * _e329) + (_e439 * _e330)) * _e277) + (((_e446 * _e329) + (_e452 * _e330)) * _e280)) * _e316)) * _e160)), (_e122 + (((((((_e471 * _e329) + (_e477 * _e330)) * _e277) + (((_e484 * _e329) + (_e490 * _e330)) * _e280)) * _e313) + (((((_e497 * _e329) + (_e503 * _e330)) * _e277) + (((_e510 * _e329) + (_e516 * _e330)) * _e280)) * _e316)) * _e160)), (_e134 + (((((((_e535 * _e329) + (_e541 * _e330)) * _e277) + (((_e548 * _e329) + (_e554 * _e330)) * _e280)) * _e313) + (((((_e561 * _e329) + (_e567 * _e330)) * _e277) + (((_e574 * _e329) + (_e580 * _e330)) * _e280)) * _e316)) * _e160)), (_e146 + (((((((_e599 * _e329) + (_e605 * _e330)) * _e277) + (((_e612 * _e329) + (_e618 * _e330)) * _e280)) * _e313) + (((((_e625 * _e329) + (_e631 * _e330)) * _e277) + (((_e638 * _e329) + (_e644 * _e330)) * _e280)) * _e316)) * _e160)), (_e156 + (((((((_e663 * _e329) + (_e669 * _e330)) * _e277) + (((_e676 * _e329) + (_e682 * _e330)) * _e280)) * _e313) + (((((_e689 * _e329) + (_e695 * _e330)) * _e277) + (((_e702 * _e329) + (_e708 * _e330)) * _e280)) * _e316)) * _e160)));
+                        let _e284 = phi_423_;
+                        let _e291 = coarse_opacity.member[((((2u * _e168) + _e204) - select(_e163, 0u, _e197)) + _e252)];
+                        let _e294 = (((2u * _e42) + _e200) + _e37);
+                        let _e298 = opacity.member[(_e294 - _e278)];
+                        let _e302 = opacity.member[(_e294 - _e284)];
+                        let _e304 = (0.25f * (1f - _e291));
+                        let _e305 = (_e291 * _e298);
+                        let _e307 = (1f - (_e304 + _e305));
+                        let _e310 = (_e304 + (_e305 * (1f - _e302)));
+                        let _e311 = f32(_e59);
+                        let _e315 = params.member.member_3[0u];
+                        let _e319 = (_e311 < 0.5f);
+                        let _e322 = (((2f * f32(_e315)) - 1.5f) < _e311);
+                        let _e323 = select(select((1f - (_e233 + _e234)), 1f, _e319), 1f, _e322);
+                        let _e324 = select(select((_e233 + (_e234 * (1f - select(_e223, _e219, _e207)))), 0f, _e319), 0f, _e322);
+                        let _e325 = (_e66 * _e168);
+                        let _e326 = (_e325 + _e204);
+                        let _e328 = (_e164 + (select((select(1u, _e169, (1u < _e169)) - 1u), select(_e175, _e176, (_e176 < _e175)), _e183) * _e160));
+                        let _e330 = (_e325 + (_e328 + _e203));
+                        let _e331 = (select((select(1u, _e170, (1u < _e170)) - 1u), select(_e189, _e190, (_e190 < _e189)), _e197) * _e163);
+                        let _e333 = (_e325 + (_e202 + _e331));
+                        let _e335 = (_e325 + (_e328 + _e331));
+                        let _e336 = (3u * _e168);
+                        let _e337 = (_e326 + _e252);
+                        let _e338 = (2u * _e205);
+                        let _e343 = coarse.member[((_e337 + _e338) - 1u)];
+                        let _e347 = coarse.member[_e337];
+                        let _e349 = (_e330 + _e252);
+                        let _e354 = coarse.member[((_e349 + _e338) - 1u)];
+                        let _e358 = coarse.member[_e349];
+                        let _e360 = (_e333 + _e252);
+                        let _e365 = coarse.member[((_e360 + _e338) - 1u)];
+                        let _e369 = coarse.member[_e360];
+                        let _e371 = (_e335 + _e252);
+                        let _e376 = coarse.member[((_e371 + _e338) - 1u)];
+                        let _e380 = coarse.member[_e371];
+                        let _e390 = ((_e336 + _e326) + _e252);
+                        let _e395 = coarse.member[((_e390 + _e338) - 1u)];
+                        let _e399 = coarse.member[_e390];
+                        let _e402 = ((_e336 + _e330) + _e252);
+                        let _e407 = coarse.member[((_e402 + _e338) - 1u)];
+                        let _e411 = coarse.member[_e402];
+                        let _e414 = ((_e336 + _e333) + _e252);
+                        let _e419 = coarse.member[((_e414 + _e338) - 1u)];
+                        let _e423 = coarse.member[_e414];
+                        let _e426 = ((_e336 + _e335) + _e252);
+                        let _e431 = coarse.member[((_e426 + _e338) - 1u)];
+                        let _e435 = coarse.member[_e426];
+                        let _e444 = (_e168 * 6u);
+                        let _e446 = ((_e444 + _e326) + _e252);
+                        let _e451 = coarse.member[((_e446 + _e338) - 1u)];
+                        let _e455 = coarse.member[_e446];
+                        let _e458 = ((_e444 + _e330) + _e252);
+                        let _e463 = coarse.member[((_e458 + _e338) - 1u)];
+                        let _e467 = coarse.member[_e458];
+                        let _e470 = ((_e444 + _e333) + _e252);
+                        let _e475 = coarse.member[((_e470 + _e338) - 1u)];
+                        let _e479 = coarse.member[_e470];
+                        let _e482 = ((_e444 + _e335) + _e252);
+                        let _e487 = coarse.member[((_e482 + _e338) - 1u)];
+                        let _e491 = coarse.member[_e482];
+                        let _e500 = (_e168 * 9u);
+                        let _e502 = ((_e500 + _e326) + _e252);
+                        let _e507 = coarse.member[((_e502 + _e338) - 1u)];
+                        let _e511 = coarse.member[_e502];
+                        let _e514 = ((_e500 + _e330) + _e252);
+                        let _e519 = coarse.member[((_e514 + _e338) - 1u)];
+                        let _e523 = coarse.member[_e514];
+                        let _e526 = ((_e500 + _e333) + _e252);
+                        let _e531 = coarse.member[((_e526 + _e338) - 1u)];
+                        let _e535 = coarse.member[_e526];
+                        let _e538 = ((_e500 + _e335) + _e252);
+                        let _e543 = coarse.member[((_e538 + _e338) - 1u)];
+                        let _e547 = coarse.member[_e538];
+                        let _e556 = (_e168 * 12u);
+                        let _e558 = ((_e556 + _e326) + _e252);
+                        let _e563 = coarse.member[((_e558 + _e338) - 1u)];
+                        let _e567 = coarse.member[_e558];
+                        let _e570 = ((_e556 + _e330) + _e252);
+                        let _e575 = coarse.member[((_e570 + _e338) - 1u)];
+                        let _e579 = coarse.member[_e570];
+                        let _e582 = ((_e556 + _e333) + _e252);
+                        let _e587 = coarse.member[((_e582 + _e338) - 1u)];
+                        let _e591 = coarse.member[_e582];
+                        let _e594 = ((_e556 + _e335) + _e252);
+                        let _e599 = coarse.member[((_e594 + _e338) - 1u)];
+                        let _e603 = coarse.member[_e594];
+                        let _e612 = (_e168 * 15u);
+                        let _e614 = ((_e612 + _e326) + _e252);
+                        let _e619 = coarse.member[((_e614 + _e338) - 1u)];
+                        let _e623 = coarse.member[_e614];
+                        let _e626 = ((_e612 + _e330) + _e252);
+                        let _e631 = coarse.member[((_e626 + _e338) - 1u)];
+                        let _e635 = coarse.member[_e626];
+                        let _e638 = ((_e612 + _e333) + _e252);
+                        let _e643 = coarse.member[((_e638 + _e338) - 1u)];
+                        let _e647 = coarse.member[_e638];
+                        let _e650 = ((_e612 + _e335) + _e252);
+                        let _e655 = coarse.member[((_e650 + _e338) - 1u)];
+                        let _e659 = coarse.member[_e650];
+                        phi_967_ = array<f32, 6>(fma(fma(fma(fma(_e347, _e323, (_e343 * _e324)), _e271, (fma(_e358, _e323, (_e354 * _e324)) * _e274)), _e307, (fma(fma(_e369, _e323, (_e365 * _e324)), _e271, (fma(_e380, _e323, (_e376 * _e324)) * _e274)) * _e310)), _e154, _e98), fma(fma(fma(fma(_e399, _e323, (_e395 * _e324)), _e271, (fma(_e411, _e323, (_e407 * _e324)) * _e274)), _e307, (fma(fma(_e423, _e323, (_e419 * _e324)), _e271, (fma(_e435, _e323, (_e431 * _e324)) * _e274)) * _e310)), _e154, _e108), fma(fma(fma(fma(_e455, _e323, (_e451 * _e324)), _e271, (fma(_e467, _e323, (_e463 * _e324)) * _e274)), _e307, (fma(fma(_e479, _e323, (_e475 * _e324)), _e271, (fma(_e491, _e323, (_e487 * _e324)) * _e274)) * _e310)), _e154, _e119), fma(fma(fma(fma(_e511, _e323, (_e507 * _e324)), _e271, (fma(_e523, _e323, (_e519 * _e324)) * _e274)), _e307, (fma(fma(_e535, _e323, (_e531 * _e324)), _e271, (fma(_e547, _e323, (_e543 * _e324)) * _e274)) * _e310)), _e154, _e130), fma(fma(fma(fma(_e567, _e323, (_e563 * _e324)), _e271, (fma(_e579, _e323, (_e575 * _e324)) * _e274)), _e307, (fma(fma(_e591, _e323, (_e587 * _e324)), _e271, (fma(_e603, _e323, (_e599 * _e324)) * _e274)) * _e310)), _e154, _e141), fma(fma(fma(fma(_e623, _e323, (_e619 * _e324)), _e271, (fma(_e635, _e323, (_e631 * _e324)) * _e274)), _e307, (fma(fma(_e647, _e323, (_e643 * _e324)), _e271, (fma(_e659, _e323, (_e655 * _e324)) * _e274)) * _e310)), _e154, _e150));
                     } else {
-                        phi_1020_ = array<f32, 6>(_e99, _e110, _e122, _e134, _e146, _e156);
+                        phi_967_ = array<f32, 6>(_e98, _e108, _e119, _e130, _e141, _e150);
                     }
-                    let _e724 = phi_1020_;
-                    phi_1021_ = _e724;
+                    let _e670 = phi_967_;
+                    phi_968_ = _e670;
                 } else {
-                    phi_1021_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_968_ = array<f32, 6>(0f, 0f, 0f, 0f, 0f, 0f);
                 }
-                let _e726 = phi_1021_;
-                out.member[_e61] = _e726[0];
-                out.member[(_e49 + _e61)] = _e726[1];
-                out.member[((_e42 * 6u) + _e61)] = _e726[2];
-                out.member[((_e42 * 9u) + _e61)] = _e726[3];
-                out.member[((_e42 * 12u) + _e61)] = _e726[4];
-                out.member[(_e62 + _e61)] = _e726[5];
+                let _e672 = phi_968_;
+                out.member[_e61] = _e672[0];
+                out.member[(_e49 + _e61)] = _e672[1];
+                out.member[((_e42 * 6u) + _e61)] = _e672[2];
+                out.member[((_e42 * 9u) + _e61)] = _e672[3];
+                out.member[((_e42 * 12u) + _e61)] = _e672[4];
+                out.member[(_e62 + _e61)] = _e672[5];
             }
             break;
         }

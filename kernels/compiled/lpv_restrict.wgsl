@@ -45,205 +45,205 @@ var<uniform> params: type_15;
 var<storage> state: type_5;
 
 fn function_() {
-    var phi_78_: u32;
-    var phi_172_: bool;
-    var phi_174_: bool;
+    var phi_79_: u32;
+    var phi_173_: bool;
     var phi_175_: bool;
-    var phi_196_: type_9;
-    var phi_199_: array<f32, 4>;
+    var phi_176_: bool;
     var phi_197_: type_9;
-    var phi_222_: type_9;
     var phi_200_: array<f32, 4>;
-    var phi_576_: array<f32, 4>;
+    var phi_198_: type_9;
+    var phi_223_: type_9;
+    var phi_201_: array<f32, 4>;
+    var phi_548_: array<f32, 4>;
     var local: array<f32, 4>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = gid_1;
-            let _e35 = params.member.member_3;
-            let _e37 = (_e35.x + 1u);
-            let _e39 = (_e35.y + 1u);
-            let _e40 = (_e39 * _e37);
-            let _e45 = ((_e40 + _e37) + ((_e35.z + 1u) * _e40));
-            if (_e35.x > 0u) {
-                if (_e37 == 0u) {
-                    break;
-                }
-                phi_78_ = (3u * (_e45 / _e37));
-            } else {
-                phi_78_ = 0u;
-            }
-            let _e51 = phi_78_;
-            let _e56 = (_e32.x + (_e32.y * 2097152u));
-            if (_e56 < (_e51 * _e35.x)) {
-                if (_e35.x == 0u) {
-                    break;
-                }
-                let _e60 = (_e56 / _e35.x);
-                let _e62 = (_e56 - (_e60 * _e35.x));
-                let _e64 = ((_e60 * _e37) + _e62);
-                let _e67 = params.member.member_2;
-                let _e69 = (_e67.x + 1u);
-                let _e72 = ((_e67.y + 1u) * _e69);
-                let _e73 = (_e72 + _e69);
-                let _e77 = (_e73 + ((_e67.z + 1u) * _e72));
-                let _e79 = (_e37 == 0u);
-                if _e79 {
-                    break;
-                }
-                let _e80 = (_e45 / _e37);
-                if (_e80 == 0u) {
-                    break;
-                }
-                let _e82 = (_e60 / _e80);
-                if _e79 {
-                    break;
-                }
-                let _e84 = (_e60 - (_e82 * _e80));
-                let _e85 = (_e35.y + 2u);
-                let _e88 = (select(_e85, _e84, (_e85 < _e84)) - _e85);
+            let _e34 = gid_1;
+            let _e37 = params.member.member_3;
+            let _e39 = (_e37.x + 1u);
+            let _e41 = (_e37.y + 1u);
+            let _e42 = (_e41 * _e39);
+            let _e47 = ((_e42 + _e39) + ((_e37.z + 1u) * _e42));
+            if (_e37.x > 0u) {
                 if (_e39 == 0u) {
                     break;
                 }
-                let _e90 = (_e88 / _e39);
-                let _e92 = (_e88 - (_e90 * _e39));
-                if (_e84 >= _e85) {
-                    let _e94 = (_e92 < _e35.y);
-                    if _e94 {
-                        phi_172_ = (_e90 < _e35.z);
-                    } else {
-                        phi_172_ = bool();
-                    }
-                    let _e97 = phi_172_;
-                    phi_174_ = _e97;
-                    phi_175_ = select(true, false, _e94);
-                } else {
-                    phi_174_ = bool();
-                    phi_175_ = true;
+                phi_79_ = (3u * (_e47 / _e39));
+            } else {
+                phi_79_ = 0u;
+            }
+            let _e53 = phi_79_;
+            let _e58 = (_e34.x + (_e34.y * 2097152u));
+            if (_e58 < (_e53 * _e37.x)) {
+                if (_e37.x == 0u) {
+                    break;
                 }
-                let _e100 = phi_174_;
+                let _e62 = (_e58 / _e37.x);
+                let _e64 = (_e58 - (_e62 * _e37.x));
+                let _e66 = ((_e62 * _e39) + _e64);
+                let _e69 = params.member.member_2;
+                let _e71 = (_e69.x + 1u);
+                let _e74 = ((_e69.y + 1u) * _e71);
+                let _e75 = (_e74 + _e71);
+                let _e79 = (_e75 + ((_e69.z + 1u) * _e74));
+                let _e81 = (_e39 == 0u);
+                if _e81 {
+                    break;
+                }
+                let _e82 = (_e47 / _e39);
+                if (_e82 == 0u) {
+                    break;
+                }
+                let _e84 = (_e62 / _e82);
+                if _e81 {
+                    break;
+                }
+                let _e86 = (_e62 - (_e84 * _e82));
+                let _e87 = (_e37.y + 2u);
+                let _e90 = (select(_e87, _e86, (_e87 < _e86)) - _e87);
+                if (_e41 == 0u) {
+                    break;
+                }
+                let _e92 = (_e90 / _e41);
+                let _e94 = (_e90 - (_e92 * _e41));
+                if (_e86 >= _e87) {
+                    let _e96 = (_e94 < _e37.y);
+                    if _e96 {
+                        phi_173_ = (_e92 < _e37.z);
+                    } else {
+                        phi_173_ = bool();
+                    }
+                    let _e99 = phi_173_;
+                    phi_175_ = _e99;
+                    phi_176_ = select(true, false, _e96);
+                } else {
+                    phi_175_ = bool();
+                    phi_176_ = true;
+                }
                 let _e102 = phi_175_;
-                if select(_e100, false, _e102) {
-                    phi_196_ = type_9(0u, 8u);
-                    phi_199_ = array<f32, 4>(0f, 0f, 0f, 0f);
+                let _e104 = phi_176_;
+                if select(_e102, false, _e104) {
+                    phi_197_ = type_9(0u, 8u);
+                    phi_200_ = array<f32, 4>(0f, 0f, 0f, 0f);
                     loop {
-                        let _e115 = phi_196_;
-                        let _e117 = phi_199_;
-                        local = _e117;
-                        if (_e115.member < _e115.member_1) {
-                            phi_197_ = type_9((_e115.member + 1u), _e115.member_1);
-                            phi_222_ = type_9(1u, _e115.member);
+                        let _e117 = phi_197_;
+                        let _e119 = phi_200_;
+                        local = _e119;
+                        if (_e117.member < _e117.member_1) {
+                            phi_198_ = type_9((_e117.member + 1u), _e117.member_1);
+                            phi_223_ = type_9(1u, _e117.member);
                         } else {
-                            phi_197_ = _e115;
-                            phi_222_ = type_9(0u, type_9().member_1);
+                            phi_198_ = _e117;
+                            phi_223_ = type_9(0u, type_9().member_1);
                         }
-                        let _e130 = phi_197_;
-                        let _e132 = phi_222_;
-                        let _e136 = (bitcast<i32>(_e132.member) != 0i);
-                        if _e136 {
-                            let _e147 = (((((_e82 * _e77) + (((_e73 + (2u * _e62)) + ((2u * _e92) * _e69)) + ((2u * _e90) * _e72))) + (_e132.member_1 & 1u)) + (((_e132.member_1 >> bitcast<u32>(1i)) & 1u) * _e69)) + ((_e132.member_1 >> bitcast<u32>(2i)) * _e72));
-                            let _e150 = state.member[_e147];
-                            let _e154 = state.member[((3u * _e77) + _e147)];
-                            let _e159 = state.member[((_e77 * 6u) + _e147)];
-                            let _e164 = state.member[((_e77 * 9u) + _e147)];
-                            let _e166 = (_e150 + (_e154 * 0.8944272f));
-                            let _e167 = (_e159 * 0.4472136f);
-                            let _e168 = (_e164 * 0.4472136f);
-                            let _e169 = (_e166 + _e167);
-                            let _e171 = select(0f, _e169, (0f < _e169));
-                            let _e172 = (_e166 - _e167);
-                            let _e174 = select(0f, _e172, (0f < _e172));
-                            let _e175 = (_e166 + _e168);
-                            let _e177 = select(0f, _e175, (0f < _e175));
-                            let _e178 = (_e166 - _e168);
-                            let _e180 = select(0f, _e178, (0f < _e178));
-                            let _e181 = (_e150 + _e154);
-                            let _e184 = (select(0f, _e181, (0f < _e181)) * 0.4006697f);
-                            let _e188 = (((_e171 + _e174) + (_e177 + _e180)) * 0.42343134f);
-                            let _e193 = (_e150 + (_e154 * -0.8944272f));
-                            let _e194 = (_e193 + _e167);
-                            let _e196 = select(0f, _e194, (0f < _e194));
-                            let _e197 = (_e193 - _e167);
-                            let _e199 = select(0f, _e197, (0f < _e197));
-                            let _e200 = (_e193 + _e168);
-                            let _e202 = select(0f, _e200, (0f < _e200));
-                            let _e203 = (_e193 - _e168);
-                            let _e205 = select(0f, _e203, (0f < _e203));
-                            let _e206 = (_e150 + -(_e154));
-                            let _e209 = (select(0f, _e206, (0f < _e206)) * 0.4006697f);
-                            let _e213 = (((_e196 + _e199) + (_e202 + _e205)) * 0.42343134f);
-                            let _e226 = (_e150 + (_e159 * 0.8944272f));
-                            let _e227 = (_e154 * 0.4472136f);
-                            let _e228 = (_e226 + _e168);
-                            let _e230 = select(0f, _e228, (0f < _e228));
-                            let _e231 = (_e226 - _e168);
-                            let _e233 = select(0f, _e231, (0f < _e231));
-                            let _e234 = (_e226 + _e227);
-                            let _e236 = select(0f, _e234, (0f < _e234));
-                            let _e237 = (_e226 - _e227);
-                            let _e239 = select(0f, _e237, (0f < _e237));
-                            let _e240 = (_e150 + _e159);
-                            let _e243 = (select(0f, _e240, (0f < _e240)) * 0.4006697f);
-                            let _e247 = (((_e230 + _e233) + (_e236 + _e239)) * 0.42343134f);
-                            let _e252 = (_e150 + (_e159 * -0.8944272f));
-                            let _e253 = (_e252 + _e168);
-                            let _e255 = select(0f, _e253, (0f < _e253));
-                            let _e256 = (_e252 - _e168);
-                            let _e258 = select(0f, _e256, (0f < _e256));
-                            let _e259 = (_e252 + _e227);
-                            let _e261 = select(0f, _e259, (0f < _e259));
-                            let _e262 = (_e252 - _e227);
-                            let _e264 = select(0f, _e262, (0f < _e262));
-                            let _e265 = (_e150 + -(_e159));
-                            let _e268 = (select(0f, _e265, (0f < _e265)) * 0.4006697f);
-                            let _e272 = (((_e255 + _e258) + (_e261 + _e264)) * 0.42343134f);
-                            let _e289 = (_e150 + (_e164 * 0.8944272f));
-                            let _e290 = (_e289 + _e227);
-                            let _e292 = select(0f, _e290, (0f < _e290));
-                            let _e293 = (_e289 - _e227);
-                            let _e295 = select(0f, _e293, (0f < _e293));
-                            let _e296 = (_e289 + _e167);
-                            let _e298 = select(0f, _e296, (0f < _e296));
-                            let _e299 = (_e289 - _e167);
-                            let _e301 = select(0f, _e299, (0f < _e299));
-                            let _e302 = (_e150 + _e164);
-                            let _e305 = (select(0f, _e302, (0f < _e302)) * 0.4006697f);
-                            let _e309 = (((_e292 + _e295) + (_e298 + _e301)) * 0.42343134f);
-                            let _e314 = (_e150 + (_e164 * -0.8944272f));
-                            let _e315 = (_e314 + _e227);
-                            let _e317 = select(0f, _e315, (0f < _e315));
-                            let _e318 = (_e314 - _e227);
-                            let _e320 = select(0f, _e318, (0f < _e318));
-                            let _e321 = (_e314 + _e167);
-                            let _e323 = select(0f, _e321, (0f < _e321));
-                            let _e324 = (_e314 - _e167);
-                            let _e326 = select(0f, _e324, (0f < _e324));
-                            let _e327 = (_e150 + -(_e164));
-                            let _e330 = (select(0f, _e327, (0f < _e327)) * 0.4006697f);
-                            let _e334 = (((_e317 + _e320) + (_e323 + _e326)) * 0.42343134f);
-                            let _e359 = state.member[((_e77 * 12u) + _e147)];
-                            phi_200_ = array<f32, 4>((_e117[0] + ((((_e184 + _e188) + (_e209 + _e213)) + ((_e243 + _e247) + (_e268 + _e272))) + ((_e305 + _e309) + (_e330 + _e334)))), (_e117[1] + (((((_e184 - _e209) + ((_e188 - _e213) * 0.8944272f)) + (((_e236 - _e239) + (_e261 - _e264)) * 0.18936425f)) + (((_e292 - _e295) + (_e317 - _e320)) * 0.18936425f)) * _e359)), (_e117[2] + (((((((_e171 - _e174) + (_e196 - _e199)) * 0.18936425f) + (_e243 - _e268)) + ((_e247 - _e272) * 0.8944272f)) + (((_e298 - _e301) + (_e323 - _e326)) * 0.18936425f)) * _e359)), (_e117[3] + ((((0.18936425f * (((_e177 - _e180) + (_e202 - _e205)) + ((_e230 - _e233) + (_e255 - _e258)))) + (_e305 - _e330)) + ((_e309 - _e334) * 0.8944272f)) * _e359)));
+                        let _e132 = phi_198_;
+                        let _e134 = phi_223_;
+                        let _e138 = (bitcast<i32>(_e134.member) != 0i);
+                        if _e138 {
+                            let _e149 = (((((_e84 * _e79) + (((_e75 + (2u * _e64)) + ((2u * _e94) * _e71)) + ((2u * _e92) * _e74))) + (_e134.member_1 & 1u)) + (((_e134.member_1 >> bitcast<u32>(1i)) & 1u) * _e71)) + ((_e134.member_1 >> bitcast<u32>(2i)) * _e74));
+                            let _e152 = state.member[_e149];
+                            let _e156 = state.member[((3u * _e79) + _e149)];
+                            let _e161 = state.member[((_e79 * 6u) + _e149)];
+                            let _e166 = state.member[((_e79 * 9u) + _e149)];
+                            let _e167 = fma(_e156, 0.8944272f, _e152);
+                            let _e168 = fma(_e161, 0.4472136f, _e167);
+                            let _e170 = select(0f, _e168, (0f < _e168));
+                            let _e171 = fma(_e161, -0.4472136f, _e167);
+                            let _e173 = select(0f, _e171, (0f < _e171));
+                            let _e174 = fma(_e166, 0.4472136f, _e167);
+                            let _e176 = select(0f, _e174, (0f < _e174));
+                            let _e177 = fma(_e166, -0.4472136f, _e167);
+                            let _e179 = select(0f, _e177, (0f < _e177));
+                            let _e180 = (_e152 + _e156);
+                            let _e182 = select(0f, _e180, (0f < _e180));
+                            let _e185 = ((_e170 + _e173) + (_e176 + _e179));
+                            let _e188 = -(_e156);
+                            let _e189 = fma(_e188, 0.8944272f, _e152);
+                            let _e190 = fma(_e161, 0.4472136f, _e189);
+                            let _e192 = select(0f, _e190, (0f < _e190));
+                            let _e193 = fma(_e161, -0.4472136f, _e189);
+                            let _e195 = select(0f, _e193, (0f < _e193));
+                            let _e196 = fma(_e166, 0.4472136f, _e189);
+                            let _e198 = select(0f, _e196, (0f < _e196));
+                            let _e199 = fma(_e166, -0.4472136f, _e189);
+                            let _e201 = select(0f, _e199, (0f < _e199));
+                            let _e202 = (_e152 + _e188);
+                            let _e204 = select(0f, _e202, (0f < _e202));
+                            let _e207 = ((_e192 + _e195) + (_e198 + _e201));
+                            let _e220 = fma(_e161, 0.8944272f, _e152);
+                            let _e221 = fma(_e166, 0.4472136f, _e220);
+                            let _e223 = select(0f, _e221, (0f < _e221));
+                            let _e224 = fma(_e166, -0.4472136f, _e220);
+                            let _e226 = select(0f, _e224, (0f < _e224));
+                            let _e227 = fma(_e156, 0.4472136f, _e220);
+                            let _e229 = select(0f, _e227, (0f < _e227));
+                            let _e230 = fma(_e156, -0.4472136f, _e220);
+                            let _e232 = select(0f, _e230, (0f < _e230));
+                            let _e233 = (_e152 + _e161);
+                            let _e235 = select(0f, _e233, (0f < _e233));
+                            let _e238 = ((_e223 + _e226) + (_e229 + _e232));
+                            let _e241 = -(_e161);
+                            let _e242 = fma(_e241, 0.8944272f, _e152);
+                            let _e243 = fma(_e166, 0.4472136f, _e242);
+                            let _e245 = select(0f, _e243, (0f < _e243));
+                            let _e246 = fma(_e166, -0.4472136f, _e242);
+                            let _e248 = select(0f, _e246, (0f < _e246));
+                            let _e249 = fma(_e156, 0.4472136f, _e242);
+                            let _e251 = select(0f, _e249, (0f < _e249));
+                            let _e252 = fma(_e156, -0.4472136f, _e242);
+                            let _e254 = select(0f, _e252, (0f < _e252));
+                            let _e255 = (_e152 + _e241);
+                            let _e257 = select(0f, _e255, (0f < _e255));
+                            let _e260 = ((_e245 + _e248) + (_e251 + _e254));
+                            let _e275 = fma(_e166, 0.8944272f, _e152);
+                            let _e276 = fma(_e156, 0.4472136f, _e275);
+                            let _e278 = select(0f, _e276, (0f < _e276));
+                            let _e279 = fma(_e156, -0.4472136f, _e275);
+                            let _e281 = select(0f, _e279, (0f < _e279));
+                            let _e282 = fma(_e161, 0.4472136f, _e275);
+                            let _e284 = select(0f, _e282, (0f < _e282));
+                            let _e285 = fma(_e161, -0.4472136f, _e275);
+                            let _e287 = select(0f, _e285, (0f < _e285));
+                            let _e288 = (_e152 + _e166);
+                            let _e290 = select(0f, _e288, (0f < _e288));
+                            let _e293 = ((_e278 + _e281) + (_e284 + _e287));
+                            let _e296 = -(_e166);
+                            let _e297 = fma(_e296, 0.8944272f, _e152);
+                            let _e298 = fma(_e156, 0.4472136f, _e297);
+                            let _e300 = select(0f, _e298, (0f < _e298));
+                            let _e301 = fma(_e156, -0.4472136f, _e297);
+                            let _e303 = select(0f, _e301, (0f < _e301));
+                            let _e304 = fma(_e161, 0.4472136f, _e297);
+                            let _e306 = select(0f, _e304, (0f < _e304));
+                            let _e307 = fma(_e161, -0.4472136f, _e297);
+                            let _e309 = select(0f, _e307, (0f < _e307));
+                            let _e310 = (_e152 + _e296);
+                            let _e312 = select(0f, _e310, (0f < _e310));
+                            let _e315 = ((_e300 + _e303) + (_e306 + _e309));
+                            let _e342 = state.member[((_e79 * 12u) + _e149)];
+                            phi_201_ = array<f32, 4>((_e119[0] + (((fma(_e182, 0.4006697f, (_e185 * 0.42343134f)) + fma(_e204, 0.4006697f, (_e207 * 0.42343134f))) + (fma(_e235, 0.4006697f, (_e238 * 0.42343134f)) + fma(_e257, 0.4006697f, (_e260 * 0.42343134f)))) + (fma(_e290, 0.4006697f, (_e293 * 0.42343134f)) + fma(_e312, 0.4006697f, (_e315 * 0.42343134f))))), fma((((fma((_e182 - _e204), 2.1158676f, fma((_e185 - _e207), 2f, 0f)) + ((_e229 - _e232) + (_e251 - _e254))) + ((_e278 - _e281) + (_e300 - _e303))) * 0.18936425f), _e342, _e119[1]), fma(((fma((_e235 - _e257), 2.1158676f, fma((_e238 - _e260), 2f, ((_e170 - _e173) + (_e192 - _e195)))) + ((_e284 - _e287) + (_e306 - _e309))) * 0.18936425f), _e342, _e119[2]), fma((fma((_e290 - _e312), 2.1158676f, fma((_e293 - _e315), 2f, (((_e176 - _e179) + (_e198 - _e201)) + ((_e223 - _e226) + (_e245 - _e248))))) * 0.18936425f), _e342, _e119[3]));
                         } else {
-                            phi_200_ = array<f32, 4>();
+                            phi_201_ = array<f32, 4>();
                         }
-                        let _e373 = phi_200_;
+                        let _e353 = phi_201_;
                         continue;
                         continuing {
-                            phi_196_ = _e130;
-                            phi_199_ = _e373;
-                            break if !(_e136);
+                            phi_197_ = _e132;
+                            phi_200_ = _e353;
+                            break if !(_e138);
                         }
                     }
-                    let _e405 = local;
-                    phi_576_ = _e405;
+                    let _e385 = local;
+                    phi_548_ = _e385;
                 } else {
-                    phi_576_ = array<f32, 4>(0f, 0f, 0f, 0f);
+                    phi_548_ = array<f32, 4>(0f, 0f, 0f, 0f);
                 }
-                let _e376 = phi_576_;
-                out.member[_e64] = _e376[0];
-                out.member[((3u * _e45) + _e64)] = _e376[1];
-                out.member[((_e45 * 6u) + _e64)] = _e376[2];
-                out.member[((_e45 * 9u) + _e64)] = _e376[3];
+                let _e356 = phi_548_;
+                out.member[_e66] = _e356[0];
+                out.member[((3u * _e47) + _e66)] = _e356[1];
+                out.member[((_e47 * 6u) + _e66)] = _e356[2];
+                out.member[((_e47 * 9u) + _e66)] = _e356[3];
             }
             break;
         }

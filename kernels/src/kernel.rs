@@ -130,20 +130,20 @@ pub struct At {
     pub i: usize,
 }
 
-/// Asks a processor to bring word `i` of a slice into its cache; beyond the end, or where there is no such instruction,
+/// Asks a processor to bring element `i` of a slice into its cache; beyond the end, or where there is no such instruction,
 /// nothing happens. Processors fetch ahead by themselves, but not beyond a page.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[allow(unsafe_code)]
-pub fn prefetch(words: &[u32], i: usize) {
+pub fn prefetch<T>(slice: &[T], i: usize) {
     #[cfg(target_arch = "x86_64")]
     {
         use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         // SAFETY: a prefetch reads nothing and faults nowhere; the address is computed without leaving its provenance.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(words.as_ptr().wrapping_add(i).cast()) };
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(slice.as_ptr().wrapping_add(i).cast()) };
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = (words, i);
+    let _ = (slice, i);
 }
 
 /// Element `i` of a buffer, or of a table in a uniform buffer. Kernels never index out of bounds: the CPU checks that at
@@ -567,6 +567,7 @@ macro_rules! kernel {
             #[inline(always)]
             fn piece_body<R: Real>(rows: &Rows, first_row: u32, row_count: u32, $p: &$P, $($i: &[$I],)* planes: &mut [&mut [f32]]) {
                 let len = rows.len as usize;
+                let planes: &mut [&mut [f32]; $planes] = planes.try_into().expect("as many planes as the kernel writes");
                 for row in 0..row_count {
                     let start = (row * rows.pitch) as usize;
                     let mut x = 0;
@@ -726,16 +727,17 @@ macro_rules! widest_vectors {
         fn $name($($arg: $ty),*) {
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
             {
-                #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq")]
+                #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq,fma")]
                 fn avx512($($arg: $ty),*) { $wide($($arg),*) }
-                #[target_feature(enable = "avx2")]
+                #[target_feature(enable = "avx2,fma")]
                 fn avx2($($arg: $ty),*) { $middle($($arg),*) }
-                if std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl")
+                let fused = std::is_x86_feature_detected!("fma");
+                if fused && std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl")
                     && std::is_x86_feature_detected!("avx512bw") && std::is_x86_feature_detected!("avx512dq") {
                     // SAFETY: the processor has these instructions.
                     return unsafe { avx512($($arg),*) };
                 }
-                if std::is_x86_feature_detected!("avx2") {
+                if fused && std::is_x86_feature_detected!("avx2") {
                     // SAFETY: the processor has these instructions.
                     return unsafe { avx2($($arg),*) };
                 }

@@ -2,7 +2,7 @@
 //!
 //! An arithmetic kernel body is generic over [`Real`]. The device runs it with `f32`; the CPU runs it with the registers of
 //! `x86` where the processor has them, else with [`Lanes`], which rustc turns into vector instructions. Every operation is defined lane by lane with the same IEEE
-//! operations as `f32`, no contraction and no reassociation, so scalar and lanes agree bit for bit.
+//! operations as `f32`, no reassociation and no contraction but where a body asks for it, so scalar and lanes agree bit for bit.
 
 use crate::kernel::fetch;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -38,15 +38,17 @@ pub trait Real:
     /// Words `i, i+1, …` as pairs of half floats, those in the low bits first. For words that
     /// [`crate::math::pack::pack_f16x2_flushed`] made: denormal halves may be read as 0, and there is no infinity.
     fn load_f16x2(words: &[u32], i: usize) -> [Self; 2];
-    /// Asks for the words that `load_f16x2` reads at `i`, which may lie beyond the end: no more than a hint to a CPU.
+    /// Asks for the elements from `i` on that a later load reads, which may lie beyond the end: no more than a hint to a CPU.
     #[inline(always)]
-    fn prefetch(_words: &[u32], _i: usize) {}
+    fn prefetch<T>(_slice: &[T], _i: usize) {}
     /// Stores to elements `i, i+1, …` of a plane.
     fn store(self, plane: &mut [f32], i: usize);
     /// `self < other` (false with a NaN).
     fn lt(self, other: Self) -> Self::Mask;
     /// Picks `a` where the mask is true, else `b`.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// `self·factor + addend`, rounded once on every CPU ([`crate::math::float::mul_add`]).
+    fn mul_add(self, factor: Self, addend: Self) -> Self;
     /// Square root (correctly rounded on every target).
     fn sqrt(self) -> Self;
     /// Magnitude.
@@ -123,6 +125,10 @@ impl Real for f32 {
     #[inline(always)]
     fn select(mask: bool, a: f32, b: f32) -> f32 {
         if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: f32, addend: f32) -> f32 {
+        crate::math::float::mul_add(self, factor, addend)
     }
     #[inline(always)]
     fn sqrt(self) -> f32 {
@@ -275,8 +281,8 @@ mod lanes {
             [Self(low), Self(high)]
         }
         #[inline(always)]
-        fn prefetch(words: &[u32], i: usize) {
-            crate::kernel::prefetch(words, i);
+        fn prefetch<T>(slice: &[T], i: usize) {
+            crate::kernel::prefetch(slice, i);
         }
         #[inline(always)]
         fn store(self, plane: &mut [f32], i: usize) {
@@ -297,6 +303,13 @@ mod lanes {
                 r.0[lane] = if mask[lane] { a.0[lane] } else { b.0[lane] };
             }
             r
+        }
+        #[inline(always)]
+        fn mul_add(mut self, factor: Self, addend: Self) -> Self {
+            for lane in 0..N {
+                self.0[lane] = crate::math::float::mul_add(self.0[lane], factor.0[lane], addend.0[lane]);
+            }
+            self
         }
         #[inline(always)]
         fn sqrt(mut self) -> Self {
@@ -322,7 +335,7 @@ mod counted {
     use core::ops::{Add, Div, Mul, Neg, Sub};
     use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-    /// A number that counts what is done with it: arithmetic, comparisons and selections count one each. Loads, stores,
+    /// A number that counts what is done with it: arithmetic, comparisons and selections count one each, a multiply-add two. Loads, stores,
     /// signs and magnitudes count nothing.
     #[derive(Clone, Copy, PartialEq, Debug)]
     pub struct Counted(f32);
@@ -406,6 +419,9 @@ mod counted {
         }
         fn select(mask: bool, a: Self, b: Self) -> Self {
             one(if mask { a } else { b })
+        }
+        fn mul_add(self, factor: Self, addend: Self) -> Self {
+            self * factor + addend
         }
         fn sqrt(self) -> Self {
             one(Self(crate::math::float::sqrt(self.0)))

@@ -16,6 +16,10 @@ mod translate;
 mod vulkan;
 mod workspace;
 
+/// What is timed has the memory of the program.
+#[global_allocator]
+static ALLOCATOR: interreflect::memory::LargePages = interreflect::memory::LargePages;
+
 #[derive(Parser)]
 #[command(name = "cargo xtask", about = "Compiles, checks and benchmarks Interreflect's kernels")]
 struct Cli {

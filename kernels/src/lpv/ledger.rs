@@ -49,8 +49,8 @@ pub fn column<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) ->
         let b = [R::load(state, j + value), R::load(state, j + 2 * value), R::load(state, j + 3 * value)];
         let sent = outflow(R::load(state, j), b);
         unroll!(K in 0, 1, 2, 3, 4, 5 => {
-            leaving = leaving + sent.to[K] * outside[K];
-            absorbed = absorbed + sent.to[K] * (one - outside[K]) * (one - open[K]);
+            leaving = sent.to[K].mul_add(outside[K], leaving);
+            absorbed = (sent.to[K] * (one - outside[K])).mul_add(one - open[K], absorbed);
         });
         stored = stored + sent.flux;
         largest = largest.max(sent.flux);

@@ -40,7 +40,7 @@ pub fn restrict<R: Real>(at: At, p: &LpvParams, state: &[f32]) -> [R; 4] {
             let sent = outflow(a, b);
             let factor = R::load_strided(state, 4 * value + i, 2);
             out[0] = out[0] + sent.flux;
-            unroll!(K in 0, 1, 2 => { out[1 + K] = out[1 + K] + sent.moment[K] * factor; });
+            unroll!(K in 0, 1, 2 => { out[1 + K] = sent.moment[K].mul_add(factor, out[1 + K]); });
         }
     }
     out
@@ -64,13 +64,13 @@ pub fn prolong<R: Real>(
     if row.real {
         let keep = R::splat(p.keep);
         unroll!(J in 0, 1, 2, 3, 4, 5 => {
-            out[J] = R::load(before, J * value + i) * keep + R::load(state, front + J * value + i);
+            out[J] = R::load(before, J * value + i).mul_add(keep, R::load(state, front + J * value + i));
         });
         if p.coarse_weight > 0.0 {
             let around = CoarseCells::<R>::new(at, &row, p, &l, opacity, coarse_opacity);
             let (share, coarse_value) = (R::splat(p.coarse_weight), LpvLayout::new(p.coarse_dims).value() as usize);
             unroll!(J in 0, 1, 2, 3, 4, 5 => {
-                out[J] = out[J] + around.interpolated(coarse, J * coarse_value) * share;
+                out[J] = around.interpolated(coarse, J * coarse_value).mul_add(share, out[J]);
             });
         }
     }
@@ -128,11 +128,12 @@ impl<R: Real> CoarseCells<R> {
         let mut along_x = [x.here; 4];
         unroll!(K in 0, 1, 2, 3 => {
             let i = base + rows[K];
-            along_x[K] = R::load_halved(coarse, i, self.x) * x.here + R::load_beside(coarse, i, self.x) * x.beside;
+            let beside = R::load_beside(coarse, i, self.x) * x.beside;
+            along_x[K] = R::load_halved(coarse, i, self.x).mul_add(x.here, beside);
         });
-        let near = along_x[0] * y.here + along_x[1] * y.beside;
-        let far = along_x[2] * y.here + along_x[3] * y.beside;
-        near * z.here + far * z.beside
+        let near = along_x[0].mul_add(y.here, along_x[1] * y.beside);
+        let far = along_x[2].mul_add(y.here, along_x[3] * y.beside);
+        near.mul_add(z.here, far * z.beside)
     }
 }
 

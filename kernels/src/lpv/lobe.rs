@@ -16,14 +16,14 @@ pub const ALONG: f32 = 0.894_427_2;
 /// Component of the direction to a side face across that way: 1/√5.
 pub const ACROSS: f32 = 0.447_213_6;
 
-/// What an intensity sends to one neighbour.
+/// Intensities (W/sr) towards the faces of one neighbour: flux per solid angle.
 #[derive(Clone, Copy)]
 pub struct Sent<R> {
-    /// Flux (W) through the facing face.
+    /// Towards the facing face.
     pub facing: R,
-    /// Flux through all four sides.
+    /// Sum of those towards the four sides.
     pub sides: R,
-    /// Flux through the side in the positive direction of the next axis in cyclic order, less that through the opposite one.
+    /// Towards the side in the positive direction of the next axis in cyclic order, less that towards the opposite one.
     pub next: R,
     /// The same for the axis after that.
     pub last: R,
@@ -33,22 +33,16 @@ impl<R: Real> Sent<R> {
     /// From the constant, and the vector's components along the way to the neighbour and across it.
     #[inline(always)]
     pub fn new(a: R, along: R, next: R, last: R) -> Self {
-        let side = a + along * R::splat(ALONG);
-        let (next, last) = (next * R::splat(ACROSS), last * R::splat(ACROSS));
-        let (n0, n1) = ((side + next).positive(), (side - next).positive());
-        let (l0, l1) = ((side + last).positive(), (side - last).positive());
-        let sr = R::splat(SIDE_SR);
-        Self {
-            facing: (a + along).positive() * R::splat(FACING_SR),
-            sides: ((n0 + n1) + (l0 + l1)) * sr,
-            next: (n0 - n1) * sr,
-            last: (l0 - l1) * sr,
-        }
+        let side = along.mul_add(R::splat(ALONG), a);
+        let (up, down) = (R::splat(ACROSS), R::splat(-ACROSS));
+        let (n0, n1) = (next.mul_add(up, side).positive(), next.mul_add(down, side).positive());
+        let (l0, l1) = (last.mul_add(up, side).positive(), last.mul_add(down, side).positive());
+        Self { facing: (a + along).positive(), sides: (n0 + n1) + (l0 + l1), next: n0 - n1, last: l0 - l1 }
     }
-    /// Flux through all five faces.
+    /// Flux (W) through all five faces.
     #[inline(always)]
     pub fn flux(&self) -> R {
-        self.facing + self.sides
+        self.facing.mul_add(R::splat(FACING_SR), self.sides * R::splat(SIDE_SR))
     }
 }
 
@@ -67,6 +61,7 @@ pub struct Outflow<R> {
 #[inline(always)]
 pub fn outflow<R: Real>(a: R, b: [R; 3]) -> Outflow<R> {
     let mut to = [R::splat(0.0); 6];
+    // In units of what an intensity towards a side adds across the way.
     let mut moment = [R::splat(0.0); 3];
     unroll!(AXIS in 0, 1, 2 => {
         const NEXT: usize = (AXIS + 1) % 3;
@@ -75,12 +70,14 @@ pub fn outflow<R: Real>(a: R, b: [R; 3]) -> Outflow<R> {
         let down = Sent::new(a, -b[AXIS], b[NEXT], b[LAST]);
         to[2 * AXIS] = up.flux();
         to[2 * AXIS + 1] = down.flux();
-        moment[AXIS] = moment[AXIS] + (up.facing - down.facing) + (up.sides - down.sides) * R::splat(ALONG);
-        moment[NEXT] = moment[NEXT] + (up.next + down.next) * R::splat(ACROSS);
-        moment[LAST] = moment[LAST] + (up.last + down.last) * R::splat(ACROSS);
+        let sides = (up.sides - down.sides).mul_add(R::splat(ALONG / ACROSS), moment[AXIS]);
+        moment[AXIS] = (up.facing - down.facing).mul_add(R::splat(FACING_SR / (SIDE_SR * ACROSS)), sides);
+        moment[NEXT] = moment[NEXT] + (up.next + down.next);
+        moment[LAST] = moment[LAST] + (up.last + down.last);
     });
     let flux = ((to[0] + to[1]) + (to[2] + to[3])) + (to[4] + to[5]);
-    Outflow { to, flux, moment }
+    let unit = R::splat(SIDE_SR * ACROSS);
+    Outflow { to, flux, moment: [moment[0] * unit, moment[1] * unit, moment[2] * unit] }
 }
 
 /// One colour channel of a cell: what travels on, and what it adds to the light that has passed.
@@ -99,6 +96,8 @@ pub struct Travelling<R> {
 
 /// Square of the moment per flux below which its factor is not told from 1.
 const SMALL_MOMENT: f32 = 1e-4;
+/// Mean cosine up to which a lobe of order 1 is nowhere negative.
+const WIDEST: f32 = 1.0 / 3.0;
 /// Least flux that is kept: its square is a normal number.
 const LEAST_FLUX: f32 = 1e-18;
 const INV_4_PI: f32 = 0.25 * core::f32::consts::FRAC_1_PI;
@@ -131,15 +130,32 @@ impl Lobes {
     }
 }
 
-/// Constant of a lobe of unit flux, and its vector over the mean direction, for a mean cosine `f`.
+/// A lobe of unit flux: its constant, and its vector over the moment that it is made of.
+#[derive(Clone, Copy)]
+struct Line<R> {
+    constant: R,
+    slope: R,
+}
+
+impl<R: Real> Line<R> {
+    /// From the mean cosine `f`, the moment's length and its factor to unit flux, so that `f` is their product.
+    #[inline(always)]
+    fn new(f: R, length: R, per_moment: R, focus: f32) -> Self {
+        let u = f.min(R::splat(focus.max(WIDEST))).mul_add(R::splat(-3.0), R::splat(3.0));
+        let narrow = R::splat(4.0 * INV_4_PI) / (u * u * length);
+        let narrow_constant = (u - R::splat(1.0)) * (narrow * length);
+        let is_wide = f.lt(R::splat(if focus > WIDEST { WIDEST } else { 2.0 }));
+        Self {
+            constant: R::select(is_wide, R::splat(INV_4_PI), narrow_constant),
+            slope: R::select(is_wide, R::splat(3.0 * INV_4_PI) * per_moment, narrow),
+        }
+    }
+}
+
+/// `|v|²`.
 #[inline(always)]
-fn lobe<R: Real>(f: R, focus: f32) -> [R; 2] {
-    let wide = [R::splat(INV_4_PI), R::splat(3.0 * INV_4_PI)];
-    let t = R::splat(2.0) - R::splat(3.0) * f.min(R::splat(focus.max(1.0 / 3.0)));
-    let per_flux = R::splat(4.0 * INV_4_PI) / ((t + R::splat(1.0)) * (t + R::splat(1.0)));
-    let is_wide = f.lt(R::splat(if focus > 1.0 / 3.0 { 1.0 / 3.0 } else { 2.0 }));
-    let slope = per_flux / f.max(R::splat(1.0 / 3.0));
-    [R::select(is_wide, wide[0], t * per_flux), R::select(is_wide, wide[1], slope)]
+fn square_length<R: Real>(v: [R; 3]) -> R {
+    v[2].mul_add(v[2], v[1].mul_add(v[1], v[0] * v[0]))
 }
 
 /// Makes flux and first moment (`[Φ, Mx, My, Mz]`) travel.
@@ -154,45 +170,48 @@ fn lobe<R: Real>(f: R, focus: f32) -> [R; 2] {
 /// clamped cosine of a diffuse surface at f = ⅔, and narrower for light from a small source.
 #[inline(always)]
 pub fn travel<R: Real>(flux: [R; 4], lobes: &Lobes) -> Travelling<R> {
-    let (gain, restore) = (lobes.gain, lobes.restore);
-    let zero = R::splat(0.0);
+    let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let lit = R::splat(LEAST_FLUX).lt(flux[0]);
     let phi = R::select(lit, flux[0], zero);
-    let safe = R::select(lit, phi, R::splat(1.0));
-    // Mean direction; no light is more than fully directed.
-    let inverse = R::splat(1.0) / safe;
-    let mut f = [flux[1] * inverse, flux[2] * inverse, flux[3] * inverse];
-    let square = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-    let limit = R::splat(1.0) / square.max(R::splat(1.0)).sqrt();
-    unroll!(K in 0, 1, 2 => { f[K] = f[K] * limit; });
-    let square = square * limit * limit;
-    let [line, slope] = lobe(square.sqrt(), lobes.focus);
-    let sent = outflow(line, [f[0] * slope, f[1] * slope, f[2] * slope]);
-    let exact = R::splat(1.0) / sent.flux;
-    let g = exact * R::splat(gain) + R::splat(1.0 - gain);
-    let m = sent.moment;
-    let kept = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * g * g;
-    let small = R::splat(SMALL_MOMENT);
-    let factor = ((square + small) / (kept + small)).sqrt();
-    let a = phi * g * line;
-    let b = phi * g * slope;
-    let net = phi * exact * R::splat(BAND1_PER_NET);
-    let t = sent.to;
-    let [x, y, z] = [t[0] + t[1], t[2] + t[3], t[4] + t[5]];
-    let (excess, difference) = (R::splat(BAND2_PER_EXCESS), R::splat(BAND2_PER_DIFFERENCE));
+    let moment = [flux[1], flux[2], flux[3]];
+    // Mean cosine; no light is more than fully directed.
+    let length = square_length(moment).sqrt();
+    let per_moment = one / R::select(lit, phi, one).max(length);
+    let f = length * per_moment;
+    let line = Line::new(f, length, per_moment, lobes.focus);
+    let sent = outflow(line.constant, [moment[0] * line.slope, moment[1] * line.slope, moment[2] * line.slope]);
+    // Every quotient by what is sent at once: a division waits for the one before it.
+    let exact = phi / sent.flux;
+    let scaled = sent.flux.mul_add(R::splat(1.0 - lobes.gain), R::splat(lobes.gain));
+    let (small, sent_square) = (R::splat(SMALL_MOMENT), sent.flux * sent.flux);
+    let kept = (square_length(sent.moment) * scaled).mul_add(scaled, small * sent_square);
+    let factor = (f.mul_add(f, small) * sent_square / kept).sqrt();
+    let factor = factor.mul_add(R::splat(lobes.restore), R::splat(1.0 - lobes.restore));
+    let strength = exact * scaled;
+    let slope = strength * line.slope;
     Travelling {
-        a,
-        b: [f[0] * b, f[1] * b, f[2] * b],
-        moment_factor: R::select(lit, factor * R::splat(restore) + R::splat(1.0 - restore), R::splat(1.0)),
-        passed: [
-            phi * R::splat(Y0),
-            (t[2] - t[3]) * net,
-            (t[4] - t[5]) * net,
-            (t[0] - t[1]) * net,
-            (z * exact - R::splat(1.0 / 3.0)) * phi * excess,
-            (x - y) * exact * phi * difference,
-        ],
+        a: strength * line.constant,
+        b: [moment[0] * slope, moment[1] * slope, moment[2] * slope],
+        moment_factor: R::select(lit, factor, one),
+        passed: passed(phi, exact, &sent.to, f.lt(R::splat(WIDEST))),
     }
+}
+
+/// [`Travelling::passed`] of flux `phi`, of which the six neighbours get `to` times `exact`. What is wide has no band 2: there it would be
+/// the rounding of a difference of equal numbers.
+#[inline(always)]
+fn passed<R: Real>(phi: R, exact: R, to: &[R; 6], is_wide: R::Mask) -> [R; 6] {
+    let net = exact * R::splat(BAND1_PER_NET);
+    let [x, y, z] = [to[0] + to[1], to[2] + to[3], to[4] + to[5]];
+    let excess = z.mul_add(exact, phi * R::splat(-1.0 / 3.0));
+    [
+        phi * R::splat(Y0),
+        (to[2] - to[3]) * net,
+        (to[4] - to[5]) * net,
+        (to[0] - to[1]) * net,
+        R::select(is_wide, R::splat(0.0), excess * R::splat(BAND2_PER_EXCESS)),
+        R::select(is_wide, R::splat(0.0), (x - y) * (exact * R::splat(BAND2_PER_DIFFERENCE))),
+    ]
 }
 
 #[cfg(test)]

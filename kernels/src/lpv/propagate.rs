@@ -25,7 +25,7 @@
 //! thirty faces spread a lobe a little further at every step. Pass before: `inject.rs`. Pass after: `levels.rs`, `gather.rs`.
 
 use super::grid::{cell_row, rows};
-use super::lobe::{Lobes, Sent, Travelling, travel};
+use super::lobe::{FACING_SR, Lobes, SIDE_SR, Sent, Travelling, travel};
 use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -38,7 +38,9 @@ use interreflect_shared::lpv::{LpvLayout, LpvParams};
 #[inline(always)]
 fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open: &[R; 6]) -> [R; 4] {
     let value = l.value() as usize;
-    let (facing, along, across) = (R::splat(p.lobe.x), R::splat(p.lobe.y), R::splat(p.lobe.z));
+    // Moment along and across the way of travel of an intensity towards a face.
+    let facing = R::splat(p.lobe.x * FACING_SR);
+    let (along, across) = (R::splat(p.lobe.y * SIDE_SR), R::splat(p.lobe.z * SIDE_SR));
     let mut flux = R::splat(0.0);
     let mut moment = [R::splat(0.0); 3];
     unroll!(K in 0, 1, 2, 3, 4, 5 => {
@@ -52,11 +54,12 @@ fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open
         let forward = if K & 1 == 0 { -b[AXIS] } else { b[AXIS] };
         let sent = Sent::new(R::load(state, j), forward, b[NEXT], b[LAST]);
         let kept = open[K] * R::load(state, j + 4 * value);
-        flux = flux + sent.flux() * open[K];
-        let m = (sent.facing * facing + sent.sides * along) * kept;
-        moment[AXIS] = if K & 1 == 0 { moment[AXIS] - m } else { moment[AXIS] + m };
-        moment[NEXT] = moment[NEXT] + sent.next * across * kept;
-        moment[LAST] = moment[LAST] + sent.last * across * kept;
+        flux = sent.flux().mul_add(open[K], flux);
+        let m = sent.facing.mul_add(facing, sent.sides * along);
+        moment[AXIS] = m.mul_add(if K & 1 == 0 { -kept } else { kept }, moment[AXIS]);
+        let kept_across = kept * across;
+        moment[NEXT] = sent.next.mul_add(kept_across, moment[NEXT]);
+        moment[LAST] = sent.last.mul_add(kept_across, moment[LAST]);
     });
     [flux, moment[0], moment[1], moment[2]]
 }
@@ -64,7 +67,7 @@ fn arriving<R: Real>(i: usize, l: &LpvLayout, p: &LpvParams, state: &[f32], open
 /// Share of light that passes a face.
 #[inline(always)]
 fn open_way<R: Real>(j: usize, p: &LpvParams, opacity: &[f32]) -> R {
-    R::splat(1.0) - R::load(opacity, j) * R::splat(p.occlusion)
+    R::load(opacity, j).mul_add(R::splat(-p.occlusion), R::splat(1.0))
 }
 
 /// Share of light that passes from each neighbour (+x, −x, +y, …) of the cell at `i` of a plane of opacity.
@@ -89,6 +92,17 @@ fn values<R: Real>(t: &Travelling<R>, weight: R) -> [R; 11] {
     out
 }
 
+/// Elements ahead that are asked for: a plane's rows lie on pages of their own, and twenty planes are read at once.
+const AHEAD: usize = 128;
+
+/// Asks for what a later row reads first: what travels in the layer above it, and what has passed.
+#[inline(always)]
+fn prefetch<R: Real>(i: usize, l: &LpvLayout, state: &[f32]) {
+    let value = l.value() as usize;
+    unroll!(J in 0, 1, 2, 3, 4 => { R::prefetch(state, J * value + i + l.layer as usize); });
+    unroll!(J in 5, 6, 7, 8, 9, 10 => { R::prefetch(state, J * value + i); });
+}
+
 /// The state of one channel of one cell after a step.
 #[inline(always)]
 pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) -> [R; 11] {
@@ -97,6 +111,7 @@ pub fn propagate<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32])
     let row = cell_row(at, p.dims, &l);
     let mut out = [R::splat(0.0); 11];
     if row.real {
+        prefetch::<R>(at.i + AHEAD, &l, state);
         let open = open_ways::<R>(at.i - (row.channel * l.plane) as usize, &l, p, opacity);
         let t = travel(arriving(at.i, &l, p, state, &open), &Lobes::of(p));
         out = values(&t, R::splat(1.0));
@@ -117,7 +132,7 @@ pub fn begin<R: Real>(at: At, p: &LpvParams, source: &[f32], before: &[f32]) -> 
         let t = travel([R::load(source, i), moment[0], moment[1], moment[2]], &Lobes::of(p));
         out = values(&t, R::splat(p.weight));
         let keep = R::splat(p.keep);
-        unroll!(J in 5, 6, 7, 8, 9, 10 => { out[J] = out[J] + keep * R::load(before, J * value + i); });
+        unroll!(J in 5, 6, 7, 8, 9, 10 => { out[J] = R::load(before, J * value + i).mul_add(keep, out[J]); });
     }
     out
 }

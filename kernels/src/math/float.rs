@@ -23,6 +23,12 @@ const EXPONENT_BITS: u32 = 0x7F80_0000;
 pub fn sqrt(x: f32) -> f32 {
     x.sqrt()
 }
+/// `a·b + c`, rounded once on a CPU; a device may round the product as well. For the processors that have it as one instruction
+/// (x86 since 2013, ARM): elsewhere it is slow.
+#[inline(always)]
+pub fn mul_add(a: f32, b: f32, c: f32) -> f32 {
+    a.mul_add(b, c)
+}
 /// Magnitude, exact.
 #[inline(always)]
 pub fn abs(x: f32) -> f32 {

@@ -2,7 +2,7 @@
 //!
 //! [`super::Lanes`] leaves it to the compiler to find vectors among unrolled numbers. In long bodies it finds only some of
 //! them and moves the rest from lane to lane. Here every operation is one instruction; results are the same bits, since
-//! all of them are IEEE operations without contraction.
+//! all of them are IEEE operations, contracted only where a body says so.
 //!
 //! # Safety
 //! The types' methods use instructions that a processor may lack. They stay inside this crate, and only
@@ -37,7 +37,7 @@ macro_rules! operator {
 macro_rules! lanes {
     ($lanes:ident: $width:literal of $register:ident, mask $mask:ident, words $words:ident;
      load $load:ident, $load_words:ident, store $store:ident, splat $splat:ident, splat_words $splat_words:ident;
-     arithmetic $add:ident $sub:ident $mul:ident $div:ident, $max:ident $min:ident $sqrt:ident;
+     arithmetic $add:ident $sub:ident $mul:ident $div:ident $mul_add:ident, $max:ident $min:ident $sqrt:ident;
      words_and $and:ident, words_or $or:ident, words_xor $xor:ident, left $left:ident, right $right:ident;
      as_words $as_words:ident, as_floats $as_floats:ident;
      less $less:path, blend $blend:path, from_words $from_words:path, part $part:path, permute $permute:path;) => {
@@ -146,8 +146,8 @@ macro_rules! lanes {
                 [Self::half(low_sign, low), Self::half(words, high)]
             }
             #[inline(always)]
-            fn prefetch(words: &[u32], i: usize) {
-                crate::kernel::prefetch(words, i);
+            fn prefetch<T>(slice: &[T], i: usize) {
+                crate::kernel::prefetch(slice, i);
             }
             #[inline(always)]
             fn store(self, plane: &mut [f32], i: usize) {
@@ -162,6 +162,10 @@ macro_rules! lanes {
             #[inline(always)]
             fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
                 Self($blend(mask, a.0, b.0))
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                Self(on_register!($mul_add(self.0, factor.0, addend.0)))
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -240,7 +244,7 @@ fn unsigned256(words: __m256i) -> __m256 {
 lanes! {
     Avx512: 16 of __m512, mask __mmask16, words __m512i;
     load _mm512_loadu_ps, _mm512_loadu_si512, store _mm512_storeu_ps, splat _mm512_set1_ps, splat_words _mm512_set1_epi32;
-    arithmetic _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps, _mm512_max_ps _mm512_min_ps _mm512_sqrt_ps;
+    arithmetic _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_fmadd_ps, _mm512_max_ps _mm512_min_ps _mm512_sqrt_ps;
     words_and _mm512_and_si512, words_or _mm512_or_si512, words_xor _mm512_xor_si512,
     left _mm512_slli_epi32, right _mm512_srli_epi32;
     as_words _mm512_castps_si512, as_floats _mm512_castsi512_ps;
@@ -251,7 +255,7 @@ lanes! {
 lanes! {
     Avx2: 8 of __m256, mask __m256, words __m256i;
     load _mm256_loadu_ps, _mm256_loadu_si256, store _mm256_storeu_ps, splat _mm256_set1_ps, splat_words _mm256_set1_epi32;
-    arithmetic _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps, _mm256_max_ps _mm256_min_ps _mm256_sqrt_ps;
+    arithmetic _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_fmadd_ps, _mm256_max_ps _mm256_min_ps _mm256_sqrt_ps;
     words_and _mm256_and_si256, words_or _mm256_or_si256, words_xor _mm256_xor_si256,
     left _mm256_slli_epi32, right _mm256_srli_epi32;
     as_words _mm256_castps_si256, as_floats _mm256_castsi256_ps;
@@ -282,7 +286,9 @@ mod tests {
     fn arithmetic<R: Real>(a: &[f32], b: &[f32], i: usize) -> Vec<Vec<u32>> {
         let (x, y) = (R::load(a, i), R::load(b, i));
         let picked = R::select(x.lt(y), x, y + R::splat(1.0));
-        [x + y, x - y, x * y, x / y, -x, x.abs(), x.sqrt(), x.max(y), x.min(y), x.positive(), picked].map(bits).to_vec()
+        [x + y, x - y, x * y, x / y, x.mul_add(y, -x), -x, x.abs(), x.sqrt(), x.max(y), x.min(y), x.positive(), picked]
+            .map(bits)
+            .to_vec()
     }
 
     /// All results of loading from `first` on, of the lanes from `lane` on.
@@ -319,7 +325,7 @@ mod tests {
     fn registers_agree_with_single_numbers_bit_for_bit() {
         agrees::<Lanes<16>>();
         let mut tried = 0;
-        if std::is_x86_feature_detected!("avx2") {
+        if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
             agrees::<Avx2>();
             tried += 1;
         }

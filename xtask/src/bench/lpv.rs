@@ -1,6 +1,6 @@
 //! Light propagation volumes: cells per second and what binds them, cost per light, and times per stage beside the papers'.
 
-use super::kernels::{Load, operations, repeats};
+use super::kernels::{Load, operations};
 use super::{Bench, median};
 use anyhow::{Context, Result};
 use interreflect::exec::Executor;
@@ -14,6 +14,8 @@ use interreflect_shared::lpv::LpvParams;
 use serde_json::{Value, json};
 
 const REPEATS: usize = 7;
+/// Steps of propagation in a row: half of a grid's 32 cells, the least that a light change takes.
+const STEPS: u32 = 16;
 /// Texels along each side of a light's map in the table of lights.
 const MAP: &str = "32";
 
@@ -36,12 +38,11 @@ fn propagation(bench: &mut Bench) -> Result<Value> {
         let cells = (params.dims.x * params.dims.y * params.dims.z) as f64;
         let on_cpu = Load::new(&mut bench.cpu, kernel, &case)?;
         let on_gpu = bench.gpu.as_mut().map(|gpu| Load::new(gpu, kernel, &case)).transpose()?;
-        let repeat = repeats(on_cpu.seconds(&mut bench.cpu, 1)?);
         let (mut cpu, mut gpu) = (Vec::new(), Vec::new());
         for turn in 0..=REPEATS {
-            let seconds = on_cpu.seconds(&mut bench.cpu, repeat)?;
+            let seconds = on_cpu.seconds(&mut bench.cpu, STEPS)?;
             let device = match (&on_gpu, &mut bench.gpu) {
-                (Some(load), Some(executor)) => Some(load.seconds(executor, repeat)?),
+                (Some(load), Some(executor)) => Some(load.seconds(executor, STEPS)?),
                 _ => None,
             };
             // The first turn warms up.
