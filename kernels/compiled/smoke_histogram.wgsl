@@ -38,7 +38,7 @@ fn function_() {
                 }
                 let _e26 = values.member[_e18];
                 let _e29 = params.member.member_1;
-                let _e31 = ((_e26 ^ _e29) % 64u);
+                let _e31 = ((_e26 ^ _e29) % 4096u);
                 if (_e31 < arrayLength((&bins.member))) {
                 } else {
                     break;

@@ -127,78 +127,80 @@ fn function_() {
     var local_4: array<vec3<f32>, 10>;
     var local_5: array<vec3<f32>, 10>;
     var local_6: type_43;
+    var phi_709_: u32;
+    var phi_712_: u32;
     var phi_710_: u32;
     var phi_713_: u32;
-    var phi_711_: u32;
-    var phi_714_: u32;
-    var phi_5353_: bool;
+    var phi_5351_: bool;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_827_: bool;
-    var phi_836_: u32;
-    var phi_856_: vec3<f32>;
-    var phi_857_: vec3<f32>;
-    var phi_868_: vec3<f32>;
-    var phi_869_: vec3<f32>;
-    var phi_880_: vec3<f32>;
-    var phi_881_: vec3<f32>;
-    var phi_892_: vec3<f32>;
-    var phi_893_: vec3<f32>;
-    var phi_1029_: bool;
-    var phi_1038_: u32;
-    var phi_1048_: f32;
-    var phi_1068_: vec3<f32>;
+    var phi_825_: bool;
+    var phi_834_: u32;
+    var phi_854_: vec3<f32>;
+    var phi_855_: vec3<f32>;
+    var phi_866_: vec3<f32>;
+    var phi_867_: vec3<f32>;
+    var phi_878_: vec3<f32>;
+    var phi_879_: vec3<f32>;
+    var phi_890_: vec3<f32>;
+    var phi_891_: vec3<f32>;
+    var phi_1027_: bool;
+    var phi_1036_: u32;
+    var phi_1046_: f32;
+    var phi_1066_: vec3<f32>;
     var local_11: u32;
     var local_12: u32;
     var local_13: u32;
-    var phi_1192_: u32;
-    var phi_4718_: bool;
-    var phi_4757_: bool;
-    var phi_4796_: bool;
+    var phi_1190_: u32;
+    var phi_4716_: bool;
+    var phi_4755_: bool;
+    var phi_4794_: bool;
+    var phi_1386_: bool;
+    var phi_1387_: bool;
     var phi_1388_: bool;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
-    var phi_1399_: type_39;
-    var phi_5749_: bool;
-    var phi_5367_: i32;
+    var phi_1397_: type_39;
+    var phi_5747_: bool;
+    var phi_5365_: i32;
+    var phi_5362_: i32;
+    var phi_5359_: i32;
+    var phi_5356_: i32;
     var phi_5364_: i32;
     var phi_5361_: i32;
     var phi_5358_: i32;
-    var phi_5366_: i32;
-    var phi_5363_: i32;
-    var phi_5360_: i32;
+    var phi_5355_: i32;
     var phi_5357_: i32;
-    var phi_5359_: i32;
-    var phi_1619_: bool;
-    var phi_1649_: bool;
+    var phi_1617_: bool;
+    var phi_1647_: bool;
+    var phi_1677_: bool;
+    var phi_1678_: bool;
     var phi_1679_: bool;
     var phi_1680_: bool;
-    var phi_1681_: bool;
-    var phi_1682_: bool;
-    var phi_1716_: bool;
-    var phi_1746_: bool;
+    var phi_1714_: bool;
+    var phi_1744_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
     var phi_1776_: bool;
     var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1813_: bool;
-    var phi_1843_: bool;
+    var phi_1811_: bool;
+    var phi_1841_: bool;
+    var phi_1871_: bool;
+    var phi_1872_: bool;
     var phi_1873_: bool;
     var phi_1874_: bool;
-    var phi_1875_: bool;
-    var phi_1876_: bool;
-    var phi_1908_: bool;
-    var phi_1918_: vec3<f32>;
-    var phi_1919_: vec3<f32>;
-    var phi_1971_: bool;
-    var phi_1980_: vec3<f32>;
+    var phi_1906_: bool;
+    var phi_1916_: vec3<f32>;
+    var phi_1917_: vec3<f32>;
+    var phi_1969_: bool;
+    var phi_1978_: vec3<f32>;
+    var phi_2019_: bool;
+    var phi_2020_: bool;
     var phi_2021_: bool;
     var phi_2022_: bool;
     var phi_2023_: bool;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
+    var phi_2027_: bool;
+    var phi_2028_: bool;
     var phi_2029_: bool;
     var phi_2030_: bool;
     var phi_2031_: bool;
@@ -214,232 +216,230 @@ fn function_() {
     var phi_2041_: bool;
     var phi_2042_: bool;
     var phi_2043_: bool;
-    var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_5657_: i32;
-    var phi_2058_: bool;
-    var local_14: bool;
-    var phi_5516_: i32;
-    var phi_2111_: vec3<f32>;
-    var phi_2112_: vec3<f32>;
-    var phi_4846_: type_33;
-    var phi_4849_: type_33;
-    var phi_4850_: bool;
-    var phi_4855_: type_33;
-    var phi_4857_: type_33;
-    var phi_4893_: type_33;
-    var phi_4896_: type_33;
-    var phi_4897_: bool;
-    var phi_4902_: type_33;
-    var phi_4904_: type_33;
-    var phi_4952_: type_33;
-    var phi_5001_: type_33;
-    var phi_5004_: type_33;
-    var phi_5005_: bool;
-    var phi_5010_: type_33;
-    var phi_5012_: type_33;
-    var phi_5048_: type_33;
-    var phi_5051_: type_33;
-    var phi_5052_: bool;
-    var phi_5057_: type_33;
-    var phi_5059_: type_33;
-    var phi_5107_: type_33;
-    var phi_5156_: type_33;
-    var phi_5159_: type_33;
-    var phi_5160_: bool;
-    var phi_5165_: type_33;
-    var phi_5167_: type_33;
-    var phi_5203_: type_33;
-    var phi_5206_: type_33;
-    var phi_5207_: bool;
-    var phi_5212_: type_33;
-    var phi_5214_: type_33;
-    var phi_5262_: type_33;
-    var phi_2154_: type_33;
-    var phi_6365_: i32;
-    var phi_5656_: i32;
-    var phi_5632_: i32;
-    var phi_5602_: i32;
-    var phi_6364_: i32;
     var phi_5655_: i32;
-    var phi_5631_: i32;
-    var phi_5601_: i32;
-    var phi_2194_: bool;
+    var phi_2056_: bool;
+    var local_14: bool;
+    var phi_5514_: i32;
+    var phi_2109_: vec3<f32>;
+    var phi_2110_: vec3<f32>;
+    var phi_4844_: type_33;
+    var phi_4847_: type_33;
+    var phi_4848_: bool;
+    var phi_4853_: type_33;
+    var phi_4855_: type_33;
+    var phi_4891_: type_33;
+    var phi_4894_: type_33;
+    var phi_4895_: bool;
+    var phi_4900_: type_33;
+    var phi_4902_: type_33;
+    var phi_4950_: type_33;
+    var phi_4999_: type_33;
+    var phi_5002_: type_33;
+    var phi_5003_: bool;
+    var phi_5008_: type_33;
+    var phi_5010_: type_33;
+    var phi_5046_: type_33;
+    var phi_5049_: type_33;
+    var phi_5050_: bool;
+    var phi_5055_: type_33;
+    var phi_5057_: type_33;
+    var phi_5105_: type_33;
+    var phi_5154_: type_33;
+    var phi_5157_: type_33;
+    var phi_5158_: bool;
+    var phi_5163_: type_33;
+    var phi_5165_: type_33;
+    var phi_5201_: type_33;
+    var phi_5204_: type_33;
+    var phi_5205_: bool;
+    var phi_5210_: type_33;
+    var phi_5212_: type_33;
+    var phi_5260_: type_33;
+    var phi_2152_: type_33;
+    var phi_6363_: i32;
+    var phi_5654_: i32;
+    var phi_5630_: i32;
+    var phi_5600_: i32;
+    var phi_6362_: i32;
+    var phi_5653_: i32;
+    var phi_5629_: i32;
+    var phi_5599_: i32;
+    var phi_2192_: bool;
     var local_15: bool;
     var local_16: i32;
     var local_17: i32;
     var local_18: i32;
-    var phi_2224_: u32;
-    var phi_2235_: vec3<f32>;
-    var phi_2236_: vec3<f32>;
-    var phi_2294_: type_12;
-    var phi_2297_: f32;
-    var phi_2295_: type_12;
-    var phi_2320_: type_12;
-    var phi_2298_: f32;
-    var phi_5738_: bool;
+    var phi_2222_: u32;
+    var phi_2233_: vec3<f32>;
+    var phi_2234_: vec3<f32>;
+    var phi_2292_: type_12;
+    var phi_2295_: f32;
+    var phi_2293_: type_12;
+    var phi_2318_: type_12;
+    var phi_2296_: f32;
+    var phi_5736_: bool;
     var local_19: f32;
-    var phi_2398_: type_12;
-    var phi_2401_: f32;
-    var phi_2403_: vec3<f32>;
-    var phi_2405_: u32;
-    var phi_2399_: type_12;
-    var phi_2428_: type_12;
-    var phi_2488_: u32;
-    var phi_2489_: u32;
-    var phi_2505_: u32;
-    var phi_2506_: u32;
-    var phi_2402_: f32;
-    var phi_2404_: vec3<f32>;
-    var phi_2406_: u32;
-    var phi_5948_: bool;
+    var phi_2396_: type_12;
+    var phi_2399_: f32;
+    var phi_2401_: vec3<f32>;
+    var phi_2403_: u32;
+    var phi_2397_: type_12;
+    var phi_2426_: type_12;
+    var phi_2486_: u32;
+    var phi_2487_: u32;
+    var phi_2503_: u32;
+    var phi_2504_: u32;
+    var phi_2400_: f32;
+    var phi_2402_: vec3<f32>;
+    var phi_2404_: u32;
+    var phi_5946_: bool;
     var local_20: u32;
-    var phi_5961_: bool;
-    var phi_5960_: bool;
-    var phi_2519_: type_12;
-    var phi_2522_: f32;
-    var phi_2520_: type_12;
-    var phi_2545_: type_12;
-    var phi_2523_: f32;
-    var phi_5956_: bool;
+    var phi_5959_: bool;
+    var phi_5958_: bool;
+    var phi_2517_: type_12;
+    var phi_2520_: f32;
+    var phi_2518_: type_12;
+    var phi_2543_: type_12;
+    var phi_2521_: f32;
+    var phi_5954_: bool;
     var local_21: f32;
-    var phi_2617_: type_12;
-    var phi_2620_: f32;
-    var phi_2622_: vec3<f32>;
-    var phi_2624_: u32;
-    var phi_2618_: type_12;
-    var phi_2647_: type_12;
-    var phi_2704_: u32;
-    var phi_2705_: u32;
-    var phi_2721_: u32;
-    var phi_2722_: u32;
-    var phi_2621_: f32;
-    var phi_2623_: vec3<f32>;
-    var phi_2625_: u32;
-    var phi_5963_: bool;
+    var phi_2615_: type_12;
+    var phi_2618_: f32;
+    var phi_2620_: vec3<f32>;
+    var phi_2622_: u32;
+    var phi_2616_: type_12;
+    var phi_2645_: type_12;
+    var phi_2702_: u32;
+    var phi_2703_: u32;
+    var phi_2719_: u32;
+    var phi_2720_: u32;
+    var phi_2619_: f32;
+    var phi_2621_: vec3<f32>;
+    var phi_2623_: u32;
+    var phi_5961_: bool;
     var local_22: u32;
-    var phi_5976_: bool;
-    var phi_5975_: bool;
-    var phi_2729_: type_12;
-    var phi_2732_: f32;
-    var phi_2730_: type_12;
-    var phi_2755_: type_12;
-    var phi_2733_: f32;
-    var phi_5971_: bool;
+    var phi_5974_: bool;
+    var phi_5973_: bool;
+    var phi_2727_: type_12;
+    var phi_2730_: f32;
+    var phi_2728_: type_12;
+    var phi_2753_: type_12;
+    var phi_2731_: f32;
+    var phi_5969_: bool;
     var local_23: f32;
-    var phi_2833_: type_12;
-    var phi_2836_: f32;
-    var phi_2838_: vec3<f32>;
-    var phi_2840_: u32;
-    var phi_2834_: type_12;
-    var phi_2863_: type_12;
-    var phi_2923_: u32;
-    var phi_2924_: u32;
-    var phi_2940_: u32;
-    var phi_2941_: u32;
-    var phi_2837_: f32;
-    var phi_2839_: vec3<f32>;
-    var phi_2841_: u32;
-    var phi_5978_: bool;
+    var phi_2831_: type_12;
+    var phi_2834_: f32;
+    var phi_2836_: vec3<f32>;
+    var phi_2838_: u32;
+    var phi_2832_: type_12;
+    var phi_2861_: type_12;
+    var phi_2921_: u32;
+    var phi_2922_: u32;
+    var phi_2938_: u32;
+    var phi_2939_: u32;
+    var phi_2835_: f32;
+    var phi_2837_: vec3<f32>;
+    var phi_2839_: u32;
+    var phi_5976_: bool;
     var local_24: u32;
-    var phi_5991_: bool;
-    var phi_5990_: bool;
-    var phi_2954_: type_12;
-    var phi_2957_: f32;
-    var phi_2955_: type_12;
-    var phi_2980_: type_12;
-    var phi_2958_: f32;
-    var phi_5986_: bool;
+    var phi_5989_: bool;
+    var phi_5988_: bool;
+    var phi_2952_: type_12;
+    var phi_2955_: f32;
+    var phi_2953_: type_12;
+    var phi_2978_: type_12;
+    var phi_2956_: f32;
+    var phi_5984_: bool;
     var local_25: f32;
-    var phi_3052_: type_12;
-    var phi_3055_: f32;
-    var phi_3057_: vec3<f32>;
-    var phi_3059_: u32;
-    var phi_3053_: type_12;
-    var phi_3082_: type_12;
-    var phi_3139_: u32;
-    var phi_3140_: u32;
-    var phi_3156_: u32;
-    var phi_3157_: u32;
-    var phi_3056_: f32;
-    var phi_3058_: vec3<f32>;
-    var phi_3060_: u32;
-    var phi_5993_: bool;
+    var phi_3050_: type_12;
+    var phi_3053_: f32;
+    var phi_3055_: vec3<f32>;
+    var phi_3057_: u32;
+    var phi_3051_: type_12;
+    var phi_3080_: type_12;
+    var phi_3137_: u32;
+    var phi_3138_: u32;
+    var phi_3154_: u32;
+    var phi_3155_: u32;
+    var phi_3054_: f32;
+    var phi_3056_: vec3<f32>;
+    var phi_3058_: u32;
+    var phi_5991_: bool;
     var local_26: u32;
-    var phi_6006_: bool;
-    var phi_6005_: bool;
-    var phi_3164_: type_12;
-    var phi_3167_: f32;
-    var phi_3165_: type_12;
-    var phi_3190_: type_12;
-    var phi_3168_: f32;
-    var phi_6001_: bool;
+    var phi_6004_: bool;
+    var phi_6003_: bool;
+    var phi_3162_: type_12;
+    var phi_3165_: f32;
+    var phi_3163_: type_12;
+    var phi_3188_: type_12;
+    var phi_3166_: f32;
+    var phi_5999_: bool;
     var local_27: f32;
-    var phi_3268_: type_12;
-    var phi_3271_: f32;
-    var phi_3273_: vec3<f32>;
-    var phi_3275_: u32;
-    var phi_3269_: type_12;
-    var phi_3298_: type_12;
-    var phi_3358_: u32;
-    var phi_3359_: u32;
-    var phi_3375_: u32;
-    var phi_3376_: u32;
-    var phi_3272_: f32;
-    var phi_3274_: vec3<f32>;
-    var phi_3276_: u32;
-    var phi_6008_: bool;
+    var phi_3266_: type_12;
+    var phi_3269_: f32;
+    var phi_3271_: vec3<f32>;
+    var phi_3273_: u32;
+    var phi_3267_: type_12;
+    var phi_3296_: type_12;
+    var phi_3356_: u32;
+    var phi_3357_: u32;
+    var phi_3373_: u32;
+    var phi_3374_: u32;
+    var phi_3270_: f32;
+    var phi_3272_: vec3<f32>;
+    var phi_3274_: u32;
+    var phi_6006_: bool;
     var local_28: u32;
-    var phi_6021_: bool;
-    var phi_6020_: bool;
-    var phi_3389_: type_12;
-    var phi_3392_: f32;
-    var phi_3390_: type_12;
-    var phi_3415_: type_12;
-    var phi_3393_: f32;
-    var phi_6016_: bool;
+    var phi_6019_: bool;
+    var phi_6018_: bool;
+    var phi_3387_: type_12;
+    var phi_3390_: f32;
+    var phi_3388_: type_12;
+    var phi_3413_: type_12;
+    var phi_3391_: f32;
+    var phi_6014_: bool;
     var local_29: f32;
-    var phi_3487_: type_12;
-    var phi_3490_: f32;
-    var phi_3492_: vec3<f32>;
-    var phi_3494_: u32;
-    var phi_3488_: type_12;
-    var phi_3517_: type_12;
-    var phi_3574_: u32;
-    var phi_3575_: u32;
-    var phi_3591_: u32;
-    var phi_3592_: u32;
-    var phi_3491_: f32;
-    var phi_3493_: vec3<f32>;
-    var phi_3495_: u32;
-    var phi_6023_: bool;
+    var phi_3485_: type_12;
+    var phi_3488_: f32;
+    var phi_3490_: vec3<f32>;
+    var phi_3492_: u32;
+    var phi_3486_: type_12;
+    var phi_3515_: type_12;
+    var phi_3572_: u32;
+    var phi_3573_: u32;
+    var phi_3589_: u32;
+    var phi_3590_: u32;
+    var phi_3489_: f32;
+    var phi_3491_: vec3<f32>;
+    var phi_3493_: u32;
+    var phi_6021_: bool;
     var local_30: u32;
-    var phi_6036_: bool;
-    var phi_6035_: bool;
-    var phi_3604_: type_12;
-    var phi_3607_: vec3<f32>;
+    var phi_6034_: bool;
+    var phi_6033_: bool;
+    var phi_3602_: type_12;
+    var phi_3605_: vec3<f32>;
+    var phi_3607_: f32;
     var phi_3609_: f32;
     var phi_3611_: f32;
     var phi_3613_: f32;
-    var phi_3615_: f32;
-    var phi_3605_: type_12;
-    var phi_3638_: type_12;
-    var phi_3752_: vec3<f32>;
-    var phi_3753_: f32;
-    var phi_3608_: vec3<f32>;
+    var phi_3603_: type_12;
+    var phi_3636_: type_12;
+    var phi_3750_: vec3<f32>;
+    var phi_3751_: f32;
+    var phi_3606_: vec3<f32>;
+    var phi_3608_: f32;
     var phi_3610_: f32;
     var phi_3612_: f32;
     var phi_3614_: f32;
-    var phi_3616_: f32;
-    var phi_6031_: bool;
+    var phi_6029_: bool;
     var local_31: f32;
     var local_32: f32;
     var local_33: f32;
+    var phi_3767_: bool;
+    var phi_3768_: bool;
     var phi_3769_: bool;
     var phi_3770_: bool;
     var phi_3771_: bool;
-    var phi_3772_: bool;
-    var phi_3773_: bool;
     var local_34: f32;
     var local_35: vec3<f32>;
     var local_36: f32;
@@ -447,33 +447,33 @@ fn function_() {
     var local_38: f32;
     var local_39: vec3<f32>;
     var local_40: f32;
-    var phi_3790_: vec3<f32>;
+    var phi_3788_: vec3<f32>;
     var local_41: f32;
     var local_42: u32;
-    var phi_3862_: f32;
+    var phi_3860_: f32;
     var local_43: u32;
     var local_44: u32;
     var local_45: u32;
     var local_46: u32;
     var local_47: u32;
     var local_48: u32;
-    var phi_3952_: u32;
-    var phi_3958_: u32;
-    var phi_3988_: u32;
-    var phi_3994_: u32;
-    var phi_4211_: type_30;
-    var phi_4241_: u32;
-    var phi_4252_: vec3<f32>;
-    var phi_4253_: vec3<f32>;
-    var phi_4288_: type_12;
-    var phi_4291_: u32;
-    var phi_4289_: type_12;
-    var phi_4314_: type_12;
-    var phi_4339_: u32;
-    var phi_4292_: u32;
+    var phi_3950_: u32;
+    var phi_3956_: u32;
+    var phi_3986_: u32;
+    var phi_3992_: u32;
+    var phi_4209_: type_30;
+    var phi_4239_: u32;
+    var phi_4250_: vec3<f32>;
+    var phi_4251_: vec3<f32>;
+    var phi_4286_: type_12;
+    var phi_4289_: u32;
+    var phi_4287_: type_12;
+    var phi_4312_: type_12;
+    var phi_4337_: u32;
+    var phi_4290_: u32;
     var local_49: u32;
-    var phi_6042_: bool;
-    var phi_6041_: bool;
+    var phi_6040_: bool;
+    var phi_6039_: bool;
     var local_50: i32;
     var local_51: i32;
     var local_52: i32;
@@ -491,11 +491,11 @@ fn function_() {
             let _e109 = params.member.member_4;
             if (_e106 < _e109) {
                 let _e113 = params.member.member_3;
-                phi_710_ = _e113;
-                phi_713_ = 0u;
+                phi_709_ = _e113;
+                phi_712_ = 0u;
                 loop {
-                    let _e115 = phi_710_;
-                    let _e117 = phi_713_;
+                    let _e115 = phi_709_;
+                    let _e117 = phi_712_;
                     local_7 = _e117;
                     local_8 = _e117;
                     local_9 = _e117;
@@ -510,1118 +510,1118 @@ fn function_() {
                     local_46 = _e117;
                     local_47 = _e117;
                     local_48 = _e117;
-                    let _e119 = ((_e115 - _e117) > 1u);
-                    if _e119 {
-                        let _e121 = ((_e117 + _e115) / 2u);
-                        if (_e121 < _e100) {
+                    let _e118 = (_e115 > 1u);
+                    if _e118 {
+                        let _e119 = (_e115 / 2u);
+                        let _e120 = (_e117 + _e119);
+                        if (_e120 < _e100) {
                         } else {
-                            phi_5353_ = true;
+                            phi_5351_ = true;
                             break;
                         }
-                        let _e125 = tile_first.member[_e121];
-                        let _e126 = (_e125 <= _e106);
-                        phi_711_ = select(_e121, _e115, _e126);
-                        phi_714_ = select(_e117, _e121, _e126);
+                        let _e124 = tile_first.member[_e120];
+                        phi_710_ = (_e115 - _e119);
+                        phi_713_ = select(_e117, _e120, (_e124 <= _e106));
                     } else {
-                        phi_711_ = u32();
-                        phi_714_ = u32();
+                        phi_710_ = u32();
+                        phi_713_ = u32();
                     }
-                    let _e130 = phi_711_;
-                    let _e132 = phi_714_;
+                    let _e129 = phi_710_;
+                    let _e131 = phi_713_;
                     continue;
                     continuing {
-                        phi_710_ = _e130;
-                        phi_713_ = _e132;
-                        phi_5353_ = false;
-                        break if !(_e119);
+                        phi_709_ = _e129;
+                        phi_712_ = _e131;
+                        phi_5351_ = false;
+                        break if !(_e118);
                     }
                 }
-                let _e135 = phi_5353_;
-                if _e135 {
+                let _e134 = phi_5351_;
+                if _e134 {
                     break;
                 }
-                let _e137 = local_7;
-                if (_e137 < arrayLength((&triangles.member))) {
+                let _e136 = local_7;
+                if (_e136 < arrayLength((&triangles.member))) {
                 } else {
                     break;
                 }
-                let _e141 = local_8;
-                let _e144 = triangles.member[_e141].member;
-                let _e150 = params.member.member;
-                let _e158 = ((_e144[0] - _e150.x) / _e150.w);
-                let _e159 = ((_e144[1] - _e150.y) / _e150.w);
-                let _e160 = ((_e144[2] - _e150.z) / _e150.w);
-                let _e164 = local_9;
-                let _e167 = triangles.member[_e164].member_2;
-                let _e174 = ((_e167[0] - _e150.x) / _e150.w);
-                let _e175 = ((_e167[1] - _e150.y) / _e150.w);
-                let _e176 = ((_e167[2] - _e150.z) / _e150.w);
-                let _e180 = local_10;
-                let _e183 = triangles.member[_e180].member_4;
-                let _e190 = ((_e183[0] - _e150.x) / _e150.w);
-                let _e191 = ((_e183[1] - _e150.y) / _e150.w);
-                let _e192 = ((_e183[2] - _e150.z) / _e150.w);
+                let _e140 = local_8;
+                let _e143 = triangles.member[_e140].member;
+                let _e149 = params.member.member;
+                let _e157 = ((_e143[0] - _e149.x) / _e149.w);
+                let _e158 = ((_e143[1] - _e149.y) / _e149.w);
+                let _e159 = ((_e143[2] - _e149.z) / _e149.w);
+                let _e163 = local_9;
+                let _e166 = triangles.member[_e163].member_2;
+                let _e173 = ((_e166[0] - _e149.x) / _e149.w);
+                let _e174 = ((_e166[1] - _e149.y) / _e149.w);
+                let _e175 = ((_e166[2] - _e149.z) / _e149.w);
+                let _e179 = local_10;
+                let _e182 = triangles.member[_e179].member_4;
+                let _e189 = ((_e182[0] - _e149.x) / _e149.w);
+                let _e190 = ((_e182[1] - _e149.y) / _e149.w);
+                let _e191 = ((_e182[2] - _e149.z) / _e149.w);
+                let _e193 = (_e173 - _e157);
                 let _e194 = (_e174 - _e158);
                 let _e195 = (_e175 - _e159);
-                let _e196 = (_e176 - _e160);
+                let _e196 = (_e189 - _e157);
                 let _e197 = (_e190 - _e158);
                 let _e198 = (_e191 - _e159);
-                let _e199 = (_e192 - _e160);
-                let _e202 = ((_e195 * _e199) - (_e198 * _e196));
-                let _e205 = ((_e196 * _e197) - (_e199 * _e194));
-                let _e208 = ((_e194 * _e198) - (_e197 * _e195));
-                let _e210 = abs(_e202);
-                let _e211 = abs(_e205);
-                let _e212 = abs(_e208);
-                let _e213 = (_e210 >= _e211);
-                if _e213 {
-                    phi_827_ = select(true, false, (_e210 >= _e212));
+                let _e201 = ((_e194 * _e198) - (_e197 * _e195));
+                let _e204 = ((_e195 * _e196) - (_e198 * _e193));
+                let _e207 = ((_e193 * _e197) - (_e196 * _e194));
+                let _e209 = abs(_e201);
+                let _e210 = abs(_e204);
+                let _e211 = abs(_e207);
+                let _e212 = (_e209 >= _e210);
+                if _e212 {
+                    phi_825_ = select(true, false, (_e209 >= _e211));
                 } else {
-                    phi_827_ = true;
+                    phi_825_ = true;
                 }
-                let _e217 = phi_827_;
-                if _e217 {
-                    phi_836_ = select(2u, 1u, (_e211 >= _e212));
+                let _e216 = phi_825_;
+                if _e216 {
+                    phi_834_ = select(2u, 1u, (_e210 >= _e211));
                 } else {
-                    phi_836_ = 0u;
+                    phi_834_ = 0u;
                 }
-                let _e221 = phi_836_;
-                let _e224 = params.member.member_1;
-                let _e226 = f32(_e224.x);
-                let _e228 = f32(_e224.y);
-                let _e230 = f32(_e224.z);
-                let _e232 = (_e221 == 0u);
-                if _e232 {
-                    phi_857_ = vec3<f32>(_e228, _e230, _e226);
+                let _e220 = phi_834_;
+                let _e223 = params.member.member_1;
+                let _e225 = f32(_e223.x);
+                let _e227 = f32(_e223.y);
+                let _e229 = f32(_e223.z);
+                let _e231 = (_e220 == 0u);
+                if _e231 {
+                    phi_855_ = vec3<f32>(_e227, _e229, _e225);
                 } else {
-                    if (_e221 == 1u) {
-                        phi_856_ = vec3<f32>(_e230, _e226, _e228);
+                    if (_e220 == 1u) {
+                        phi_854_ = vec3<f32>(_e229, _e225, _e227);
                     } else {
-                        phi_856_ = vec3<f32>(_e226, _e228, _e230);
+                        phi_854_ = vec3<f32>(_e225, _e227, _e229);
                     }
-                    let _e236 = phi_856_;
-                    phi_857_ = _e236;
+                    let _e235 = phi_854_;
+                    phi_855_ = _e235;
                 }
-                let _e239 = phi_857_;
-                if _e232 {
-                    phi_869_ = vec3<f32>(_e159, _e160, _e158);
+                let _e238 = phi_855_;
+                if _e231 {
+                    phi_867_ = vec3<f32>(_e158, _e159, _e157);
                 } else {
-                    if (_e221 == 1u) {
-                        phi_868_ = vec3<f32>(_e160, _e158, _e159);
+                    if (_e220 == 1u) {
+                        phi_866_ = vec3<f32>(_e159, _e157, _e158);
                     } else {
-                        phi_868_ = vec3<f32>(_e158, _e159, _e160);
+                        phi_866_ = vec3<f32>(_e157, _e158, _e159);
                     }
-                    let _e243 = phi_868_;
-                    phi_869_ = _e243;
+                    let _e242 = phi_866_;
+                    phi_867_ = _e242;
                 }
-                let _e246 = phi_869_;
-                if _e232 {
-                    phi_881_ = vec3<f32>(_e175, _e176, _e174);
+                let _e245 = phi_867_;
+                if _e231 {
+                    phi_879_ = vec3<f32>(_e174, _e175, _e173);
                 } else {
-                    if (_e221 == 1u) {
-                        phi_880_ = vec3<f32>(_e176, _e174, _e175);
+                    if (_e220 == 1u) {
+                        phi_878_ = vec3<f32>(_e175, _e173, _e174);
                     } else {
-                        phi_880_ = vec3<f32>(_e174, _e175, _e176);
+                        phi_878_ = vec3<f32>(_e173, _e174, _e175);
                     }
-                    let _e250 = phi_880_;
-                    phi_881_ = _e250;
+                    let _e249 = phi_878_;
+                    phi_879_ = _e249;
                 }
-                let _e253 = phi_881_;
-                if _e232 {
-                    phi_893_ = vec3<f32>(_e191, _e192, _e190);
+                let _e252 = phi_879_;
+                if _e231 {
+                    phi_891_ = vec3<f32>(_e190, _e191, _e189);
                 } else {
-                    if (_e221 == 1u) {
-                        phi_892_ = vec3<f32>(_e192, _e190, _e191);
+                    if (_e220 == 1u) {
+                        phi_890_ = vec3<f32>(_e191, _e189, _e190);
                     } else {
-                        phi_892_ = vec3<f32>(_e190, _e191, _e192);
+                        phi_890_ = vec3<f32>(_e189, _e190, _e191);
                     }
-                    let _e257 = phi_892_;
-                    phi_893_ = _e257;
+                    let _e256 = phi_890_;
+                    phi_891_ = _e256;
                 }
-                let _e260 = phi_893_;
-                let _e264 = select(_e253.x, _e246.x, (_e246.x < _e253.x));
-                let _e269 = select(_e253.x, _e246.x, (_e246.x > _e253.x));
-                let _e275 = (-1f - floor(-(select(_e260.x, _e264, (_e264 < _e260.x)))));
-                let _e276 = floor(select(_e260.x, _e269, (_e269 > _e260.x)));
-                let _e277 = (_e239.x - 1f);
-                let _e279 = select(0f, _e275, (_e275 > 0f));
-                let _e281 = select(_e277, _e276, (_e276 < _e277));
-                let _e288 = select(0i, select(select(i32(_e279), i32(-2147483648), (_e279 < -2147483600f)), 2147483647i, (_e279 > 2147483500f)), (_e279 == _e279));
-                let _e295 = select(0i, select(select(i32(_e281), i32(-2147483648), (_e281 < -2147483600f)), 2147483647i, (_e281 > 2147483500f)), (_e281 == _e281));
-                let _e299 = select(_e253.y, _e246.y, (_e246.y < _e253.y));
-                let _e304 = select(_e253.y, _e246.y, (_e246.y > _e253.y));
-                let _e310 = (-1f - floor(-(select(_e260.y, _e299, (_e299 < _e260.y)))));
-                let _e311 = floor(select(_e260.y, _e304, (_e304 > _e260.y)));
-                let _e312 = (_e239.y - 1f);
-                let _e314 = select(0f, _e310, (_e310 > 0f));
-                let _e316 = select(_e312, _e311, (_e311 < _e312));
-                let _e323 = select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < -2147483600f)), 2147483647i, (_e314 > 2147483500f)), (_e314 == _e314));
-                let _e330 = select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < -2147483600f)), 2147483647i, (_e316 > 2147483500f)), (_e316 == _e316));
-                let _e331 = type_38(_e246, _e253, _e260, vec3<f32>(_e202, _e205, _e208), _e221, _e239, _e288, _e295, _e323, _e330);
-                if _e213 {
-                    phi_1029_ = select(true, false, (_e210 >= _e212));
+                let _e259 = phi_891_;
+                let _e263 = select(_e252.x, _e245.x, (_e245.x < _e252.x));
+                let _e268 = select(_e252.x, _e245.x, (_e245.x > _e252.x));
+                let _e274 = (-1f - floor(-(select(_e259.x, _e263, (_e263 < _e259.x)))));
+                let _e275 = floor(select(_e259.x, _e268, (_e268 > _e259.x)));
+                let _e276 = (_e238.x - 1f);
+                let _e278 = select(0f, _e274, (_e274 > 0f));
+                let _e280 = select(_e276, _e275, (_e275 < _e276));
+                let _e287 = select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < -2147483600f)), 2147483647i, (_e278 > 2147483500f)), (_e278 == _e278));
+                let _e294 = select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < -2147483600f)), 2147483647i, (_e280 > 2147483500f)), (_e280 == _e280));
+                let _e298 = select(_e252.y, _e245.y, (_e245.y < _e252.y));
+                let _e303 = select(_e252.y, _e245.y, (_e245.y > _e252.y));
+                let _e309 = (-1f - floor(-(select(_e259.y, _e298, (_e298 < _e259.y)))));
+                let _e310 = floor(select(_e259.y, _e303, (_e303 > _e259.y)));
+                let _e311 = (_e238.y - 1f);
+                let _e313 = select(0f, _e309, (_e309 > 0f));
+                let _e315 = select(_e311, _e310, (_e310 < _e311));
+                let _e322 = select(0i, select(select(i32(_e313), i32(-2147483648), (_e313 < -2147483600f)), 2147483647i, (_e313 > 2147483500f)), (_e313 == _e313));
+                let _e329 = select(0i, select(select(i32(_e315), i32(-2147483648), (_e315 < -2147483600f)), 2147483647i, (_e315 > 2147483500f)), (_e315 == _e315));
+                let _e330 = type_38(_e245, _e252, _e259, vec3<f32>(_e201, _e204, _e207), _e220, _e238, _e287, _e294, _e322, _e329);
+                if _e212 {
+                    phi_1027_ = select(true, false, (_e209 >= _e211));
                 } else {
-                    phi_1029_ = true;
+                    phi_1027_ = true;
                 }
-                let _e335 = phi_1029_;
-                if _e335 {
-                    phi_1038_ = select(2u, 1u, (_e211 >= _e212));
+                let _e334 = phi_1027_;
+                if _e334 {
+                    phi_1036_ = select(2u, 1u, (_e210 >= _e211));
                 } else {
-                    phi_1038_ = 0u;
+                    phi_1036_ = 0u;
                 }
-                let _e339 = phi_1038_;
-                if (_e339 == 0u) {
-                    phi_1048_ = _e202;
+                let _e338 = phi_1036_;
+                if (_e338 == 0u) {
+                    phi_1046_ = _e201;
                 } else {
-                    phi_1048_ = select(_e208, _e205, (_e339 == 1u));
+                    phi_1046_ = select(_e207, _e204, (_e338 == 1u));
                 }
-                let _e344 = phi_1048_;
-                let _e353 = (((_e202 * _e202) + (_e205 * _e205)) + (_e208 * _e208));
-                if (_e353 >= 0.000000000000000000000000000000000000011754944f) {
-                    let _e356 = (1f / sqrt(_e353));
-                    phi_1068_ = vec3<f32>((_e202 * _e356), (_e205 * _e356), (_e208 * _e356));
+                let _e343 = phi_1046_;
+                let _e352 = (((_e201 * _e201) + (_e204 * _e204)) + (_e207 * _e207));
+                if (_e352 >= 0.000000000000000000000000000000000000011754944f) {
+                    let _e355 = (1f / sqrt(_e352));
+                    phi_1066_ = vec3<f32>((_e201 * _e355), (_e204 * _e355), (_e207 * _e355));
                 } else {
-                    phi_1068_ = vec3<f32>(0f, 0f, 0f);
+                    phi_1066_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e362 = phi_1068_;
-                let _e365 = local_11;
-                let _e368 = triangles.member[_e365].member_1;
-                let _e369 = (_e368 * 12u);
-                let _e370 = (256u + _e369);
-                if (_e370 < _e98) {
-                } else {
-                    break;
-                }
-                let _e374 = surfaces.member[_e370];
-                let _e375 = bitcast<f32>(_e374);
-                let _e376 = (_e369 + 257u);
-                if (_e376 < _e98) {
+                let _e361 = phi_1066_;
+                let _e364 = local_11;
+                let _e367 = triangles.member[_e364].member_1;
+                let _e368 = (_e367 * 12u);
+                let _e369 = (256u + _e368);
+                if (_e369 < _e98) {
                 } else {
                     break;
                 }
-                let _e380 = surfaces.member[_e376];
-                let _e381 = bitcast<f32>(_e380);
-                let _e382 = (_e369 + 258u);
-                if (_e382 < _e98) {
+                let _e373 = surfaces.member[_e369];
+                let _e374 = bitcast<f32>(_e373);
+                let _e375 = (_e368 + 257u);
+                if (_e375 < _e98) {
                 } else {
                     break;
                 }
-                let _e386 = surfaces.member[_e382];
-                let _e387 = bitcast<f32>(_e386);
-                let _e388 = (_e369 + 259u);
-                if (_e388 < _e98) {
+                let _e379 = surfaces.member[_e375];
+                let _e380 = bitcast<f32>(_e379);
+                let _e381 = (_e368 + 258u);
+                if (_e381 < _e98) {
                 } else {
                     break;
                 }
-                let _e392 = surfaces.member[_e388];
-                let _e393 = (_e369 + 260u);
-                if (_e393 < _e98) {
+                let _e385 = surfaces.member[_e381];
+                let _e386 = bitcast<f32>(_e385);
+                let _e387 = (_e368 + 259u);
+                if (_e387 < _e98) {
                 } else {
                     break;
                 }
-                let _e397 = surfaces.member[_e393];
-                let _e399 = (_e369 + 261u);
-                if (_e399 < _e98) {
+                let _e391 = surfaces.member[_e387];
+                let _e392 = (_e368 + 260u);
+                if (_e392 < _e98) {
                 } else {
                     break;
                 }
-                let _e403 = surfaces.member[_e399];
-                let _e405 = (_e369 + 262u);
-                if (_e405 < _e98) {
+                let _e396 = surfaces.member[_e392];
+                let _e398 = (_e368 + 261u);
+                if (_e398 < _e98) {
                 } else {
                     break;
                 }
-                let _e409 = surfaces.member[_e405];
-                let _e411 = (_e369 + 263u);
-                if (_e411 < _e98) {
+                let _e402 = surfaces.member[_e398];
+                let _e404 = (_e368 + 262u);
+                if (_e404 < _e98) {
                 } else {
                     break;
                 }
-                let _e415 = surfaces.member[_e411];
-                let _e416 = (_e369 + 264u);
-                if (_e416 < _e98) {
+                let _e408 = surfaces.member[_e404];
+                let _e410 = (_e368 + 263u);
+                if (_e410 < _e98) {
                 } else {
                     break;
                 }
-                let _e420 = surfaces.member[_e416];
-                let _e421 = bitcast<f32>(_e420);
-                let _e422 = (_e369 + 265u);
-                if (_e422 < _e98) {
+                let _e414 = surfaces.member[_e410];
+                let _e415 = (_e368 + 264u);
+                if (_e415 < _e98) {
                 } else {
                     break;
                 }
-                let _e426 = surfaces.member[_e422];
-                if ((_e369 + 266u) < _e98) {
+                let _e419 = surfaces.member[_e415];
+                let _e420 = bitcast<f32>(_e419);
+                let _e421 = (_e368 + 265u);
+                if (_e421 < _e98) {
                 } else {
                     break;
                 }
-                if ((_e369 + 267u) < _e98) {
+                let _e425 = surfaces.member[_e421];
+                if ((_e368 + 266u) < _e98) {
                 } else {
                     break;
                 }
-                let _e433 = local_12;
-                if (_e433 < _e100) {
+                if ((_e368 + 267u) < _e98) {
                 } else {
                     break;
                 }
-                let _e437 = local_13;
-                let _e439 = tile_first.member[_e437];
-                let _e440 = (_e106 - _e439);
-                if (_e295 < _e288) {
-                    phi_1192_ = 0u;
+                let _e432 = local_12;
+                if (_e432 < _e100) {
                 } else {
-                    phi_1192_ = ((bitcast<u32>((_e295 - _e288)) / 4u) + 1u);
-                }
-                let _e447 = phi_1192_;
-                let _e449 = select(1u, _e447, (1u < _e447));
-                if (_e449 == 0u) {
                     break;
                 }
-                let _e451 = (_e440 / _e449);
-                let _e456 = (_e288 + bitcast<i32>(((_e440 - (_e451 * _e449)) * 4u)));
-                let _e459 = (_e323 + bitcast<i32>((_e451 * 4u)));
-                let _e463 = select(_e253.z, _e246.z, (_e246.z < _e253.z));
-                let _e468 = select(_e253.z, _e246.z, (_e246.z > _e253.z));
-                let _e474 = (-1f - floor(-(select(_e260.z, _e463, (_e463 < _e260.z)))));
-                let _e475 = floor(select(_e260.z, _e468, (_e468 > _e260.z)));
-                let _e476 = (_e239.z - 1f);
-                let _e478 = select(0f, _e474, (_e474 > 0f));
-                let _e480 = select(_e476, _e475, (_e475 < _e476));
-                let _e487 = select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < -2147483600f)), 2147483647i, (_e478 > 2147483500f)), (_e478 == _e478));
-                let _e494 = select(0i, select(select(i32(_e480), i32(-2147483648), (_e480 < -2147483600f)), 2147483647i, (_e480 > 2147483500f)), (_e480 == _e480));
-                let _e495 = (_e253.x - _e246.x);
-                let _e496 = (_e253.y - _e246.y);
-                let _e502 = ((abs(_e495) + abs(_e496)) + abs((_e253.z - _e246.z)));
-                let _e503 = (_e260.x - _e246.x);
-                let _e504 = (_e260.y - _e246.y);
-                let _e510 = ((abs(_e503) + abs(_e504)) + abs((_e260.z - _e246.z)));
-                let _e512 = select(_e211, _e210, (_e210 > _e211));
-                let _e520 = (select(_e212, _e512, (_e512 > _e212)) <= (((0.000004f * _e502) * _e510) * select(_e510, _e502, (_e502 > _e510))));
-                let _e521 = (_e456 + 4i);
-                let _e522 = (_e295 + 1i);
-                let _e524 = select(_e521, _e522, (_e522 < _e521));
-                let _e525 = (_e459 + 4i);
-                let _e526 = (_e330 + 1i);
-                let _e529 = (_e456 - 1i);
-                let _e532 = (f32(_e456) + 2f);
-                let _e534 = (f32(_e459) + 2f);
-                let _e537 = ((_e246.x - _e532) * 0.24937655f);
-                let _e538 = ((_e246.y - _e534) * 0.24937655f);
-                let _e541 = ((_e253.x - _e532) * 0.24937655f);
-                let _e542 = ((_e253.y - _e534) * 0.24937655f);
-                let _e545 = ((_e260.x - _e532) * 0.24937655f);
-                let _e546 = ((_e260.y - _e534) * 0.24937655f);
+                let _e436 = local_13;
+                let _e438 = tile_first.member[_e436];
+                let _e439 = (_e106 - _e438);
+                if (_e294 < _e287) {
+                    phi_1190_ = 0u;
+                } else {
+                    phi_1190_ = ((bitcast<u32>((_e294 - _e287)) / 4u) + 1u);
+                }
+                let _e446 = phi_1190_;
+                let _e448 = select(1u, _e446, (1u < _e446));
+                if (_e448 == 0u) {
+                    break;
+                }
+                let _e450 = (_e439 / _e448);
+                let _e455 = (_e287 + bitcast<i32>(((_e439 - (_e450 * _e448)) * 4u)));
+                let _e458 = (_e322 + bitcast<i32>((_e450 * 4u)));
+                let _e462 = select(_e252.z, _e245.z, (_e245.z < _e252.z));
+                let _e467 = select(_e252.z, _e245.z, (_e245.z > _e252.z));
+                let _e473 = (-1f - floor(-(select(_e259.z, _e462, (_e462 < _e259.z)))));
+                let _e474 = floor(select(_e259.z, _e467, (_e467 > _e259.z)));
+                let _e475 = (_e238.z - 1f);
+                let _e477 = select(0f, _e473, (_e473 > 0f));
+                let _e479 = select(_e475, _e474, (_e474 < _e475));
+                let _e486 = select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477));
+                let _e493 = select(0i, select(select(i32(_e479), i32(-2147483648), (_e479 < -2147483600f)), 2147483647i, (_e479 > 2147483500f)), (_e479 == _e479));
+                let _e494 = (_e252.x - _e245.x);
+                let _e495 = (_e252.y - _e245.y);
+                let _e501 = ((abs(_e494) + abs(_e495)) + abs((_e252.z - _e245.z)));
+                let _e502 = (_e259.x - _e245.x);
+                let _e503 = (_e259.y - _e245.y);
+                let _e509 = ((abs(_e502) + abs(_e503)) + abs((_e259.z - _e245.z)));
+                let _e511 = select(_e210, _e209, (_e209 > _e210));
+                let _e519 = (select(_e211, _e511, (_e511 > _e211)) <= (((0.000004f * _e501) * _e509) * select(_e509, _e501, (_e501 > _e509))));
+                let _e520 = (_e455 + 4i);
+                let _e521 = (_e294 + 1i);
+                let _e523 = select(_e520, _e521, (_e521 < _e520));
+                let _e524 = (_e458 + 4i);
+                let _e525 = (_e329 + 1i);
+                let _e528 = (_e455 - 1i);
+                let _e531 = (f32(_e455) + 2f);
+                let _e533 = (f32(_e458) + 2f);
+                let _e536 = ((_e245.x - _e531) * 0.24937655f);
+                let _e537 = ((_e245.y - _e533) * 0.24937655f);
+                let _e540 = ((_e252.x - _e531) * 0.24937655f);
+                let _e541 = ((_e252.y - _e533) * 0.24937655f);
+                let _e544 = ((_e259.x - _e531) * 0.24937655f);
+                let _e545 = ((_e259.y - _e533) * 0.24937655f);
+                let _e546 = (_e540 - _e536);
                 let _e547 = (_e541 - _e537);
-                let _e548 = (_e542 - _e538);
-                let _e551 = ((_e547 * _e538) - (_e548 * _e537));
-                let _e554 = ((_e547 * _e546) - (_e548 * _e545));
-                let _e557 = (abs(_e547) + abs(_e548));
-                if (select(_e554, _e551, (_e551 < _e554)) > (0.5f * _e557)) {
-                    phi_4718_ = true;
+                let _e550 = ((_e546 * _e537) - (_e547 * _e536));
+                let _e553 = ((_e546 * _e545) - (_e547 * _e544));
+                let _e556 = (abs(_e546) + abs(_e547));
+                if (select(_e553, _e550, (_e550 < _e553)) > (0.5f * _e556)) {
+                    phi_4716_ = true;
                 } else {
-                    phi_4718_ = (select(_e554, _e551, (_e551 > _e554)) < (_e557 * -0.5f));
+                    phi_4716_ = (select(_e553, _e550, (_e550 > _e553)) < (_e556 * -0.5f));
                 }
-                let _e567 = phi_4718_;
-                if _e567 {
-                    phi_1389_ = bool();
-                    phi_1390_ = true;
+                let _e566 = phi_4716_;
+                if _e566 {
+                    phi_1387_ = bool();
+                    phi_1388_ = true;
                 } else {
+                    let _e567 = (_e544 - _e540);
                     let _e568 = (_e545 - _e541);
-                    let _e569 = (_e546 - _e542);
-                    let _e572 = ((_e568 * _e542) - (_e569 * _e541));
-                    let _e575 = ((_e568 * _e538) - (_e569 * _e537));
-                    let _e578 = (abs(_e568) + abs(_e569));
-                    if (select(_e575, _e572, (_e572 < _e575)) > (0.5f * _e578)) {
-                        phi_4757_ = true;
+                    let _e571 = ((_e567 * _e541) - (_e568 * _e540));
+                    let _e574 = ((_e567 * _e537) - (_e568 * _e536));
+                    let _e577 = (abs(_e567) + abs(_e568));
+                    if (select(_e574, _e571, (_e571 < _e574)) > (0.5f * _e577)) {
+                        phi_4755_ = true;
                     } else {
-                        phi_4757_ = (select(_e575, _e572, (_e572 > _e575)) < (_e578 * -0.5f));
+                        phi_4755_ = (select(_e574, _e571, (_e571 > _e574)) < (_e577 * -0.5f));
                     }
-                    let _e588 = phi_4757_;
-                    if _e588 {
-                        phi_1388_ = bool();
+                    let _e587 = phi_4755_;
+                    if _e587 {
+                        phi_1386_ = bool();
                     } else {
+                        let _e588 = (_e536 - _e544);
                         let _e589 = (_e537 - _e545);
-                        let _e590 = (_e538 - _e546);
-                        let _e593 = ((_e589 * _e546) - (_e590 * _e545));
-                        let _e596 = ((_e589 * _e542) - (_e590 * _e541));
-                        let _e599 = (abs(_e589) + abs(_e590));
-                        if (select(_e596, _e593, (_e593 < _e596)) > (0.5f * _e599)) {
-                            phi_4796_ = true;
+                        let _e592 = ((_e588 * _e545) - (_e589 * _e544));
+                        let _e595 = ((_e588 * _e541) - (_e589 * _e540));
+                        let _e598 = (abs(_e588) + abs(_e589));
+                        if (select(_e595, _e592, (_e592 < _e595)) > (0.5f * _e598)) {
+                            phi_4794_ = true;
                         } else {
-                            phi_4796_ = (select(_e596, _e593, (_e593 > _e596)) < (_e599 * -0.5f));
+                            phi_4794_ = (select(_e595, _e592, (_e592 > _e595)) < (_e598 * -0.5f));
                         }
-                        let _e609 = phi_4796_;
-                        phi_1388_ = _e609;
+                        let _e608 = phi_4794_;
+                        phi_1386_ = _e608;
                     }
-                    let _e611 = phi_1388_;
-                    phi_1389_ = _e611;
-                    phi_1390_ = _e588;
+                    let _e610 = phi_1386_;
+                    phi_1387_ = _e610;
+                    phi_1388_ = _e587;
                 }
-                let _e613 = phi_1389_;
-                let _e615 = phi_1390_;
-                if select(_e613, true, _e615) {
-                    phi_1399_ = type_39(_e331, _e456, _e524, _e459, _e487, _e494, _e529, _e459, 0i, -1i, _e520);
+                let _e612 = phi_1387_;
+                let _e614 = phi_1388_;
+                if select(_e612, true, _e614) {
+                    phi_1397_ = type_39(_e330, _e455, _e523, _e458, _e486, _e493, _e528, _e458, 0i, -1i, _e519);
                 } else {
-                    phi_1399_ = type_39(_e331, _e456, _e524, select(_e525, _e526, (_e526 < _e525)), _e487, _e494, _e529, _e459, 0i, -1i, _e520);
+                    phi_1397_ = type_39(_e330, _e455, _e523, select(_e524, _e525, (_e525 < _e524)), _e486, _e493, _e528, _e458, 0i, -1i, _e519);
                 }
-                let _e619 = phi_1399_;
-                phi_5749_ = _e135;
-                phi_5367_ = _e619.member_6;
-                phi_5364_ = _e619.member_9;
-                phi_5361_ = _e619.member_8;
-                phi_5358_ = _e619.member_7;
+                let _e618 = phi_1397_;
+                phi_5747_ = _e134;
+                phi_5365_ = _e618.member_6;
+                phi_5362_ = _e618.member_9;
+                phi_5359_ = _e618.member_8;
+                phi_5356_ = _e618.member_7;
                 loop {
-                    let _e638 = phi_5749_;
-                    let _e640 = phi_5367_;
-                    let _e642 = phi_5364_;
-                    let _e644 = phi_5361_;
-                    let _e646 = phi_5358_;
-                    phi_5366_ = _e640;
-                    phi_5363_ = _e642;
-                    phi_5360_ = _e644;
-                    phi_5357_ = _e646;
+                    let _e637 = phi_5747_;
+                    let _e639 = phi_5365_;
+                    let _e641 = phi_5362_;
+                    let _e643 = phi_5359_;
+                    let _e645 = phi_5356_;
+                    phi_5364_ = _e639;
+                    phi_5361_ = _e641;
+                    phi_5358_ = _e643;
+                    phi_5355_ = _e645;
                     loop {
-                        let _e648 = phi_5366_;
-                        let _e650 = phi_5363_;
-                        let _e652 = phi_5360_;
-                        let _e654 = phi_5357_;
-                        let _e655 = (_e654 < _e619.member_3);
-                        if _e655 {
-                            phi_5359_ = _e652;
+                        let _e647 = phi_5364_;
+                        let _e649 = phi_5361_;
+                        let _e651 = phi_5358_;
+                        let _e653 = phi_5355_;
+                        let _e654 = (_e653 < _e618.member_3);
+                        if _e654 {
+                            phi_5357_ = _e651;
                             loop {
-                                let _e657 = phi_5359_;
-                                let _e658 = (_e657 < _e650);
-                                if _e658 {
-                                    let _e659 = (_e657 + 1i);
-                                    let _e663 = (f32(_e648) + 0.5f);
-                                    let _e664 = (f32(_e654) + 0.5f);
-                                    let _e665 = (f32(_e659) + 0.5f);
-                                    let _e667 = (_e619.member.member.x - _e663);
-                                    let _e669 = (_e619.member.member.y - _e664);
-                                    let _e671 = (_e619.member.member.z - _e665);
-                                    let _e672 = vec3<f32>(_e663, _e664, _e665);
-                                    let _e675 = (_e619.member.member_1.x - _e663);
-                                    let _e677 = (_e619.member.member_1.y - _e664);
-                                    let _e679 = (_e619.member.member_1.z - _e665);
-                                    let _e682 = (_e619.member.member_2.x - _e663);
-                                    let _e684 = (_e619.member.member_2.y - _e664);
-                                    let _e686 = (_e619.member.member_2.z - _e665);
-                                    let _e689 = select(_e675, _e667, (_e667 < _e675));
-                                    let _e693 = select(_e677, _e669, (_e669 < _e677));
-                                    let _e697 = select(_e679, _e671, (_e671 < _e679));
-                                    let _e701 = select(_e675, _e667, (_e667 > _e675));
-                                    let _e705 = select(_e677, _e669, (_e669 > _e677));
-                                    let _e709 = select(_e679, _e671, (_e671 > _e679));
-                                    if (select(_e682, _e689, (_e689 < _e682)) > 0.5f) {
-                                        phi_2043_ = bool();
-                                        phi_2044_ = true;
-                                        phi_2045_ = false;
+                                let _e656 = phi_5357_;
+                                let _e657 = (_e656 < _e649);
+                                if _e657 {
+                                    let _e658 = (_e656 + 1i);
+                                    let _e662 = (f32(_e647) + 0.5f);
+                                    let _e663 = (f32(_e653) + 0.5f);
+                                    let _e664 = (f32(_e658) + 0.5f);
+                                    let _e666 = (_e618.member.member.x - _e662);
+                                    let _e668 = (_e618.member.member.y - _e663);
+                                    let _e670 = (_e618.member.member.z - _e664);
+                                    let _e671 = vec3<f32>(_e662, _e663, _e664);
+                                    let _e674 = (_e618.member.member_1.x - _e662);
+                                    let _e676 = (_e618.member.member_1.y - _e663);
+                                    let _e678 = (_e618.member.member_1.z - _e664);
+                                    let _e681 = (_e618.member.member_2.x - _e662);
+                                    let _e683 = (_e618.member.member_2.y - _e663);
+                                    let _e685 = (_e618.member.member_2.z - _e664);
+                                    let _e688 = select(_e674, _e666, (_e666 < _e674));
+                                    let _e692 = select(_e676, _e668, (_e668 < _e676));
+                                    let _e696 = select(_e678, _e670, (_e670 < _e678));
+                                    let _e700 = select(_e674, _e666, (_e666 > _e674));
+                                    let _e704 = select(_e676, _e668, (_e668 > _e676));
+                                    let _e708 = select(_e678, _e670, (_e670 > _e678));
+                                    if (select(_e681, _e688, (_e688 < _e681)) > 0.5f) {
+                                        phi_2041_ = bool();
+                                        phi_2042_ = true;
+                                        phi_2043_ = false;
                                     } else {
-                                        if (select(_e684, _e693, (_e693 < _e684)) > 0.5f) {
-                                            phi_2040_ = bool();
-                                            phi_2041_ = true;
-                                            phi_2042_ = false;
+                                        if (select(_e683, _e692, (_e692 < _e683)) > 0.5f) {
+                                            phi_2038_ = bool();
+                                            phi_2039_ = true;
+                                            phi_2040_ = false;
                                         } else {
-                                            if (select(_e686, _e697, (_e697 < _e686)) > 0.5f) {
-                                                phi_2037_ = bool();
-                                                phi_2038_ = true;
-                                                phi_2039_ = false;
+                                            if (select(_e685, _e696, (_e696 < _e685)) > 0.5f) {
+                                                phi_2035_ = bool();
+                                                phi_2036_ = true;
+                                                phi_2037_ = false;
                                             } else {
-                                                if (select(_e682, _e701, (_e701 > _e682)) < -0.5f) {
-                                                    phi_2034_ = bool();
-                                                    phi_2035_ = true;
-                                                    phi_2036_ = false;
+                                                if (select(_e681, _e700, (_e700 > _e681)) < -0.5f) {
+                                                    phi_2032_ = bool();
+                                                    phi_2033_ = true;
+                                                    phi_2034_ = false;
                                                 } else {
-                                                    if (select(_e684, _e705, (_e705 > _e684)) < -0.5f) {
-                                                        phi_2031_ = bool();
-                                                        phi_2032_ = true;
-                                                        phi_2033_ = false;
+                                                    if (select(_e683, _e704, (_e704 > _e683)) < -0.5f) {
+                                                        phi_2029_ = bool();
+                                                        phi_2030_ = true;
+                                                        phi_2031_ = false;
                                                     } else {
-                                                        let _e717 = (select(_e686, _e709, (_e709 > _e686)) < -0.5f);
-                                                        if _e717 {
-                                                            phi_2029_ = bool();
-                                                            phi_2030_ = false;
+                                                        let _e716 = (select(_e685, _e708, (_e708 > _e685)) < -0.5f);
+                                                        if _e716 {
+                                                            phi_2027_ = bool();
+                                                            phi_2028_ = false;
                                                         } else {
-                                                            let _e718 = (_e675 - _e667);
-                                                            let _e719 = (_e677 - _e669);
-                                                            let _e720 = (_e679 - _e671);
-                                                            let _e721 = vec3<f32>(_e718, _e719, _e720);
-                                                            let _e722 = (_e682 - _e675);
-                                                            let _e723 = (_e684 - _e677);
-                                                            let _e724 = (_e686 - _e679);
-                                                            let _e725 = vec3<f32>(_e722, _e723, _e724);
-                                                            let _e726 = (_e667 - _e682);
-                                                            let _e727 = (_e669 - _e684);
-                                                            let _e728 = (_e671 - _e686);
-                                                            let _e729 = vec3<f32>(_e726, _e727, _e728);
-                                                            let _e732 = ((_e719 * _e671) - (_e720 * _e669));
-                                                            let _e735 = ((_e719 * _e686) - (_e720 * _e684));
+                                                            let _e717 = (_e674 - _e666);
+                                                            let _e718 = (_e676 - _e668);
+                                                            let _e719 = (_e678 - _e670);
+                                                            let _e720 = vec3<f32>(_e717, _e718, _e719);
+                                                            let _e721 = (_e681 - _e674);
+                                                            let _e722 = (_e683 - _e676);
+                                                            let _e723 = (_e685 - _e678);
+                                                            let _e724 = vec3<f32>(_e721, _e722, _e723);
+                                                            let _e725 = (_e666 - _e681);
+                                                            let _e726 = (_e668 - _e683);
+                                                            let _e727 = (_e670 - _e685);
+                                                            let _e728 = vec3<f32>(_e725, _e726, _e727);
+                                                            let _e731 = ((_e718 * _e670) - (_e719 * _e668));
+                                                            let _e734 = ((_e718 * _e685) - (_e719 * _e683));
+                                                            let _e735 = abs(_e718);
                                                             let _e736 = abs(_e719);
-                                                            let _e737 = abs(_e720);
-                                                            let _e738 = (_e736 + _e737);
-                                                            if (select(_e735, _e732, (_e732 < _e735)) > (0.5f * _e738)) {
-                                                                phi_1619_ = true;
+                                                            let _e737 = (_e735 + _e736);
+                                                            if (select(_e734, _e731, (_e731 < _e734)) > (0.5f * _e737)) {
+                                                                phi_1617_ = true;
                                                             } else {
-                                                                phi_1619_ = (select(_e735, _e732, (_e732 > _e735)) < (_e738 * -0.5f));
+                                                                phi_1617_ = (select(_e734, _e731, (_e731 > _e734)) < (_e737 * -0.5f));
                                                             }
-                                                            let _e748 = phi_1619_;
-                                                            if _e748 {
-                                                                phi_1681_ = bool();
-                                                                phi_1682_ = true;
+                                                            let _e747 = phi_1617_;
+                                                            if _e747 {
+                                                                phi_1679_ = bool();
+                                                                phi_1680_ = true;
                                                             } else {
-                                                                let _e751 = ((_e720 * _e667) - (_e718 * _e671));
-                                                                let _e754 = ((_e720 * _e682) - (_e718 * _e686));
-                                                                let _e755 = abs(_e718);
-                                                                let _e756 = (_e737 + _e755);
-                                                                if (select(_e754, _e751, (_e751 < _e754)) > (0.5f * _e756)) {
-                                                                    phi_1649_ = true;
+                                                                let _e750 = ((_e719 * _e666) - (_e717 * _e670));
+                                                                let _e753 = ((_e719 * _e681) - (_e717 * _e685));
+                                                                let _e754 = abs(_e717);
+                                                                let _e755 = (_e736 + _e754);
+                                                                if (select(_e753, _e750, (_e750 < _e753)) > (0.5f * _e755)) {
+                                                                    phi_1647_ = true;
                                                                 } else {
-                                                                    phi_1649_ = (select(_e754, _e751, (_e751 > _e754)) < (_e756 * -0.5f));
+                                                                    phi_1647_ = (select(_e753, _e750, (_e750 > _e753)) < (_e755 * -0.5f));
                                                                 }
-                                                                let _e766 = phi_1649_;
-                                                                if _e766 {
-                                                                    phi_1680_ = bool();
+                                                                let _e765 = phi_1647_;
+                                                                if _e765 {
+                                                                    phi_1678_ = bool();
                                                                 } else {
-                                                                    let _e769 = ((_e718 * _e669) - (_e719 * _e667));
-                                                                    let _e772 = ((_e718 * _e684) - (_e719 * _e682));
-                                                                    let _e773 = (_e755 + _e736);
-                                                                    if (select(_e772, _e769, (_e769 < _e772)) > (0.5f * _e773)) {
-                                                                        phi_1679_ = true;
+                                                                    let _e768 = ((_e717 * _e668) - (_e718 * _e666));
+                                                                    let _e771 = ((_e717 * _e683) - (_e718 * _e681));
+                                                                    let _e772 = (_e754 + _e735);
+                                                                    if (select(_e771, _e768, (_e768 < _e771)) > (0.5f * _e772)) {
+                                                                        phi_1677_ = true;
                                                                     } else {
-                                                                        phi_1679_ = (select(_e772, _e769, (_e769 > _e772)) < (_e773 * -0.5f));
+                                                                        phi_1677_ = (select(_e771, _e768, (_e768 > _e771)) < (_e772 * -0.5f));
                                                                     }
-                                                                    let _e783 = phi_1679_;
-                                                                    phi_1680_ = _e783;
+                                                                    let _e782 = phi_1677_;
+                                                                    phi_1678_ = _e782;
                                                                 }
-                                                                let _e785 = phi_1680_;
-                                                                phi_1681_ = _e785;
-                                                                phi_1682_ = _e766;
+                                                                let _e784 = phi_1678_;
+                                                                phi_1679_ = _e784;
+                                                                phi_1680_ = _e765;
                                                             }
-                                                            let _e787 = phi_1681_;
-                                                            let _e789 = phi_1682_;
-                                                            if select(_e787, true, _e789) {
-                                                                phi_2024_ = bool();
-                                                                phi_2025_ = true;
+                                                            let _e786 = phi_1679_;
+                                                            let _e788 = phi_1680_;
+                                                            if select(_e786, true, _e788) {
+                                                                phi_2022_ = bool();
+                                                                phi_2023_ = true;
                                                             } else {
-                                                                let _e793 = ((_e723 * _e679) - (_e724 * _e677));
-                                                                let _e796 = ((_e723 * _e671) - (_e724 * _e669));
+                                                                let _e792 = ((_e722 * _e678) - (_e723 * _e676));
+                                                                let _e795 = ((_e722 * _e670) - (_e723 * _e668));
+                                                                let _e796 = abs(_e722);
                                                                 let _e797 = abs(_e723);
-                                                                let _e798 = abs(_e724);
-                                                                let _e799 = (_e797 + _e798);
-                                                                if (select(_e796, _e793, (_e793 < _e796)) > (0.5f * _e799)) {
-                                                                    phi_1716_ = true;
+                                                                let _e798 = (_e796 + _e797);
+                                                                if (select(_e795, _e792, (_e792 < _e795)) > (0.5f * _e798)) {
+                                                                    phi_1714_ = true;
                                                                 } else {
-                                                                    phi_1716_ = (select(_e796, _e793, (_e793 > _e796)) < (_e799 * -0.5f));
+                                                                    phi_1714_ = (select(_e795, _e792, (_e792 > _e795)) < (_e798 * -0.5f));
                                                                 }
-                                                                let _e809 = phi_1716_;
-                                                                if _e809 {
-                                                                    phi_1778_ = bool();
-                                                                    phi_1779_ = true;
+                                                                let _e808 = phi_1714_;
+                                                                if _e808 {
+                                                                    phi_1776_ = bool();
+                                                                    phi_1777_ = true;
                                                                 } else {
-                                                                    let _e812 = ((_e724 * _e675) - (_e722 * _e679));
-                                                                    let _e815 = ((_e724 * _e667) - (_e722 * _e671));
-                                                                    let _e816 = abs(_e722);
-                                                                    let _e817 = (_e798 + _e816);
-                                                                    if (select(_e815, _e812, (_e812 < _e815)) > (0.5f * _e817)) {
-                                                                        phi_1746_ = true;
+                                                                    let _e811 = ((_e723 * _e674) - (_e721 * _e678));
+                                                                    let _e814 = ((_e723 * _e666) - (_e721 * _e670));
+                                                                    let _e815 = abs(_e721);
+                                                                    let _e816 = (_e797 + _e815);
+                                                                    if (select(_e814, _e811, (_e811 < _e814)) > (0.5f * _e816)) {
+                                                                        phi_1744_ = true;
                                                                     } else {
-                                                                        phi_1746_ = (select(_e815, _e812, (_e812 > _e815)) < (_e817 * -0.5f));
+                                                                        phi_1744_ = (select(_e814, _e811, (_e811 > _e814)) < (_e816 * -0.5f));
                                                                     }
-                                                                    let _e827 = phi_1746_;
-                                                                    if _e827 {
-                                                                        phi_1777_ = bool();
+                                                                    let _e826 = phi_1744_;
+                                                                    if _e826 {
+                                                                        phi_1775_ = bool();
                                                                     } else {
-                                                                        let _e830 = ((_e722 * _e677) - (_e723 * _e675));
-                                                                        let _e833 = ((_e722 * _e669) - (_e723 * _e667));
-                                                                        let _e834 = (_e816 + _e797);
-                                                                        if (select(_e833, _e830, (_e830 < _e833)) > (0.5f * _e834)) {
-                                                                            phi_1776_ = true;
+                                                                        let _e829 = ((_e721 * _e676) - (_e722 * _e674));
+                                                                        let _e832 = ((_e721 * _e668) - (_e722 * _e666));
+                                                                        let _e833 = (_e815 + _e796);
+                                                                        if (select(_e832, _e829, (_e829 < _e832)) > (0.5f * _e833)) {
+                                                                            phi_1774_ = true;
                                                                         } else {
-                                                                            phi_1776_ = (select(_e833, _e830, (_e830 > _e833)) < (_e834 * -0.5f));
+                                                                            phi_1774_ = (select(_e832, _e829, (_e829 > _e832)) < (_e833 * -0.5f));
                                                                         }
-                                                                        let _e844 = phi_1776_;
-                                                                        phi_1777_ = _e844;
+                                                                        let _e843 = phi_1774_;
+                                                                        phi_1775_ = _e843;
                                                                     }
-                                                                    let _e846 = phi_1777_;
-                                                                    phi_1778_ = _e846;
-                                                                    phi_1779_ = _e827;
+                                                                    let _e845 = phi_1775_;
+                                                                    phi_1776_ = _e845;
+                                                                    phi_1777_ = _e826;
                                                                 }
-                                                                let _e848 = phi_1778_;
-                                                                let _e850 = phi_1779_;
-                                                                if select(_e848, true, _e850) {
-                                                                    phi_2022_ = bool();
-                                                                    phi_2023_ = true;
+                                                                let _e847 = phi_1776_;
+                                                                let _e849 = phi_1777_;
+                                                                if select(_e847, true, _e849) {
+                                                                    phi_2020_ = bool();
+                                                                    phi_2021_ = true;
                                                                 } else {
-                                                                    let _e854 = ((_e727 * _e686) - (_e728 * _e684));
-                                                                    let _e857 = ((_e727 * _e679) - (_e728 * _e677));
+                                                                    let _e853 = ((_e726 * _e685) - (_e727 * _e683));
+                                                                    let _e856 = ((_e726 * _e678) - (_e727 * _e676));
+                                                                    let _e857 = abs(_e726);
                                                                     let _e858 = abs(_e727);
-                                                                    let _e859 = abs(_e728);
-                                                                    let _e860 = (_e858 + _e859);
-                                                                    if (select(_e857, _e854, (_e854 < _e857)) > (0.5f * _e860)) {
-                                                                        phi_1813_ = true;
+                                                                    let _e859 = (_e857 + _e858);
+                                                                    if (select(_e856, _e853, (_e853 < _e856)) > (0.5f * _e859)) {
+                                                                        phi_1811_ = true;
                                                                     } else {
-                                                                        phi_1813_ = (select(_e857, _e854, (_e854 > _e857)) < (_e860 * -0.5f));
+                                                                        phi_1811_ = (select(_e856, _e853, (_e853 > _e856)) < (_e859 * -0.5f));
                                                                     }
-                                                                    let _e870 = phi_1813_;
-                                                                    if _e870 {
-                                                                        phi_1875_ = bool();
-                                                                        phi_1876_ = true;
+                                                                    let _e869 = phi_1811_;
+                                                                    if _e869 {
+                                                                        phi_1873_ = bool();
+                                                                        phi_1874_ = true;
                                                                     } else {
-                                                                        let _e873 = ((_e728 * _e682) - (_e726 * _e686));
-                                                                        let _e876 = ((_e728 * _e675) - (_e726 * _e679));
-                                                                        let _e877 = abs(_e726);
-                                                                        let _e878 = (_e859 + _e877);
-                                                                        if (select(_e876, _e873, (_e873 < _e876)) > (0.5f * _e878)) {
-                                                                            phi_1843_ = true;
+                                                                        let _e872 = ((_e727 * _e681) - (_e725 * _e685));
+                                                                        let _e875 = ((_e727 * _e674) - (_e725 * _e678));
+                                                                        let _e876 = abs(_e725);
+                                                                        let _e877 = (_e858 + _e876);
+                                                                        if (select(_e875, _e872, (_e872 < _e875)) > (0.5f * _e877)) {
+                                                                            phi_1841_ = true;
                                                                         } else {
-                                                                            phi_1843_ = (select(_e876, _e873, (_e873 > _e876)) < (_e878 * -0.5f));
+                                                                            phi_1841_ = (select(_e875, _e872, (_e872 > _e875)) < (_e877 * -0.5f));
                                                                         }
-                                                                        let _e888 = phi_1843_;
-                                                                        if _e888 {
-                                                                            phi_1874_ = bool();
+                                                                        let _e887 = phi_1841_;
+                                                                        if _e887 {
+                                                                            phi_1872_ = bool();
                                                                         } else {
-                                                                            let _e891 = ((_e726 * _e684) - (_e727 * _e682));
-                                                                            let _e894 = ((_e726 * _e677) - (_e727 * _e675));
-                                                                            let _e895 = (_e877 + _e858);
-                                                                            if (select(_e894, _e891, (_e891 < _e894)) > (0.5f * _e895)) {
-                                                                                phi_1873_ = true;
+                                                                            let _e890 = ((_e725 * _e683) - (_e726 * _e681));
+                                                                            let _e893 = ((_e725 * _e676) - (_e726 * _e674));
+                                                                            let _e894 = (_e876 + _e857);
+                                                                            if (select(_e893, _e890, (_e890 < _e893)) > (0.5f * _e894)) {
+                                                                                phi_1871_ = true;
                                                                             } else {
-                                                                                phi_1873_ = (select(_e894, _e891, (_e891 > _e894)) < (_e895 * -0.5f));
+                                                                                phi_1871_ = (select(_e893, _e890, (_e890 > _e893)) < (_e894 * -0.5f));
                                                                             }
-                                                                            let _e905 = phi_1873_;
-                                                                            phi_1874_ = _e905;
+                                                                            let _e904 = phi_1871_;
+                                                                            phi_1872_ = _e904;
                                                                         }
-                                                                        let _e907 = phi_1874_;
-                                                                        phi_1875_ = _e907;
-                                                                        phi_1876_ = _e888;
+                                                                        let _e906 = phi_1872_;
+                                                                        phi_1873_ = _e906;
+                                                                        phi_1874_ = _e887;
                                                                     }
-                                                                    let _e909 = phi_1875_;
-                                                                    let _e911 = phi_1876_;
-                                                                    let _e912 = select(_e909, true, _e911);
-                                                                    if _e912 {
-                                                                        phi_2021_ = bool();
+                                                                    let _e908 = phi_1873_;
+                                                                    let _e910 = phi_1874_;
+                                                                    let _e911 = select(_e908, true, _e910);
+                                                                    if _e911 {
+                                                                        phi_2019_ = bool();
                                                                     } else {
-                                                                        let _e915 = ((abs(_e718) + _e736) + _e737);
-                                                                        let _e918 = ((abs(_e722) + _e797) + _e798);
-                                                                        let _e921 = ((abs(_e726) + _e858) + _e859);
-                                                                        if (_e915 >= _e918) {
-                                                                            phi_1908_ = select(true, false, (_e915 >= _e921));
+                                                                        let _e914 = ((abs(_e717) + _e735) + _e736);
+                                                                        let _e917 = ((abs(_e721) + _e796) + _e797);
+                                                                        let _e920 = ((abs(_e725) + _e857) + _e858);
+                                                                        if (_e914 >= _e917) {
+                                                                            phi_1906_ = select(true, false, (_e914 >= _e920));
                                                                         } else {
-                                                                            phi_1908_ = true;
+                                                                            phi_1906_ = true;
                                                                         }
-                                                                        let _e926 = phi_1908_;
-                                                                        if _e926 {
-                                                                            let _e928 = vec3((_e918 >= _e921));
-                                                                            phi_1918_ = select(_e721, _e729, _e928);
-                                                                            phi_1919_ = select(_e725, _e721, _e928);
+                                                                        let _e925 = phi_1906_;
+                                                                        if _e925 {
+                                                                            let _e927 = vec3((_e917 >= _e920));
+                                                                            phi_1916_ = select(_e720, _e728, _e927);
+                                                                            phi_1917_ = select(_e724, _e720, _e927);
                                                                         } else {
-                                                                            phi_1918_ = _e725;
-                                                                            phi_1919_ = _e729;
+                                                                            phi_1916_ = _e724;
+                                                                            phi_1917_ = _e728;
                                                                         }
-                                                                        let _e932 = phi_1918_;
-                                                                        let _e934 = phi_1919_;
-                                                                        let _e941 = ((_e932.y * _e934.z) - (_e934.y * _e932.z));
-                                                                        let _e946 = ((_e932.z * _e934.x) - (_e934.z * _e932.x));
-                                                                        let _e949 = ((_e932.x * _e934.y) - (_e934.x * _e932.y));
-                                                                        let _e960 = ((abs(_e667) + abs(_e669)) + abs(_e671));
-                                                                        let _e965 = ((abs(_e675) + abs(_e677)) + abs(_e679));
-                                                                        let _e970 = ((abs(_e682) + abs(_e684)) + abs(_e686));
-                                                                        if (_e960 <= _e965) {
-                                                                            phi_1971_ = select(true, false, (_e960 <= _e970));
+                                                                        let _e931 = phi_1916_;
+                                                                        let _e933 = phi_1917_;
+                                                                        let _e940 = ((_e931.y * _e933.z) - (_e933.y * _e931.z));
+                                                                        let _e945 = ((_e931.z * _e933.x) - (_e933.z * _e931.x));
+                                                                        let _e948 = ((_e931.x * _e933.y) - (_e933.x * _e931.y));
+                                                                        let _e959 = ((abs(_e666) + abs(_e668)) + abs(_e670));
+                                                                        let _e964 = ((abs(_e674) + abs(_e676)) + abs(_e678));
+                                                                        let _e969 = ((abs(_e681) + abs(_e683)) + abs(_e685));
+                                                                        if (_e959 <= _e964) {
+                                                                            phi_1969_ = select(true, false, (_e959 <= _e969));
                                                                         } else {
-                                                                            phi_1971_ = true;
+                                                                            phi_1969_ = true;
                                                                         }
-                                                                        let _e975 = phi_1971_;
-                                                                        if _e975 {
-                                                                            phi_1980_ = select((_e619.member.member_2 - _e672), (_e619.member.member_1 - _e672), vec3((_e965 <= _e970)));
+                                                                        let _e974 = phi_1969_;
+                                                                        if _e974 {
+                                                                            phi_1978_ = select((_e618.member.member_2 - _e671), (_e618.member.member_1 - _e671), vec3((_e964 <= _e969)));
                                                                         } else {
-                                                                            phi_1980_ = (_e619.member.member - _e672);
+                                                                            phi_1978_ = (_e618.member.member - _e671);
                                                                         }
-                                                                        let _e980 = phi_1980_;
-                                                                        let _e982 = select(_e965, _e960, (_e960 < _e965));
-                                                                        phi_2021_ = (abs((((_e941 * _e980.x) + (_e946 * _e980.y)) + (_e949 * _e980.z))) <= ((0.5f * ((abs(_e941) + abs(_e946)) + abs(_e949))) + (((0.00000036f * select(_e970, _e982, (_e982 < _e970))) * ((abs(_e932.x) + abs(_e932.y)) + abs(_e932.z))) * ((abs(_e934.x) + abs(_e934.y)) + abs(_e934.z)))));
+                                                                        let _e979 = phi_1978_;
+                                                                        let _e981 = select(_e964, _e959, (_e959 < _e964));
+                                                                        phi_2019_ = (abs((((_e940 * _e979.x) + (_e945 * _e979.y)) + (_e948 * _e979.z))) <= ((0.5f * ((abs(_e940) + abs(_e945)) + abs(_e948))) + (((0.00000036f * select(_e969, _e981, (_e981 < _e969))) * ((abs(_e931.x) + abs(_e931.y)) + abs(_e931.z))) * ((abs(_e933.x) + abs(_e933.y)) + abs(_e933.z)))));
                                                                     }
-                                                                    let _e1010 = phi_2021_;
-                                                                    phi_2022_ = _e1010;
-                                                                    phi_2023_ = _e912;
+                                                                    let _e1009 = phi_2019_;
+                                                                    phi_2020_ = _e1009;
+                                                                    phi_2021_ = _e911;
                                                                 }
-                                                                let _e1012 = phi_2022_;
-                                                                let _e1014 = phi_2023_;
-                                                                phi_2024_ = _e1012;
-                                                                phi_2025_ = _e1014;
+                                                                let _e1011 = phi_2020_;
+                                                                let _e1013 = phi_2021_;
+                                                                phi_2022_ = _e1011;
+                                                                phi_2023_ = _e1013;
                                                             }
-                                                            let _e1016 = phi_2024_;
-                                                            let _e1018 = phi_2025_;
-                                                            phi_2029_ = _e1016;
-                                                            phi_2030_ = _e1018;
+                                                            let _e1015 = phi_2022_;
+                                                            let _e1017 = phi_2023_;
+                                                            phi_2027_ = _e1015;
+                                                            phi_2028_ = _e1017;
                                                         }
-                                                        let _e1020 = phi_2029_;
-                                                        let _e1022 = phi_2030_;
-                                                        phi_2031_ = _e1020;
-                                                        phi_2032_ = _e717;
-                                                        phi_2033_ = _e1022;
+                                                        let _e1019 = phi_2027_;
+                                                        let _e1021 = phi_2028_;
+                                                        phi_2029_ = _e1019;
+                                                        phi_2030_ = _e716;
+                                                        phi_2031_ = _e1021;
                                                     }
-                                                    let _e1024 = phi_2031_;
-                                                    let _e1026 = phi_2032_;
-                                                    let _e1028 = phi_2033_;
-                                                    phi_2034_ = _e1024;
-                                                    phi_2035_ = _e1026;
-                                                    phi_2036_ = _e1028;
+                                                    let _e1023 = phi_2029_;
+                                                    let _e1025 = phi_2030_;
+                                                    let _e1027 = phi_2031_;
+                                                    phi_2032_ = _e1023;
+                                                    phi_2033_ = _e1025;
+                                                    phi_2034_ = _e1027;
                                                 }
-                                                let _e1030 = phi_2034_;
-                                                let _e1032 = phi_2035_;
-                                                let _e1034 = phi_2036_;
-                                                phi_2037_ = _e1030;
-                                                phi_2038_ = _e1032;
-                                                phi_2039_ = _e1034;
+                                                let _e1029 = phi_2032_;
+                                                let _e1031 = phi_2033_;
+                                                let _e1033 = phi_2034_;
+                                                phi_2035_ = _e1029;
+                                                phi_2036_ = _e1031;
+                                                phi_2037_ = _e1033;
                                             }
-                                            let _e1036 = phi_2037_;
-                                            let _e1038 = phi_2038_;
-                                            let _e1040 = phi_2039_;
-                                            phi_2040_ = _e1036;
-                                            phi_2041_ = _e1038;
-                                            phi_2042_ = _e1040;
+                                            let _e1035 = phi_2035_;
+                                            let _e1037 = phi_2036_;
+                                            let _e1039 = phi_2037_;
+                                            phi_2038_ = _e1035;
+                                            phi_2039_ = _e1037;
+                                            phi_2040_ = _e1039;
                                         }
-                                        let _e1042 = phi_2040_;
-                                        let _e1044 = phi_2041_;
-                                        let _e1046 = phi_2042_;
-                                        phi_2043_ = _e1042;
-                                        phi_2044_ = _e1044;
-                                        phi_2045_ = _e1046;
+                                        let _e1041 = phi_2038_;
+                                        let _e1043 = phi_2039_;
+                                        let _e1045 = phi_2040_;
+                                        phi_2041_ = _e1041;
+                                        phi_2042_ = _e1043;
+                                        phi_2043_ = _e1045;
                                     }
-                                    let _e1048 = phi_2043_;
-                                    let _e1050 = phi_2044_;
-                                    let _e1052 = phi_2045_;
-                                    phi_5657_ = _e659;
-                                    phi_2058_ = select(true, false, select(_e1048, false, select(_e1052, true, _e1050)));
+                                    let _e1047 = phi_2041_;
+                                    let _e1049 = phi_2042_;
+                                    let _e1051 = phi_2043_;
+                                    phi_5655_ = _e658;
+                                    phi_2056_ = select(true, false, select(_e1047, false, select(_e1051, true, _e1049)));
                                 } else {
-                                    phi_5657_ = _e657;
-                                    phi_2058_ = false;
+                                    phi_5655_ = _e656;
+                                    phi_2056_ = false;
                                 }
-                                let _e1057 = phi_5657_;
-                                let _e1059 = phi_2058_;
-                                let _e1060 = select(true, false, _e658);
-                                local_14 = _e1060;
-                                local_54 = _e1057;
-                                local_55 = _e1060;
+                                let _e1056 = phi_5655_;
+                                let _e1058 = phi_2056_;
+                                let _e1059 = select(true, false, _e657);
+                                local_14 = _e1059;
+                                local_54 = _e1056;
+                                local_55 = _e1059;
                                 continue;
                                 continuing {
-                                    phi_5359_ = _e1057;
-                                    break if !(_e1059);
+                                    phi_5357_ = _e1056;
+                                    break if !(_e1058);
                                 }
                             }
-                            let _e1063 = local_14;
-                            if _e1063 {
-                                let _e1064 = (_e648 + 1i);
-                                let _e1065 = (_e1064 >= _e619.member_2);
-                                if _e1065 {
-                                    phi_5516_ = (_e654 + 1i);
+                            let _e1062 = local_14;
+                            if _e1062 {
+                                let _e1063 = (_e647 + 1i);
+                                let _e1064 = (_e1063 >= _e618.member_2);
+                                if _e1064 {
+                                    phi_5514_ = (_e653 + 1i);
                                 } else {
-                                    phi_5516_ = _e654;
+                                    phi_5514_ = _e653;
                                 }
-                                let _e1068 = phi_5516_;
-                                let _e1069 = select(_e1064, _e619.member_1, _e1065);
-                                if _e619.member_10 {
-                                    let _e1116 = (_e619.member.member_1.x - _e619.member.member.x);
-                                    let _e1119 = (_e619.member.member_1.y - _e619.member.member.y);
-                                    let _e1122 = (_e619.member.member_1.z - _e619.member.member.z);
-                                    let _e1123 = f32(_e1069);
-                                    let _e1124 = (_e1123 - 0.01f);
-                                    let _e1125 = (_e1124 - _e619.member.member.x);
-                                    let _e1126 = (_e1123 + 1.01f);
-                                    let _e1127 = (_e1126 - _e619.member.member.x);
-                                    if (abs(_e1116) < 0.000001f) {
-                                        if (_e1125 <= 0f) {
-                                            let _e1138 = (_e1127 >= 0f);
-                                            if _e1138 {
-                                                phi_4846_ = type_33(0f, 1f);
+                                let _e1067 = phi_5514_;
+                                let _e1068 = select(_e1063, _e618.member_1, _e1064);
+                                if _e618.member_10 {
+                                    let _e1115 = (_e618.member.member_1.x - _e618.member.member.x);
+                                    let _e1118 = (_e618.member.member_1.y - _e618.member.member.y);
+                                    let _e1121 = (_e618.member.member_1.z - _e618.member.member.z);
+                                    let _e1122 = f32(_e1068);
+                                    let _e1123 = (_e1122 - 0.01f);
+                                    let _e1124 = (_e1123 - _e618.member.member.x);
+                                    let _e1125 = (_e1122 + 1.01f);
+                                    let _e1126 = (_e1125 - _e618.member.member.x);
+                                    if (abs(_e1115) < 0.000001f) {
+                                        if (_e1124 <= 0f) {
+                                            let _e1137 = (_e1126 >= 0f);
+                                            if _e1137 {
+                                                phi_4844_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4846_ = type_33();
+                                                phi_4844_ = type_33();
                                             }
-                                            let _e1140 = phi_4846_;
-                                            phi_4849_ = _e1140;
-                                            phi_4850_ = select(true, false, _e1138);
+                                            let _e1139 = phi_4844_;
+                                            phi_4847_ = _e1139;
+                                            phi_4848_ = select(true, false, _e1137);
                                         } else {
-                                            phi_4849_ = type_33();
-                                            phi_4850_ = true;
+                                            phi_4847_ = type_33();
+                                            phi_4848_ = true;
                                         }
-                                        let _e1143 = phi_4849_;
-                                        let _e1145 = phi_4850_;
-                                        if _e1145 {
-                                            phi_4855_ = type_33(1f, 0f);
+                                        let _e1142 = phi_4847_;
+                                        let _e1144 = phi_4848_;
+                                        if _e1144 {
+                                            phi_4853_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4855_ = _e1143;
+                                            phi_4853_ = _e1142;
                                         }
-                                        let _e1147 = phi_4855_;
-                                        phi_4857_ = _e1147;
+                                        let _e1146 = phi_4853_;
+                                        phi_4855_ = _e1146;
                                     } else {
-                                        let _e1130 = (_e1125 / _e1116);
-                                        let _e1131 = (_e1127 / _e1116);
-                                        phi_4857_ = type_33(select(_e1131, _e1130, (_e1130 < _e1131)), select(_e1131, _e1130, (_e1130 > _e1131)));
+                                        let _e1129 = (_e1124 / _e1115);
+                                        let _e1130 = (_e1126 / _e1115);
+                                        phi_4855_ = type_33(select(_e1130, _e1129, (_e1129 < _e1130)), select(_e1130, _e1129, (_e1129 > _e1130)));
                                     }
-                                    let _e1149 = phi_4857_;
-                                    let _e1152 = f32(_e1068);
-                                    let _e1153 = (_e1152 - 0.01f);
-                                    let _e1154 = (_e1153 - _e619.member.member.y);
-                                    let _e1155 = (_e1152 + 1.01f);
-                                    let _e1156 = (_e1155 - _e619.member.member.y);
-                                    if (abs(_e1119) < 0.000001f) {
-                                        if (_e1154 <= 0f) {
-                                            let _e1167 = (_e1156 >= 0f);
-                                            if _e1167 {
-                                                phi_4893_ = type_33(0f, 1f);
+                                    let _e1148 = phi_4855_;
+                                    let _e1151 = f32(_e1067);
+                                    let _e1152 = (_e1151 - 0.01f);
+                                    let _e1153 = (_e1152 - _e618.member.member.y);
+                                    let _e1154 = (_e1151 + 1.01f);
+                                    let _e1155 = (_e1154 - _e618.member.member.y);
+                                    if (abs(_e1118) < 0.000001f) {
+                                        if (_e1153 <= 0f) {
+                                            let _e1166 = (_e1155 >= 0f);
+                                            if _e1166 {
+                                                phi_4891_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4893_ = type_33();
+                                                phi_4891_ = type_33();
                                             }
-                                            let _e1169 = phi_4893_;
-                                            phi_4896_ = _e1169;
-                                            phi_4897_ = select(true, false, _e1167);
+                                            let _e1168 = phi_4891_;
+                                            phi_4894_ = _e1168;
+                                            phi_4895_ = select(true, false, _e1166);
                                         } else {
-                                            phi_4896_ = type_33();
-                                            phi_4897_ = true;
+                                            phi_4894_ = type_33();
+                                            phi_4895_ = true;
                                         }
-                                        let _e1172 = phi_4896_;
-                                        let _e1174 = phi_4897_;
-                                        if _e1174 {
-                                            phi_4902_ = type_33(1f, 0f);
+                                        let _e1171 = phi_4894_;
+                                        let _e1173 = phi_4895_;
+                                        if _e1173 {
+                                            phi_4900_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4902_ = _e1172;
+                                            phi_4900_ = _e1171;
                                         }
-                                        let _e1176 = phi_4902_;
-                                        phi_4904_ = _e1176;
+                                        let _e1175 = phi_4900_;
+                                        phi_4902_ = _e1175;
                                     } else {
-                                        let _e1159 = (_e1154 / _e1119);
-                                        let _e1160 = (_e1156 / _e1119);
-                                        phi_4904_ = type_33(select(_e1160, _e1159, (_e1159 < _e1160)), select(_e1160, _e1159, (_e1159 > _e1160)));
+                                        let _e1158 = (_e1153 / _e1118);
+                                        let _e1159 = (_e1155 / _e1118);
+                                        phi_4902_ = type_33(select(_e1159, _e1158, (_e1158 < _e1159)), select(_e1159, _e1158, (_e1158 > _e1159)));
                                     }
-                                    let _e1178 = phi_4904_;
-                                    let _e1182 = select(_e1178.member, _e1149.member, (_e1149.member > _e1178.member));
-                                    let _e1184 = select(0f, _e1182, (_e1182 > 0f));
-                                    let _e1186 = select(_e1178.member_1, _e1149.member_1, (_e1149.member_1 < _e1178.member_1));
-                                    let _e1188 = select(1f, _e1186, (_e1186 < 1f));
-                                    if (_e1184 > _e1188) {
-                                        phi_4952_ = type_33(_e619.member.member_5.z, -2f);
+                                    let _e1177 = phi_4902_;
+                                    let _e1181 = select(_e1177.member, _e1148.member, (_e1148.member > _e1177.member));
+                                    let _e1183 = select(0f, _e1181, (_e1181 > 0f));
+                                    let _e1185 = select(_e1177.member_1, _e1148.member_1, (_e1148.member_1 < _e1177.member_1));
+                                    let _e1187 = select(1f, _e1185, (_e1185 < 1f));
+                                    if (_e1183 > _e1187) {
+                                        phi_4950_ = type_33(_e618.member.member_5.z, -2f);
                                     } else {
-                                        let _e1191 = (_e619.member.member.z + (_e1122 * _e1184));
-                                        let _e1193 = (_e619.member.member.z + (_e1122 * _e1188));
-                                        phi_4952_ = type_33(select(_e1193, _e1191, (_e1191 < _e1193)), select(_e1193, _e1191, (_e1191 > _e1193)));
+                                        let _e1190 = (_e618.member.member.z + (_e1121 * _e1183));
+                                        let _e1192 = (_e618.member.member.z + (_e1121 * _e1187));
+                                        phi_4950_ = type_33(select(_e1192, _e1190, (_e1190 < _e1192)), select(_e1192, _e1190, (_e1190 > _e1192)));
                                     }
-                                    let _e1202 = phi_4952_;
-                                    let _e1206 = (_e619.member.member_2.x - _e619.member.member_1.x);
-                                    let _e1208 = (_e619.member.member_2.y - _e619.member.member_1.y);
-                                    let _e1210 = (_e619.member.member_2.z - _e619.member.member_1.z);
-                                    let _e1211 = (_e1124 - _e619.member.member_1.x);
-                                    let _e1212 = (_e1126 - _e619.member.member_1.x);
-                                    if (abs(_e1206) < 0.000001f) {
-                                        if (_e1211 <= 0f) {
-                                            let _e1223 = (_e1212 >= 0f);
-                                            if _e1223 {
-                                                phi_5001_ = type_33(0f, 1f);
+                                    let _e1201 = phi_4950_;
+                                    let _e1205 = (_e618.member.member_2.x - _e618.member.member_1.x);
+                                    let _e1207 = (_e618.member.member_2.y - _e618.member.member_1.y);
+                                    let _e1209 = (_e618.member.member_2.z - _e618.member.member_1.z);
+                                    let _e1210 = (_e1123 - _e618.member.member_1.x);
+                                    let _e1211 = (_e1125 - _e618.member.member_1.x);
+                                    if (abs(_e1205) < 0.000001f) {
+                                        if (_e1210 <= 0f) {
+                                            let _e1222 = (_e1211 >= 0f);
+                                            if _e1222 {
+                                                phi_4999_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5001_ = type_33();
+                                                phi_4999_ = type_33();
                                             }
-                                            let _e1225 = phi_5001_;
-                                            phi_5004_ = _e1225;
-                                            phi_5005_ = select(true, false, _e1223);
+                                            let _e1224 = phi_4999_;
+                                            phi_5002_ = _e1224;
+                                            phi_5003_ = select(true, false, _e1222);
                                         } else {
-                                            phi_5004_ = type_33();
-                                            phi_5005_ = true;
+                                            phi_5002_ = type_33();
+                                            phi_5003_ = true;
                                         }
-                                        let _e1228 = phi_5004_;
-                                        let _e1230 = phi_5005_;
-                                        if _e1230 {
-                                            phi_5010_ = type_33(1f, 0f);
+                                        let _e1227 = phi_5002_;
+                                        let _e1229 = phi_5003_;
+                                        if _e1229 {
+                                            phi_5008_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5010_ = _e1228;
+                                            phi_5008_ = _e1227;
                                         }
-                                        let _e1232 = phi_5010_;
-                                        phi_5012_ = _e1232;
+                                        let _e1231 = phi_5008_;
+                                        phi_5010_ = _e1231;
                                     } else {
-                                        let _e1215 = (_e1211 / _e1206);
-                                        let _e1216 = (_e1212 / _e1206);
-                                        phi_5012_ = type_33(select(_e1216, _e1215, (_e1215 < _e1216)), select(_e1216, _e1215, (_e1215 > _e1216)));
+                                        let _e1214 = (_e1210 / _e1205);
+                                        let _e1215 = (_e1211 / _e1205);
+                                        phi_5010_ = type_33(select(_e1215, _e1214, (_e1214 < _e1215)), select(_e1215, _e1214, (_e1214 > _e1215)));
                                     }
-                                    let _e1234 = phi_5012_;
-                                    let _e1237 = (_e1153 - _e619.member.member_1.y);
-                                    let _e1238 = (_e1155 - _e619.member.member_1.y);
-                                    if (abs(_e1208) < 0.000001f) {
-                                        if (_e1237 <= 0f) {
-                                            let _e1249 = (_e1238 >= 0f);
-                                            if _e1249 {
-                                                phi_5048_ = type_33(0f, 1f);
+                                    let _e1233 = phi_5010_;
+                                    let _e1236 = (_e1152 - _e618.member.member_1.y);
+                                    let _e1237 = (_e1154 - _e618.member.member_1.y);
+                                    if (abs(_e1207) < 0.000001f) {
+                                        if (_e1236 <= 0f) {
+                                            let _e1248 = (_e1237 >= 0f);
+                                            if _e1248 {
+                                                phi_5046_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5048_ = type_33();
+                                                phi_5046_ = type_33();
                                             }
-                                            let _e1251 = phi_5048_;
-                                            phi_5051_ = _e1251;
-                                            phi_5052_ = select(true, false, _e1249);
+                                            let _e1250 = phi_5046_;
+                                            phi_5049_ = _e1250;
+                                            phi_5050_ = select(true, false, _e1248);
                                         } else {
-                                            phi_5051_ = type_33();
-                                            phi_5052_ = true;
+                                            phi_5049_ = type_33();
+                                            phi_5050_ = true;
                                         }
-                                        let _e1254 = phi_5051_;
-                                        let _e1256 = phi_5052_;
-                                        if _e1256 {
-                                            phi_5057_ = type_33(1f, 0f);
+                                        let _e1253 = phi_5049_;
+                                        let _e1255 = phi_5050_;
+                                        if _e1255 {
+                                            phi_5055_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5057_ = _e1254;
+                                            phi_5055_ = _e1253;
                                         }
-                                        let _e1258 = phi_5057_;
-                                        phi_5059_ = _e1258;
+                                        let _e1257 = phi_5055_;
+                                        phi_5057_ = _e1257;
                                     } else {
-                                        let _e1241 = (_e1237 / _e1208);
-                                        let _e1242 = (_e1238 / _e1208);
-                                        phi_5059_ = type_33(select(_e1242, _e1241, (_e1241 < _e1242)), select(_e1242, _e1241, (_e1241 > _e1242)));
+                                        let _e1240 = (_e1236 / _e1207);
+                                        let _e1241 = (_e1237 / _e1207);
+                                        phi_5057_ = type_33(select(_e1241, _e1240, (_e1240 < _e1241)), select(_e1241, _e1240, (_e1240 > _e1241)));
                                     }
-                                    let _e1260 = phi_5059_;
-                                    let _e1264 = select(_e1260.member, _e1234.member, (_e1234.member > _e1260.member));
-                                    let _e1266 = select(0f, _e1264, (_e1264 > 0f));
-                                    let _e1268 = select(_e1260.member_1, _e1234.member_1, (_e1234.member_1 < _e1260.member_1));
-                                    let _e1270 = select(1f, _e1268, (_e1268 < 1f));
-                                    if (_e1266 > _e1270) {
-                                        phi_5107_ = type_33(_e619.member.member_5.z, -2f);
+                                    let _e1259 = phi_5057_;
+                                    let _e1263 = select(_e1259.member, _e1233.member, (_e1233.member > _e1259.member));
+                                    let _e1265 = select(0f, _e1263, (_e1263 > 0f));
+                                    let _e1267 = select(_e1259.member_1, _e1233.member_1, (_e1233.member_1 < _e1259.member_1));
+                                    let _e1269 = select(1f, _e1267, (_e1267 < 1f));
+                                    if (_e1265 > _e1269) {
+                                        phi_5105_ = type_33(_e618.member.member_5.z, -2f);
                                     } else {
-                                        let _e1273 = (_e619.member.member_1.z + (_e1210 * _e1266));
-                                        let _e1275 = (_e619.member.member_1.z + (_e1210 * _e1270));
-                                        phi_5107_ = type_33(select(_e1275, _e1273, (_e1273 < _e1275)), select(_e1275, _e1273, (_e1273 > _e1275)));
+                                        let _e1272 = (_e618.member.member_1.z + (_e1209 * _e1265));
+                                        let _e1274 = (_e618.member.member_1.z + (_e1209 * _e1269));
+                                        phi_5105_ = type_33(select(_e1274, _e1272, (_e1272 < _e1274)), select(_e1274, _e1272, (_e1272 > _e1274)));
                                     }
-                                    let _e1284 = phi_5107_;
-                                    let _e1287 = (_e619.member.member.x - _e619.member.member_2.x);
-                                    let _e1288 = (_e619.member.member.y - _e619.member.member_2.y);
-                                    let _e1289 = (_e619.member.member.z - _e619.member.member_2.z);
-                                    let _e1290 = (_e1124 - _e619.member.member_2.x);
-                                    let _e1291 = (_e1126 - _e619.member.member_2.x);
+                                    let _e1283 = phi_5105_;
+                                    let _e1286 = (_e618.member.member.x - _e618.member.member_2.x);
+                                    let _e1287 = (_e618.member.member.y - _e618.member.member_2.y);
+                                    let _e1288 = (_e618.member.member.z - _e618.member.member_2.z);
+                                    let _e1289 = (_e1123 - _e618.member.member_2.x);
+                                    let _e1290 = (_e1125 - _e618.member.member_2.x);
+                                    if (abs(_e1286) < 0.000001f) {
+                                        if (_e1289 <= 0f) {
+                                            let _e1301 = (_e1290 >= 0f);
+                                            if _e1301 {
+                                                phi_5154_ = type_33(0f, 1f);
+                                            } else {
+                                                phi_5154_ = type_33();
+                                            }
+                                            let _e1303 = phi_5154_;
+                                            phi_5157_ = _e1303;
+                                            phi_5158_ = select(true, false, _e1301);
+                                        } else {
+                                            phi_5157_ = type_33();
+                                            phi_5158_ = true;
+                                        }
+                                        let _e1306 = phi_5157_;
+                                        let _e1308 = phi_5158_;
+                                        if _e1308 {
+                                            phi_5163_ = type_33(1f, 0f);
+                                        } else {
+                                            phi_5163_ = _e1306;
+                                        }
+                                        let _e1310 = phi_5163_;
+                                        phi_5165_ = _e1310;
+                                    } else {
+                                        let _e1293 = (_e1289 / _e1286);
+                                        let _e1294 = (_e1290 / _e1286);
+                                        phi_5165_ = type_33(select(_e1294, _e1293, (_e1293 < _e1294)), select(_e1294, _e1293, (_e1293 > _e1294)));
+                                    }
+                                    let _e1312 = phi_5165_;
+                                    let _e1315 = (_e1152 - _e618.member.member_2.y);
+                                    let _e1316 = (_e1154 - _e618.member.member_2.y);
                                     if (abs(_e1287) < 0.000001f) {
-                                        if (_e1290 <= 0f) {
-                                            let _e1302 = (_e1291 >= 0f);
-                                            if _e1302 {
-                                                phi_5156_ = type_33(0f, 1f);
+                                        if (_e1315 <= 0f) {
+                                            let _e1327 = (_e1316 >= 0f);
+                                            if _e1327 {
+                                                phi_5201_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5156_ = type_33();
+                                                phi_5201_ = type_33();
                                             }
-                                            let _e1304 = phi_5156_;
-                                            phi_5159_ = _e1304;
-                                            phi_5160_ = select(true, false, _e1302);
+                                            let _e1329 = phi_5201_;
+                                            phi_5204_ = _e1329;
+                                            phi_5205_ = select(true, false, _e1327);
                                         } else {
-                                            phi_5159_ = type_33();
-                                            phi_5160_ = true;
+                                            phi_5204_ = type_33();
+                                            phi_5205_ = true;
                                         }
-                                        let _e1307 = phi_5159_;
-                                        let _e1309 = phi_5160_;
-                                        if _e1309 {
-                                            phi_5165_ = type_33(1f, 0f);
+                                        let _e1332 = phi_5204_;
+                                        let _e1334 = phi_5205_;
+                                        if _e1334 {
+                                            phi_5210_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5165_ = _e1307;
+                                            phi_5210_ = _e1332;
                                         }
-                                        let _e1311 = phi_5165_;
-                                        phi_5167_ = _e1311;
+                                        let _e1336 = phi_5210_;
+                                        phi_5212_ = _e1336;
                                     } else {
-                                        let _e1294 = (_e1290 / _e1287);
-                                        let _e1295 = (_e1291 / _e1287);
-                                        phi_5167_ = type_33(select(_e1295, _e1294, (_e1294 < _e1295)), select(_e1295, _e1294, (_e1294 > _e1295)));
+                                        let _e1319 = (_e1315 / _e1287);
+                                        let _e1320 = (_e1316 / _e1287);
+                                        phi_5212_ = type_33(select(_e1320, _e1319, (_e1319 < _e1320)), select(_e1320, _e1319, (_e1319 > _e1320)));
                                     }
-                                    let _e1313 = phi_5167_;
-                                    let _e1316 = (_e1153 - _e619.member.member_2.y);
-                                    let _e1317 = (_e1155 - _e619.member.member_2.y);
-                                    if (abs(_e1288) < 0.000001f) {
-                                        if (_e1316 <= 0f) {
-                                            let _e1328 = (_e1317 >= 0f);
-                                            if _e1328 {
-                                                phi_5203_ = type_33(0f, 1f);
-                                            } else {
-                                                phi_5203_ = type_33();
-                                            }
-                                            let _e1330 = phi_5203_;
-                                            phi_5206_ = _e1330;
-                                            phi_5207_ = select(true, false, _e1328);
-                                        } else {
-                                            phi_5206_ = type_33();
-                                            phi_5207_ = true;
-                                        }
-                                        let _e1333 = phi_5206_;
-                                        let _e1335 = phi_5207_;
-                                        if _e1335 {
-                                            phi_5212_ = type_33(1f, 0f);
-                                        } else {
-                                            phi_5212_ = _e1333;
-                                        }
-                                        let _e1337 = phi_5212_;
-                                        phi_5214_ = _e1337;
+                                    let _e1338 = phi_5212_;
+                                    let _e1342 = select(_e1338.member, _e1312.member, (_e1312.member > _e1338.member));
+                                    let _e1344 = select(0f, _e1342, (_e1342 > 0f));
+                                    let _e1346 = select(_e1338.member_1, _e1312.member_1, (_e1312.member_1 < _e1338.member_1));
+                                    let _e1348 = select(1f, _e1346, (_e1346 < 1f));
+                                    if (_e1344 > _e1348) {
+                                        phi_5260_ = type_33(_e618.member.member_5.z, -2f);
                                     } else {
-                                        let _e1320 = (_e1316 / _e1288);
-                                        let _e1321 = (_e1317 / _e1288);
-                                        phi_5214_ = type_33(select(_e1321, _e1320, (_e1320 < _e1321)), select(_e1321, _e1320, (_e1320 > _e1321)));
+                                        let _e1351 = (_e618.member.member_2.z + (_e1288 * _e1344));
+                                        let _e1353 = (_e618.member.member_2.z + (_e1288 * _e1348));
+                                        phi_5260_ = type_33(select(_e1353, _e1351, (_e1351 < _e1353)), select(_e1353, _e1351, (_e1351 > _e1353)));
                                     }
-                                    let _e1339 = phi_5214_;
-                                    let _e1343 = select(_e1339.member, _e1313.member, (_e1313.member > _e1339.member));
-                                    let _e1345 = select(0f, _e1343, (_e1343 > 0f));
-                                    let _e1347 = select(_e1339.member_1, _e1313.member_1, (_e1313.member_1 < _e1339.member_1));
-                                    let _e1349 = select(1f, _e1347, (_e1347 < 1f));
-                                    if (_e1345 > _e1349) {
-                                        phi_5262_ = type_33(_e619.member.member_5.z, -2f);
-                                    } else {
-                                        let _e1352 = (_e619.member.member_2.z + (_e1289 * _e1345));
-                                        let _e1354 = (_e619.member.member_2.z + (_e1289 * _e1349));
-                                        phi_5262_ = type_33(select(_e1354, _e1352, (_e1352 < _e1354)), select(_e1354, _e1352, (_e1352 > _e1354)));
-                                    }
-                                    let _e1363 = phi_5262_;
-                                    let _e1367 = select(_e1284.member, _e1202.member, (_e1202.member < _e1284.member));
-                                    let _e1373 = select(_e1284.member_1, _e1202.member_1, (_e1202.member_1 > _e1284.member_1));
-                                    phi_2154_ = type_33((floor(select(_e1363.member, _e1367, (_e1367 < _e1363.member))) - 1f), (floor(select(_e1363.member_1, _e1373, (_e1373 > _e1363.member_1))) + 1f));
+                                    let _e1362 = phi_5260_;
+                                    let _e1366 = select(_e1283.member, _e1201.member, (_e1201.member < _e1283.member));
+                                    let _e1372 = select(_e1283.member_1, _e1201.member_1, (_e1201.member_1 > _e1283.member_1));
+                                    phi_2152_ = type_33((floor(select(_e1362.member, _e1366, (_e1366 < _e1362.member))) - 1f), (floor(select(_e1362.member_1, _e1372, (_e1372 > _e1362.member_1))) + 1f));
                                 } else {
-                                    if (_e619.member.member_4 == 0u) {
-                                        phi_2112_ = vec3<f32>(_e619.member.member_3.y, _e619.member.member_3.z, _e619.member.member_3.x);
+                                    if (_e618.member.member_4 == 0u) {
+                                        phi_2110_ = vec3<f32>(_e618.member.member_3.y, _e618.member.member_3.z, _e618.member.member_3.x);
                                     } else {
-                                        if (_e619.member.member_4 == 1u) {
-                                            phi_2111_ = vec3<f32>(_e619.member.member_3.z, _e619.member.member_3.x, _e619.member.member_3.y);
+                                        if (_e618.member.member_4 == 1u) {
+                                            phi_2109_ = vec3<f32>(_e618.member.member_3.z, _e618.member.member_3.x, _e618.member.member_3.y);
                                         } else {
-                                            phi_2111_ = _e619.member.member_3;
+                                            phi_2109_ = _e618.member.member_3;
                                         }
-                                        let _e1077 = phi_2111_;
-                                        phi_2112_ = _e1077;
+                                        let _e1076 = phi_2109_;
+                                        phi_2110_ = _e1076;
                                     }
-                                    let _e1083 = phi_2112_;
-                                    let _e1100 = (_e619.member.member.z - (((_e1083.x * ((f32(_e1069) + 0.5f) - _e619.member.member.x)) + (_e1083.y * ((f32(_e1068) + 0.5f) - _e619.member.member.y))) / _e1083.z));
-                                    let _e1107 = (((0.5f * (abs(_e1083.x) + abs(_e1083.y))) / abs(_e1083.z)) + 0.3f);
-                                    phi_2154_ = type_33((-1f - floor((_e1107 - _e1100))), floor((_e1100 + _e1107)));
+                                    let _e1082 = phi_2110_;
+                                    let _e1099 = (_e618.member.member.z - (((_e1082.x * ((f32(_e1068) + 0.5f) - _e618.member.member.x)) + (_e1082.y * ((f32(_e1067) + 0.5f) - _e618.member.member.y))) / _e1082.z));
+                                    let _e1106 = (((0.5f * (abs(_e1082.x) + abs(_e1082.y))) / abs(_e1082.z)) + 0.3f);
+                                    phi_2152_ = type_33((-1f - floor((_e1106 - _e1099))), floor((_e1099 + _e1106)));
                                 }
-                                let _e1380 = phi_2154_;
-                                let _e1383 = f32(_e619.member_4);
-                                let _e1385 = select(_e1383, _e1380.member, (_e1380.member > _e1383));
-                                let _e1394 = f32(_e619.member_5);
-                                let _e1396 = select(_e1394, _e1380.member_1, (_e1380.member_1 < _e1394));
-                                phi_6365_ = select(0i, select(select(i32(_e1396), i32(-2147483648), (_e1396 < -2147483600f)), 2147483647i, (_e1396 > 2147483500f)), (_e1396 == _e1396));
-                                phi_5656_ = (select(0i, select(select(i32(_e1385), i32(-2147483648), (_e1385 < -2147483600f)), 2147483647i, (_e1385 > 2147483500f)), (_e1385 == _e1385)) - 1i);
-                                phi_5632_ = _e1068;
-                                phi_5602_ = _e1069;
+                                let _e1379 = phi_2152_;
+                                let _e1382 = f32(_e618.member_4);
+                                let _e1384 = select(_e1382, _e1379.member, (_e1379.member > _e1382));
+                                let _e1393 = f32(_e618.member_5);
+                                let _e1395 = select(_e1393, _e1379.member_1, (_e1379.member_1 < _e1393));
+                                phi_6363_ = select(0i, select(select(i32(_e1395), i32(-2147483648), (_e1395 < -2147483600f)), 2147483647i, (_e1395 > 2147483500f)), (_e1395 == _e1395));
+                                phi_5654_ = (select(0i, select(select(i32(_e1384), i32(-2147483648), (_e1384 < -2147483600f)), 2147483647i, (_e1384 > 2147483500f)), (_e1384 == _e1384)) - 1i);
+                                phi_5630_ = _e1067;
+                                phi_5600_ = _e1068;
                             } else {
-                                phi_6365_ = _e650;
-                                let _e3337 = local_54;
-                                phi_5656_ = _e3337;
-                                phi_5632_ = _e654;
-                                phi_5602_ = _e648;
+                                phi_6363_ = _e649;
+                                let _e3336 = local_54;
+                                phi_5654_ = _e3336;
+                                phi_5630_ = _e653;
+                                phi_5600_ = _e647;
                             }
-                            let _e1405 = phi_6365_;
-                            let _e1407 = phi_5656_;
-                            let _e1409 = phi_5632_;
-                            let _e1411 = phi_5602_;
-                            phi_6364_ = _e1405;
-                            phi_5655_ = _e1407;
-                            phi_5631_ = _e1409;
-                            phi_5601_ = _e1411;
-                            let _e3346 = local_55;
-                            phi_2194_ = _e3346;
+                            let _e1404 = phi_6363_;
+                            let _e1406 = phi_5654_;
+                            let _e1408 = phi_5630_;
+                            let _e1410 = phi_5600_;
+                            phi_6362_ = _e1404;
+                            phi_5653_ = _e1406;
+                            phi_5629_ = _e1408;
+                            phi_5599_ = _e1410;
+                            let _e3345 = local_55;
+                            phi_2192_ = _e3345;
                         } else {
-                            phi_6364_ = _e650;
-                            phi_5655_ = _e652;
-                            phi_5631_ = _e654;
-                            phi_5601_ = _e648;
-                            phi_2194_ = false;
+                            phi_6362_ = _e649;
+                            phi_5653_ = _e651;
+                            phi_5629_ = _e653;
+                            phi_5599_ = _e647;
+                            phi_2192_ = false;
                         }
-                        let _e1413 = phi_6364_;
-                        let _e1415 = phi_5655_;
-                        let _e1417 = phi_5631_;
-                        let _e1419 = phi_5601_;
-                        let _e1421 = phi_2194_;
-                        local_50 = _e1419;
-                        local_51 = _e1413;
-                        local_52 = _e1415;
-                        local_53 = _e1417;
-                        local_15 = select(true, false, _e655);
-                        local_16 = _e1419;
-                        local_17 = _e1417;
-                        local_18 = _e1415;
+                        let _e1412 = phi_6362_;
+                        let _e1414 = phi_5653_;
+                        let _e1416 = phi_5629_;
+                        let _e1418 = phi_5599_;
+                        let _e1420 = phi_2192_;
+                        local_50 = _e1418;
+                        local_51 = _e1412;
+                        local_52 = _e1414;
+                        local_53 = _e1416;
+                        local_15 = select(true, false, _e654);
+                        local_16 = _e1418;
+                        local_17 = _e1416;
+                        local_18 = _e1414;
                         continue;
                         continuing {
-                            phi_5366_ = _e1419;
-                            phi_5363_ = _e1413;
-                            phi_5360_ = _e1415;
-                            phi_5357_ = _e1417;
-                            break if !(_e1421);
+                            phi_5364_ = _e1418;
+                            phi_5361_ = _e1412;
+                            phi_5358_ = _e1414;
+                            phi_5355_ = _e1416;
+                            break if !(_e1420);
                         }
                     }
-                    let _e1425 = local_15;
-                    let _e1427 = select(false, true, select(true, false, _e1425));
-                    if _e1427 {
-                        let _e1429 = local_16;
-                        let _e1430 = f32(_e1429);
-                        let _e1432 = local_17;
-                        let _e1433 = f32(_e1432);
-                        let _e1435 = local_18;
-                        let _e1436 = f32(_e1435);
-                        let _e1437 = vec3<f32>(_e1430, _e1433, _e1436);
-                        if (_e619.member.member_4 == 2u) {
-                            phi_2224_ = 2u;
+                    let _e1424 = local_15;
+                    let _e1426 = select(false, true, select(true, false, _e1424));
+                    if _e1426 {
+                        let _e1428 = local_16;
+                        let _e1429 = f32(_e1428);
+                        let _e1431 = local_17;
+                        let _e1432 = f32(_e1431);
+                        let _e1434 = local_18;
+                        let _e1435 = f32(_e1434);
+                        let _e1436 = vec3<f32>(_e1429, _e1432, _e1435);
+                        if (_e618.member.member_4 == 2u) {
+                            phi_2222_ = 2u;
                         } else {
-                            phi_2224_ = (1u - _e619.member.member_4);
+                            phi_2222_ = (1u - _e618.member.member_4);
                         }
-                        let _e1441 = phi_2224_;
-                        if (_e1441 == 0u) {
-                            phi_2236_ = vec3<f32>(_e1433, _e1436, _e1430);
+                        let _e1440 = phi_2222_;
+                        if (_e1440 == 0u) {
+                            phi_2234_ = vec3<f32>(_e1432, _e1435, _e1429);
                         } else {
-                            if (_e1441 == 1u) {
-                                phi_2235_ = vec3<f32>(_e1436, _e1430, _e1433);
+                            if (_e1440 == 1u) {
+                                phi_2233_ = vec3<f32>(_e1435, _e1429, _e1432);
                             } else {
-                                phi_2235_ = _e1437;
+                                phi_2233_ = _e1436;
                             }
-                            let _e1446 = phi_2235_;
-                            phi_2236_ = _e1446;
+                            let _e1445 = phi_2233_;
+                            phi_2234_ = _e1445;
                         }
-                        let _e1449 = phi_2236_;
-                        let _e1455 = select(select(u32(_e1449.x), 0u, (_e1449.x < 0f)), 4294967295u, (_e1449.x > 4294967000f));
-                        let _e1461 = select(select(u32(_e1449.y), 0u, (_e1449.y < 0f)), 4294967295u, (_e1449.y > 4294967000f));
-                        let _e1467 = select(select(u32(_e1449.z), 0u, (_e1449.z < 0f)), 4294967295u, (_e1449.z > 4294967000f));
-                        local_6.member = array<vec3<f32>, 10>((_e246 - _e1437), (_e253 - _e1437), (_e260 - _e1437), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e1448 = phi_2234_;
+                        let _e1454 = select(select(u32(_e1448.x), 0u, (_e1448.x < 0f)), 4294967295u, (_e1448.x > 4294967000f));
+                        let _e1460 = select(select(u32(_e1448.y), 0u, (_e1448.y < 0f)), 4294967295u, (_e1448.y > 4294967000f));
+                        let _e1466 = select(select(u32(_e1448.z), 0u, (_e1448.z < 0f)), 4294967295u, (_e1448.z > 4294967000f));
+                        local_6.member = array<vec3<f32>, 10>((_e245 - _e1436), (_e252 - _e1436), (_e259 - _e1436), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         local_6.member_1 = 3u;
-                        let _e1474 = local_6.member_1;
-                        phi_2294_ = type_12(0u, _e1474);
-                        phi_2297_ = 0f;
+                        let _e1473 = local_6.member_1;
+                        phi_2292_ = type_12(0u, _e1473);
+                        phi_2295_ = 0f;
                         loop {
-                            let _e1477 = phi_2294_;
-                            let _e1479 = phi_2297_;
-                            local_19 = _e1479;
-                            if (_e1477.member < _e1477.member_1) {
-                                phi_2295_ = type_12((_e1477.member + 1u), _e1477.member_1);
-                                phi_2320_ = type_12(1u, _e1477.member);
+                            let _e1476 = phi_2292_;
+                            let _e1478 = phi_2295_;
+                            local_19 = _e1478;
+                            if (_e1476.member < _e1476.member_1) {
+                                phi_2293_ = type_12((_e1476.member + 1u), _e1476.member_1);
+                                phi_2318_ = type_12(1u, _e1476.member);
                             } else {
-                                phi_2295_ = _e1477;
-                                phi_2320_ = type_12(0u, type_12().member_1);
+                                phi_2293_ = _e1476;
+                                phi_2318_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1492 = phi_2295_;
-                            let _e1494 = phi_2320_;
-                            let _e1498 = (bitcast<i32>(_e1494.member) != 0i);
-                            if _e1498 {
-                                if (_e1494.member_1 < 10u) {
+                            let _e1491 = phi_2293_;
+                            let _e1493 = phi_2318_;
+                            let _e1497 = (bitcast<i32>(_e1493.member) != 0i);
+                            if _e1497 {
+                                if (_e1493.member_1 < 10u) {
                                 } else {
-                                    phi_5738_ = true;
+                                    phi_5736_ = true;
                                     break;
                                 }
-                                let _e1502 = local_6.member[_e1494.member_1];
-                                phi_2298_ = select(_e1502.x, _e1479, (_e1479 < _e1502.x));
+                                let _e1501 = local_6.member[_e1493.member_1];
+                                phi_2296_ = select(_e1501.x, _e1478, (_e1478 < _e1501.x));
                             } else {
-                                phi_2298_ = f32();
+                                phi_2296_ = f32();
                             }
-                            let _e1507 = phi_2298_;
+                            let _e1506 = phi_2296_;
                             continue;
                             continuing {
-                                phi_2294_ = _e1492;
-                                phi_2297_ = _e1507;
-                                phi_5738_ = _e638;
-                                break if !(_e1498);
+                                phi_2292_ = _e1491;
+                                phi_2295_ = _e1506;
+                                phi_5736_ = _e637;
+                                break if !(_e1497);
                             }
                         }
-                        let _e1510 = phi_5738_;
-                        phi_6041_ = _e1510;
-                        if _e1510 {
+                        let _e1509 = phi_5736_;
+                        phi_6039_ = _e1509;
+                        if _e1509 {
                             break;
                         }
-                        let _e1512 = local_19;
-                        if (_e1512 >= 0f) {
-                            phi_5960_ = _e1510;
+                        let _e1511 = local_19;
+                        if (_e1511 >= 0f) {
+                            phi_5958_ = _e1509;
                         } else {
-                            let _e1514 = local_6.member_1;
-                            if (_e1514 == 0u) {
-                                phi_5961_ = _e1510;
+                            let _e1513 = local_6.member_1;
+                            if (_e1513 == 0u) {
+                                phi_5959_ = _e1509;
                             } else {
                                 local_5[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_5[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1633,167 +1633,167 @@ fn function_() {
                                 local_5[7u] = vec3<f32>(0f, 0f, 0f);
                                 local_5[8u] = vec3<f32>(0f, 0f, 0f);
                                 local_5[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1526 = local_6.member_1;
-                                let _e1527 = (_e1526 - 1u);
-                                if (_e1527 < 10u) {
+                                let _e1525 = local_6.member_1;
+                                let _e1526 = (_e1525 - 1u);
+                                if (_e1526 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e1531 = local_6.member[_e1527];
-                                let _e1533 = local_6.member_1;
-                                phi_2398_ = type_12(0u, _e1533);
-                                phi_2401_ = _e1531.x;
-                                phi_2403_ = _e1531;
-                                phi_2405_ = 0u;
+                                let _e1530 = local_6.member[_e1526];
+                                let _e1532 = local_6.member_1;
+                                phi_2396_ = type_12(0u, _e1532);
+                                phi_2399_ = _e1530.x;
+                                phi_2401_ = _e1530;
+                                phi_2403_ = 0u;
                                 loop {
-                                    let _e1536 = phi_2398_;
-                                    let _e1538 = phi_2401_;
-                                    let _e1540 = phi_2403_;
-                                    let _e1542 = phi_2405_;
-                                    local_20 = _e1542;
-                                    if (_e1536.member < _e1536.member_1) {
-                                        phi_2399_ = type_12((_e1536.member + 1u), _e1536.member_1);
-                                        phi_2428_ = type_12(1u, _e1536.member);
+                                    let _e1535 = phi_2396_;
+                                    let _e1537 = phi_2399_;
+                                    let _e1539 = phi_2401_;
+                                    let _e1541 = phi_2403_;
+                                    local_20 = _e1541;
+                                    if (_e1535.member < _e1535.member_1) {
+                                        phi_2397_ = type_12((_e1535.member + 1u), _e1535.member_1);
+                                        phi_2426_ = type_12(1u, _e1535.member);
                                     } else {
-                                        phi_2399_ = _e1536;
-                                        phi_2428_ = type_12(0u, type_12().member_1);
+                                        phi_2397_ = _e1535;
+                                        phi_2426_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e1555 = phi_2399_;
-                                    let _e1557 = phi_2428_;
-                                    let _e1561 = (bitcast<i32>(_e1557.member) != 0i);
-                                    if _e1561 {
-                                        if (_e1557.member_1 < 10u) {
+                                    let _e1554 = phi_2397_;
+                                    let _e1556 = phi_2426_;
+                                    let _e1560 = (bitcast<i32>(_e1556.member) != 0i);
+                                    if _e1560 {
+                                        if (_e1556.member_1 < 10u) {
                                         } else {
-                                            phi_5948_ = true;
+                                            phi_5946_ = true;
                                             break;
                                         }
-                                        let _e1565 = local_6.member[_e1557.member_1];
-                                        if ((_e1565.x < 0f) != (_e1538 < 0f)) {
-                                            let _e1572 = (_e1542 < 10u);
-                                            if _e1572 {
-                                                let _e1580 = (_e1538 / (_e1538 - _e1565.x));
-                                                if _e1572 {
+                                        let _e1564 = local_6.member[_e1556.member_1];
+                                        if ((_e1564.x < 0f) != (_e1537 < 0f)) {
+                                            let _e1571 = (_e1541 < 10u);
+                                            if _e1571 {
+                                                let _e1579 = (_e1537 / (_e1537 - _e1564.x));
+                                                if _e1571 {
                                                 } else {
-                                                    phi_5948_ = true;
+                                                    phi_5946_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1542] = (_e1540 + vec3<f32>(((_e1565.x - _e1540.x) * _e1580), ((_e1565.y - _e1540.y) * _e1580), ((_e1565.z - _e1540.z) * _e1580)));
-                                                phi_2488_ = (_e1542 + 1u);
+                                                local_5[_e1541] = (_e1539 + vec3<f32>(((_e1564.x - _e1539.x) * _e1579), ((_e1564.y - _e1539.y) * _e1579), ((_e1564.z - _e1539.z) * _e1579)));
+                                                phi_2486_ = (_e1541 + 1u);
                                             } else {
-                                                phi_2488_ = _e1542;
+                                                phi_2486_ = _e1541;
                                             }
-                                            let _e1589 = phi_2488_;
-                                            phi_2489_ = _e1589;
+                                            let _e1588 = phi_2486_;
+                                            phi_2487_ = _e1588;
                                         } else {
-                                            phi_2489_ = _e1542;
+                                            phi_2487_ = _e1541;
                                         }
-                                        let _e1591 = phi_2489_;
-                                        if (_e1565.x >= 0f) {
-                                            let _e1593 = (_e1591 < 10u);
-                                            if _e1593 {
-                                                if _e1593 {
+                                        let _e1590 = phi_2487_;
+                                        if (_e1564.x >= 0f) {
+                                            let _e1592 = (_e1590 < 10u);
+                                            if _e1592 {
+                                                if _e1592 {
                                                 } else {
-                                                    phi_5948_ = true;
+                                                    phi_5946_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1591] = _e1565;
-                                                phi_2505_ = (_e1591 + 1u);
+                                                local_5[_e1590] = _e1564;
+                                                phi_2503_ = (_e1590 + 1u);
                                             } else {
-                                                phi_2505_ = _e1591;
+                                                phi_2503_ = _e1590;
                                             }
-                                            let _e1597 = phi_2505_;
-                                            phi_2506_ = _e1597;
+                                            let _e1596 = phi_2503_;
+                                            phi_2504_ = _e1596;
                                         } else {
-                                            phi_2506_ = _e1591;
+                                            phi_2504_ = _e1590;
                                         }
-                                        let _e1599 = phi_2506_;
-                                        phi_2402_ = _e1565.x;
-                                        phi_2404_ = _e1565;
-                                        phi_2406_ = _e1599;
+                                        let _e1598 = phi_2504_;
+                                        phi_2400_ = _e1564.x;
+                                        phi_2402_ = _e1564;
+                                        phi_2404_ = _e1598;
                                     } else {
-                                        phi_2402_ = f32();
-                                        phi_2404_ = vec3<f32>();
-                                        phi_2406_ = u32();
+                                        phi_2400_ = f32();
+                                        phi_2402_ = vec3<f32>();
+                                        phi_2404_ = u32();
                                     }
-                                    let _e1601 = phi_2402_;
-                                    let _e1603 = phi_2404_;
-                                    let _e1605 = phi_2406_;
+                                    let _e1600 = phi_2400_;
+                                    let _e1602 = phi_2402_;
+                                    let _e1604 = phi_2404_;
                                     continue;
                                     continuing {
-                                        phi_2398_ = _e1555;
-                                        phi_2401_ = _e1601;
-                                        phi_2403_ = _e1603;
-                                        phi_2405_ = _e1605;
-                                        phi_5948_ = _e1510;
-                                        break if !(_e1561);
+                                        phi_2396_ = _e1554;
+                                        phi_2399_ = _e1600;
+                                        phi_2401_ = _e1602;
+                                        phi_2403_ = _e1604;
+                                        phi_5946_ = _e1509;
+                                        break if !(_e1560);
                                     }
                                 }
-                                let _e1608 = phi_5948_;
-                                phi_6041_ = _e1608;
-                                if _e1608 {
+                                let _e1607 = phi_5946_;
+                                phi_6039_ = _e1607;
+                                if _e1607 {
                                     break;
                                 }
-                                let _e1609 = local_5;
-                                local_6.member = _e1609;
-                                let _e1611 = local_20;
-                                local_6.member_1 = _e1611;
-                                phi_5961_ = _e1608;
+                                let _e1608 = local_5;
+                                local_6.member = _e1608;
+                                let _e1610 = local_20;
+                                local_6.member_1 = _e1610;
+                                phi_5959_ = _e1607;
                             }
-                            let _e1613 = phi_5961_;
-                            phi_5960_ = _e1613;
+                            let _e1612 = phi_5959_;
+                            phi_5958_ = _e1612;
                         }
-                        let _e1615 = phi_5960_;
-                        let _e1616 = local_6.member_1;
-                        phi_2519_ = type_12(0u, _e1616);
-                        phi_2522_ = 0f;
+                        let _e1614 = phi_5958_;
+                        let _e1615 = local_6.member_1;
+                        phi_2517_ = type_12(0u, _e1615);
+                        phi_2520_ = 0f;
                         loop {
-                            let _e1619 = phi_2519_;
-                            let _e1621 = phi_2522_;
-                            local_21 = _e1621;
-                            if (_e1619.member < _e1619.member_1) {
-                                phi_2520_ = type_12((_e1619.member + 1u), _e1619.member_1);
-                                phi_2545_ = type_12(1u, _e1619.member);
+                            let _e1618 = phi_2517_;
+                            let _e1620 = phi_2520_;
+                            local_21 = _e1620;
+                            if (_e1618.member < _e1618.member_1) {
+                                phi_2518_ = type_12((_e1618.member + 1u), _e1618.member_1);
+                                phi_2543_ = type_12(1u, _e1618.member);
                             } else {
-                                phi_2520_ = _e1619;
-                                phi_2545_ = type_12(0u, type_12().member_1);
+                                phi_2518_ = _e1618;
+                                phi_2543_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1634 = phi_2520_;
-                            let _e1636 = phi_2545_;
-                            let _e1640 = (bitcast<i32>(_e1636.member) != 0i);
-                            if _e1640 {
-                                if (_e1636.member_1 < 10u) {
+                            let _e1633 = phi_2518_;
+                            let _e1635 = phi_2543_;
+                            let _e1639 = (bitcast<i32>(_e1635.member) != 0i);
+                            if _e1639 {
+                                if (_e1635.member_1 < 10u) {
                                 } else {
-                                    phi_5956_ = true;
+                                    phi_5954_ = true;
                                     break;
                                 }
-                                let _e1644 = local_6.member[_e1636.member_1];
-                                let _e1647 = ((-1f * _e1644.x) + 1f);
-                                phi_2523_ = select(_e1647, _e1621, (_e1621 < _e1647));
+                                let _e1643 = local_6.member[_e1635.member_1];
+                                let _e1646 = ((-1f * _e1643.x) + 1f);
+                                phi_2521_ = select(_e1646, _e1620, (_e1620 < _e1646));
                             } else {
-                                phi_2523_ = f32();
+                                phi_2521_ = f32();
                             }
-                            let _e1651 = phi_2523_;
+                            let _e1650 = phi_2521_;
                             continue;
                             continuing {
-                                phi_2519_ = _e1634;
-                                phi_2522_ = _e1651;
-                                phi_5956_ = _e1615;
-                                break if !(_e1640);
+                                phi_2517_ = _e1633;
+                                phi_2520_ = _e1650;
+                                phi_5954_ = _e1614;
+                                break if !(_e1639);
                             }
                         }
-                        let _e1654 = phi_5956_;
-                        phi_6041_ = _e1654;
-                        if _e1654 {
+                        let _e1653 = phi_5954_;
+                        phi_6039_ = _e1653;
+                        if _e1653 {
                             break;
                         }
-                        let _e1656 = local_21;
-                        if (_e1656 >= 0f) {
-                            phi_5975_ = _e1654;
+                        let _e1655 = local_21;
+                        if (_e1655 >= 0f) {
+                            phi_5973_ = _e1653;
                         } else {
-                            let _e1658 = local_6.member_1;
-                            if (_e1658 == 0u) {
-                                phi_5976_ = _e1654;
+                            let _e1657 = local_6.member_1;
+                            if (_e1657 == 0u) {
+                                phi_5974_ = _e1653;
                             } else {
                                 local_4[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_4[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1805,167 +1805,167 @@ fn function_() {
                                 local_4[7u] = vec3<f32>(0f, 0f, 0f);
                                 local_4[8u] = vec3<f32>(0f, 0f, 0f);
                                 local_4[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1670 = local_6.member_1;
-                                let _e1671 = (_e1670 - 1u);
-                                if (_e1671 < 10u) {
+                                let _e1669 = local_6.member_1;
+                                let _e1670 = (_e1669 - 1u);
+                                if (_e1670 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e1675 = local_6.member[_e1671];
-                                let _e1679 = local_6.member_1;
-                                phi_2617_ = type_12(0u, _e1679);
-                                phi_2620_ = ((-1f * _e1675.x) + 1f);
-                                phi_2622_ = _e1675;
-                                phi_2624_ = 0u;
+                                let _e1674 = local_6.member[_e1670];
+                                let _e1678 = local_6.member_1;
+                                phi_2615_ = type_12(0u, _e1678);
+                                phi_2618_ = ((-1f * _e1674.x) + 1f);
+                                phi_2620_ = _e1674;
+                                phi_2622_ = 0u;
                                 loop {
-                                    let _e1682 = phi_2617_;
-                                    let _e1684 = phi_2620_;
-                                    let _e1686 = phi_2622_;
-                                    let _e1688 = phi_2624_;
-                                    local_22 = _e1688;
-                                    if (_e1682.member < _e1682.member_1) {
-                                        phi_2618_ = type_12((_e1682.member + 1u), _e1682.member_1);
-                                        phi_2647_ = type_12(1u, _e1682.member);
+                                    let _e1681 = phi_2615_;
+                                    let _e1683 = phi_2618_;
+                                    let _e1685 = phi_2620_;
+                                    let _e1687 = phi_2622_;
+                                    local_22 = _e1687;
+                                    if (_e1681.member < _e1681.member_1) {
+                                        phi_2616_ = type_12((_e1681.member + 1u), _e1681.member_1);
+                                        phi_2645_ = type_12(1u, _e1681.member);
                                     } else {
-                                        phi_2618_ = _e1682;
-                                        phi_2647_ = type_12(0u, type_12().member_1);
+                                        phi_2616_ = _e1681;
+                                        phi_2645_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e1701 = phi_2618_;
-                                    let _e1703 = phi_2647_;
-                                    let _e1707 = (bitcast<i32>(_e1703.member) != 0i);
-                                    if _e1707 {
-                                        if (_e1703.member_1 < 10u) {
+                                    let _e1700 = phi_2616_;
+                                    let _e1702 = phi_2645_;
+                                    let _e1706 = (bitcast<i32>(_e1702.member) != 0i);
+                                    if _e1706 {
+                                        if (_e1702.member_1 < 10u) {
                                         } else {
-                                            phi_5963_ = true;
+                                            phi_5961_ = true;
                                             break;
                                         }
-                                        let _e1711 = local_6.member[_e1703.member_1];
-                                        let _e1716 = ((-1f * _e1711.x) + 1f);
-                                        if ((_e1716 < 0f) != (_e1684 < 0f)) {
-                                            let _e1720 = (_e1688 < 10u);
-                                            if _e1720 {
-                                                let _e1728 = (_e1684 / (_e1684 - _e1716));
-                                                if _e1720 {
+                                        let _e1710 = local_6.member[_e1702.member_1];
+                                        let _e1715 = ((-1f * _e1710.x) + 1f);
+                                        if ((_e1715 < 0f) != (_e1683 < 0f)) {
+                                            let _e1719 = (_e1687 < 10u);
+                                            if _e1719 {
+                                                let _e1727 = (_e1683 / (_e1683 - _e1715));
+                                                if _e1719 {
                                                 } else {
-                                                    phi_5963_ = true;
+                                                    phi_5961_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1688] = (_e1686 + vec3<f32>(((_e1711.x - _e1686.x) * _e1728), ((_e1711.y - _e1686.y) * _e1728), ((_e1711.z - _e1686.z) * _e1728)));
-                                                phi_2704_ = (_e1688 + 1u);
+                                                local_4[_e1687] = (_e1685 + vec3<f32>(((_e1710.x - _e1685.x) * _e1727), ((_e1710.y - _e1685.y) * _e1727), ((_e1710.z - _e1685.z) * _e1727)));
+                                                phi_2702_ = (_e1687 + 1u);
                                             } else {
-                                                phi_2704_ = _e1688;
+                                                phi_2702_ = _e1687;
                                             }
-                                            let _e1737 = phi_2704_;
-                                            phi_2705_ = _e1737;
+                                            let _e1736 = phi_2702_;
+                                            phi_2703_ = _e1736;
                                         } else {
-                                            phi_2705_ = _e1688;
+                                            phi_2703_ = _e1687;
                                         }
-                                        let _e1739 = phi_2705_;
-                                        if (_e1716 >= 0f) {
-                                            let _e1741 = (_e1739 < 10u);
-                                            if _e1741 {
-                                                if _e1741 {
+                                        let _e1738 = phi_2703_;
+                                        if (_e1715 >= 0f) {
+                                            let _e1740 = (_e1738 < 10u);
+                                            if _e1740 {
+                                                if _e1740 {
                                                 } else {
-                                                    phi_5963_ = true;
+                                                    phi_5961_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1739] = _e1711;
-                                                phi_2721_ = (_e1739 + 1u);
+                                                local_4[_e1738] = _e1710;
+                                                phi_2719_ = (_e1738 + 1u);
                                             } else {
-                                                phi_2721_ = _e1739;
+                                                phi_2719_ = _e1738;
                                             }
-                                            let _e1745 = phi_2721_;
-                                            phi_2722_ = _e1745;
+                                            let _e1744 = phi_2719_;
+                                            phi_2720_ = _e1744;
                                         } else {
-                                            phi_2722_ = _e1739;
+                                            phi_2720_ = _e1738;
                                         }
-                                        let _e1747 = phi_2722_;
-                                        phi_2621_ = _e1716;
-                                        phi_2623_ = _e1711;
-                                        phi_2625_ = _e1747;
+                                        let _e1746 = phi_2720_;
+                                        phi_2619_ = _e1715;
+                                        phi_2621_ = _e1710;
+                                        phi_2623_ = _e1746;
                                     } else {
-                                        phi_2621_ = f32();
-                                        phi_2623_ = vec3<f32>();
-                                        phi_2625_ = u32();
+                                        phi_2619_ = f32();
+                                        phi_2621_ = vec3<f32>();
+                                        phi_2623_ = u32();
                                     }
-                                    let _e1749 = phi_2621_;
-                                    let _e1751 = phi_2623_;
-                                    let _e1753 = phi_2625_;
+                                    let _e1748 = phi_2619_;
+                                    let _e1750 = phi_2621_;
+                                    let _e1752 = phi_2623_;
                                     continue;
                                     continuing {
-                                        phi_2617_ = _e1701;
-                                        phi_2620_ = _e1749;
-                                        phi_2622_ = _e1751;
-                                        phi_2624_ = _e1753;
-                                        phi_5963_ = _e1654;
-                                        break if !(_e1707);
+                                        phi_2615_ = _e1700;
+                                        phi_2618_ = _e1748;
+                                        phi_2620_ = _e1750;
+                                        phi_2622_ = _e1752;
+                                        phi_5961_ = _e1653;
+                                        break if !(_e1706);
                                     }
                                 }
-                                let _e1756 = phi_5963_;
-                                phi_6041_ = _e1756;
-                                if _e1756 {
+                                let _e1755 = phi_5961_;
+                                phi_6039_ = _e1755;
+                                if _e1755 {
                                     break;
                                 }
-                                let _e1757 = local_4;
-                                local_6.member = _e1757;
-                                let _e1759 = local_22;
-                                local_6.member_1 = _e1759;
-                                phi_5976_ = _e1756;
+                                let _e1756 = local_4;
+                                local_6.member = _e1756;
+                                let _e1758 = local_22;
+                                local_6.member_1 = _e1758;
+                                phi_5974_ = _e1755;
                             }
-                            let _e1761 = phi_5976_;
-                            phi_5975_ = _e1761;
+                            let _e1760 = phi_5974_;
+                            phi_5973_ = _e1760;
                         }
-                        let _e1763 = phi_5975_;
-                        let _e1764 = local_6.member_1;
-                        phi_2729_ = type_12(0u, _e1764);
-                        phi_2732_ = 0f;
+                        let _e1762 = phi_5973_;
+                        let _e1763 = local_6.member_1;
+                        phi_2727_ = type_12(0u, _e1763);
+                        phi_2730_ = 0f;
                         loop {
-                            let _e1767 = phi_2729_;
-                            let _e1769 = phi_2732_;
-                            local_23 = _e1769;
-                            if (_e1767.member < _e1767.member_1) {
-                                phi_2730_ = type_12((_e1767.member + 1u), _e1767.member_1);
-                                phi_2755_ = type_12(1u, _e1767.member);
+                            let _e1766 = phi_2727_;
+                            let _e1768 = phi_2730_;
+                            local_23 = _e1768;
+                            if (_e1766.member < _e1766.member_1) {
+                                phi_2728_ = type_12((_e1766.member + 1u), _e1766.member_1);
+                                phi_2753_ = type_12(1u, _e1766.member);
                             } else {
-                                phi_2730_ = _e1767;
-                                phi_2755_ = type_12(0u, type_12().member_1);
+                                phi_2728_ = _e1766;
+                                phi_2753_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1782 = phi_2730_;
-                            let _e1784 = phi_2755_;
-                            let _e1788 = (bitcast<i32>(_e1784.member) != 0i);
-                            if _e1788 {
-                                if (_e1784.member_1 < 10u) {
+                            let _e1781 = phi_2728_;
+                            let _e1783 = phi_2753_;
+                            let _e1787 = (bitcast<i32>(_e1783.member) != 0i);
+                            if _e1787 {
+                                if (_e1783.member_1 < 10u) {
                                 } else {
-                                    phi_5971_ = true;
+                                    phi_5969_ = true;
                                     break;
                                 }
-                                let _e1792 = local_6.member[_e1784.member_1];
-                                phi_2733_ = select(_e1792.y, _e1769, (_e1769 < _e1792.y));
+                                let _e1791 = local_6.member[_e1783.member_1];
+                                phi_2731_ = select(_e1791.y, _e1768, (_e1768 < _e1791.y));
                             } else {
-                                phi_2733_ = f32();
+                                phi_2731_ = f32();
                             }
-                            let _e1797 = phi_2733_;
+                            let _e1796 = phi_2731_;
                             continue;
                             continuing {
-                                phi_2729_ = _e1782;
-                                phi_2732_ = _e1797;
-                                phi_5971_ = _e1763;
-                                break if !(_e1788);
+                                phi_2727_ = _e1781;
+                                phi_2730_ = _e1796;
+                                phi_5969_ = _e1762;
+                                break if !(_e1787);
                             }
                         }
-                        let _e1800 = phi_5971_;
-                        phi_6041_ = _e1800;
-                        if _e1800 {
+                        let _e1799 = phi_5969_;
+                        phi_6039_ = _e1799;
+                        if _e1799 {
                             break;
                         }
-                        let _e1802 = local_23;
-                        if (_e1802 >= 0f) {
-                            phi_5990_ = _e1800;
+                        let _e1801 = local_23;
+                        if (_e1801 >= 0f) {
+                            phi_5988_ = _e1799;
                         } else {
-                            let _e1804 = local_6.member_1;
-                            if (_e1804 == 0u) {
-                                phi_5991_ = _e1800;
+                            let _e1803 = local_6.member_1;
+                            if (_e1803 == 0u) {
+                                phi_5989_ = _e1799;
                             } else {
                                 local_3[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_3[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1977,167 +1977,167 @@ fn function_() {
                                 local_3[7u] = vec3<f32>(0f, 0f, 0f);
                                 local_3[8u] = vec3<f32>(0f, 0f, 0f);
                                 local_3[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1816 = local_6.member_1;
-                                let _e1817 = (_e1816 - 1u);
-                                if (_e1817 < 10u) {
+                                let _e1815 = local_6.member_1;
+                                let _e1816 = (_e1815 - 1u);
+                                if (_e1816 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e1821 = local_6.member[_e1817];
-                                let _e1823 = local_6.member_1;
-                                phi_2833_ = type_12(0u, _e1823);
-                                phi_2836_ = _e1821.y;
-                                phi_2838_ = _e1821;
-                                phi_2840_ = 0u;
+                                let _e1820 = local_6.member[_e1816];
+                                let _e1822 = local_6.member_1;
+                                phi_2831_ = type_12(0u, _e1822);
+                                phi_2834_ = _e1820.y;
+                                phi_2836_ = _e1820;
+                                phi_2838_ = 0u;
                                 loop {
-                                    let _e1826 = phi_2833_;
-                                    let _e1828 = phi_2836_;
-                                    let _e1830 = phi_2838_;
-                                    let _e1832 = phi_2840_;
-                                    local_24 = _e1832;
-                                    if (_e1826.member < _e1826.member_1) {
-                                        phi_2834_ = type_12((_e1826.member + 1u), _e1826.member_1);
-                                        phi_2863_ = type_12(1u, _e1826.member);
+                                    let _e1825 = phi_2831_;
+                                    let _e1827 = phi_2834_;
+                                    let _e1829 = phi_2836_;
+                                    let _e1831 = phi_2838_;
+                                    local_24 = _e1831;
+                                    if (_e1825.member < _e1825.member_1) {
+                                        phi_2832_ = type_12((_e1825.member + 1u), _e1825.member_1);
+                                        phi_2861_ = type_12(1u, _e1825.member);
                                     } else {
-                                        phi_2834_ = _e1826;
-                                        phi_2863_ = type_12(0u, type_12().member_1);
+                                        phi_2832_ = _e1825;
+                                        phi_2861_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e1845 = phi_2834_;
-                                    let _e1847 = phi_2863_;
-                                    let _e1851 = (bitcast<i32>(_e1847.member) != 0i);
-                                    if _e1851 {
-                                        if (_e1847.member_1 < 10u) {
+                                    let _e1844 = phi_2832_;
+                                    let _e1846 = phi_2861_;
+                                    let _e1850 = (bitcast<i32>(_e1846.member) != 0i);
+                                    if _e1850 {
+                                        if (_e1846.member_1 < 10u) {
                                         } else {
-                                            phi_5978_ = true;
+                                            phi_5976_ = true;
                                             break;
                                         }
-                                        let _e1855 = local_6.member[_e1847.member_1];
-                                        if ((_e1855.y < 0f) != (_e1828 < 0f)) {
-                                            let _e1862 = (_e1832 < 10u);
-                                            if _e1862 {
-                                                let _e1870 = (_e1828 / (_e1828 - _e1855.y));
-                                                if _e1862 {
+                                        let _e1854 = local_6.member[_e1846.member_1];
+                                        if ((_e1854.y < 0f) != (_e1827 < 0f)) {
+                                            let _e1861 = (_e1831 < 10u);
+                                            if _e1861 {
+                                                let _e1869 = (_e1827 / (_e1827 - _e1854.y));
+                                                if _e1861 {
                                                 } else {
-                                                    phi_5978_ = true;
+                                                    phi_5976_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1832] = (_e1830 + vec3<f32>(((_e1855.x - _e1830.x) * _e1870), ((_e1855.y - _e1830.y) * _e1870), ((_e1855.z - _e1830.z) * _e1870)));
-                                                phi_2923_ = (_e1832 + 1u);
+                                                local_3[_e1831] = (_e1829 + vec3<f32>(((_e1854.x - _e1829.x) * _e1869), ((_e1854.y - _e1829.y) * _e1869), ((_e1854.z - _e1829.z) * _e1869)));
+                                                phi_2921_ = (_e1831 + 1u);
                                             } else {
-                                                phi_2923_ = _e1832;
+                                                phi_2921_ = _e1831;
                                             }
-                                            let _e1879 = phi_2923_;
-                                            phi_2924_ = _e1879;
+                                            let _e1878 = phi_2921_;
+                                            phi_2922_ = _e1878;
                                         } else {
-                                            phi_2924_ = _e1832;
+                                            phi_2922_ = _e1831;
                                         }
-                                        let _e1881 = phi_2924_;
-                                        if (_e1855.y >= 0f) {
-                                            let _e1883 = (_e1881 < 10u);
-                                            if _e1883 {
-                                                if _e1883 {
+                                        let _e1880 = phi_2922_;
+                                        if (_e1854.y >= 0f) {
+                                            let _e1882 = (_e1880 < 10u);
+                                            if _e1882 {
+                                                if _e1882 {
                                                 } else {
-                                                    phi_5978_ = true;
+                                                    phi_5976_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1881] = _e1855;
-                                                phi_2940_ = (_e1881 + 1u);
+                                                local_3[_e1880] = _e1854;
+                                                phi_2938_ = (_e1880 + 1u);
                                             } else {
-                                                phi_2940_ = _e1881;
+                                                phi_2938_ = _e1880;
                                             }
-                                            let _e1887 = phi_2940_;
-                                            phi_2941_ = _e1887;
+                                            let _e1886 = phi_2938_;
+                                            phi_2939_ = _e1886;
                                         } else {
-                                            phi_2941_ = _e1881;
+                                            phi_2939_ = _e1880;
                                         }
-                                        let _e1889 = phi_2941_;
-                                        phi_2837_ = _e1855.y;
-                                        phi_2839_ = _e1855;
-                                        phi_2841_ = _e1889;
+                                        let _e1888 = phi_2939_;
+                                        phi_2835_ = _e1854.y;
+                                        phi_2837_ = _e1854;
+                                        phi_2839_ = _e1888;
                                     } else {
-                                        phi_2837_ = f32();
-                                        phi_2839_ = vec3<f32>();
-                                        phi_2841_ = u32();
+                                        phi_2835_ = f32();
+                                        phi_2837_ = vec3<f32>();
+                                        phi_2839_ = u32();
                                     }
-                                    let _e1891 = phi_2837_;
-                                    let _e1893 = phi_2839_;
-                                    let _e1895 = phi_2841_;
+                                    let _e1890 = phi_2835_;
+                                    let _e1892 = phi_2837_;
+                                    let _e1894 = phi_2839_;
                                     continue;
                                     continuing {
-                                        phi_2833_ = _e1845;
-                                        phi_2836_ = _e1891;
-                                        phi_2838_ = _e1893;
-                                        phi_2840_ = _e1895;
-                                        phi_5978_ = _e1800;
-                                        break if !(_e1851);
+                                        phi_2831_ = _e1844;
+                                        phi_2834_ = _e1890;
+                                        phi_2836_ = _e1892;
+                                        phi_2838_ = _e1894;
+                                        phi_5976_ = _e1799;
+                                        break if !(_e1850);
                                     }
                                 }
-                                let _e1898 = phi_5978_;
-                                phi_6041_ = _e1898;
-                                if _e1898 {
+                                let _e1897 = phi_5976_;
+                                phi_6039_ = _e1897;
+                                if _e1897 {
                                     break;
                                 }
-                                let _e1899 = local_3;
-                                local_6.member = _e1899;
-                                let _e1901 = local_24;
-                                local_6.member_1 = _e1901;
-                                phi_5991_ = _e1898;
+                                let _e1898 = local_3;
+                                local_6.member = _e1898;
+                                let _e1900 = local_24;
+                                local_6.member_1 = _e1900;
+                                phi_5989_ = _e1897;
                             }
-                            let _e1903 = phi_5991_;
-                            phi_5990_ = _e1903;
+                            let _e1902 = phi_5989_;
+                            phi_5988_ = _e1902;
                         }
-                        let _e1905 = phi_5990_;
-                        let _e1906 = local_6.member_1;
-                        phi_2954_ = type_12(0u, _e1906);
-                        phi_2957_ = 0f;
+                        let _e1904 = phi_5988_;
+                        let _e1905 = local_6.member_1;
+                        phi_2952_ = type_12(0u, _e1905);
+                        phi_2955_ = 0f;
                         loop {
-                            let _e1909 = phi_2954_;
-                            let _e1911 = phi_2957_;
-                            local_25 = _e1911;
-                            if (_e1909.member < _e1909.member_1) {
-                                phi_2955_ = type_12((_e1909.member + 1u), _e1909.member_1);
-                                phi_2980_ = type_12(1u, _e1909.member);
+                            let _e1908 = phi_2952_;
+                            let _e1910 = phi_2955_;
+                            local_25 = _e1910;
+                            if (_e1908.member < _e1908.member_1) {
+                                phi_2953_ = type_12((_e1908.member + 1u), _e1908.member_1);
+                                phi_2978_ = type_12(1u, _e1908.member);
                             } else {
-                                phi_2955_ = _e1909;
-                                phi_2980_ = type_12(0u, type_12().member_1);
+                                phi_2953_ = _e1908;
+                                phi_2978_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1924 = phi_2955_;
-                            let _e1926 = phi_2980_;
-                            let _e1930 = (bitcast<i32>(_e1926.member) != 0i);
-                            if _e1930 {
-                                if (_e1926.member_1 < 10u) {
+                            let _e1923 = phi_2953_;
+                            let _e1925 = phi_2978_;
+                            let _e1929 = (bitcast<i32>(_e1925.member) != 0i);
+                            if _e1929 {
+                                if (_e1925.member_1 < 10u) {
                                 } else {
-                                    phi_5986_ = true;
+                                    phi_5984_ = true;
                                     break;
                                 }
-                                let _e1934 = local_6.member[_e1926.member_1];
-                                let _e1937 = ((-1f * _e1934.y) + 1f);
-                                phi_2958_ = select(_e1937, _e1911, (_e1911 < _e1937));
+                                let _e1933 = local_6.member[_e1925.member_1];
+                                let _e1936 = ((-1f * _e1933.y) + 1f);
+                                phi_2956_ = select(_e1936, _e1910, (_e1910 < _e1936));
                             } else {
-                                phi_2958_ = f32();
+                                phi_2956_ = f32();
                             }
-                            let _e1941 = phi_2958_;
+                            let _e1940 = phi_2956_;
                             continue;
                             continuing {
-                                phi_2954_ = _e1924;
-                                phi_2957_ = _e1941;
-                                phi_5986_ = _e1905;
-                                break if !(_e1930);
+                                phi_2952_ = _e1923;
+                                phi_2955_ = _e1940;
+                                phi_5984_ = _e1904;
+                                break if !(_e1929);
                             }
                         }
-                        let _e1944 = phi_5986_;
-                        phi_6041_ = _e1944;
-                        if _e1944 {
+                        let _e1943 = phi_5984_;
+                        phi_6039_ = _e1943;
+                        if _e1943 {
                             break;
                         }
-                        let _e1946 = local_25;
-                        if (_e1946 >= 0f) {
-                            phi_6005_ = _e1944;
+                        let _e1945 = local_25;
+                        if (_e1945 >= 0f) {
+                            phi_6003_ = _e1943;
                         } else {
-                            let _e1948 = local_6.member_1;
-                            if (_e1948 == 0u) {
-                                phi_6006_ = _e1944;
+                            let _e1947 = local_6.member_1;
+                            if (_e1947 == 0u) {
+                                phi_6004_ = _e1943;
                             } else {
                                 local_2[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_2[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2149,167 +2149,167 @@ fn function_() {
                                 local_2[7u] = vec3<f32>(0f, 0f, 0f);
                                 local_2[8u] = vec3<f32>(0f, 0f, 0f);
                                 local_2[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1960 = local_6.member_1;
-                                let _e1961 = (_e1960 - 1u);
-                                if (_e1961 < 10u) {
+                                let _e1959 = local_6.member_1;
+                                let _e1960 = (_e1959 - 1u);
+                                if (_e1960 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e1965 = local_6.member[_e1961];
-                                let _e1969 = local_6.member_1;
-                                phi_3052_ = type_12(0u, _e1969);
-                                phi_3055_ = ((-1f * _e1965.y) + 1f);
-                                phi_3057_ = _e1965;
-                                phi_3059_ = 0u;
+                                let _e1964 = local_6.member[_e1960];
+                                let _e1968 = local_6.member_1;
+                                phi_3050_ = type_12(0u, _e1968);
+                                phi_3053_ = ((-1f * _e1964.y) + 1f);
+                                phi_3055_ = _e1964;
+                                phi_3057_ = 0u;
                                 loop {
-                                    let _e1972 = phi_3052_;
-                                    let _e1974 = phi_3055_;
-                                    let _e1976 = phi_3057_;
-                                    let _e1978 = phi_3059_;
-                                    local_26 = _e1978;
-                                    if (_e1972.member < _e1972.member_1) {
-                                        phi_3053_ = type_12((_e1972.member + 1u), _e1972.member_1);
-                                        phi_3082_ = type_12(1u, _e1972.member);
+                                    let _e1971 = phi_3050_;
+                                    let _e1973 = phi_3053_;
+                                    let _e1975 = phi_3055_;
+                                    let _e1977 = phi_3057_;
+                                    local_26 = _e1977;
+                                    if (_e1971.member < _e1971.member_1) {
+                                        phi_3051_ = type_12((_e1971.member + 1u), _e1971.member_1);
+                                        phi_3080_ = type_12(1u, _e1971.member);
                                     } else {
-                                        phi_3053_ = _e1972;
-                                        phi_3082_ = type_12(0u, type_12().member_1);
+                                        phi_3051_ = _e1971;
+                                        phi_3080_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e1991 = phi_3053_;
-                                    let _e1993 = phi_3082_;
-                                    let _e1997 = (bitcast<i32>(_e1993.member) != 0i);
-                                    if _e1997 {
-                                        if (_e1993.member_1 < 10u) {
+                                    let _e1990 = phi_3051_;
+                                    let _e1992 = phi_3080_;
+                                    let _e1996 = (bitcast<i32>(_e1992.member) != 0i);
+                                    if _e1996 {
+                                        if (_e1992.member_1 < 10u) {
                                         } else {
-                                            phi_5993_ = true;
+                                            phi_5991_ = true;
                                             break;
                                         }
-                                        let _e2001 = local_6.member[_e1993.member_1];
-                                        let _e2006 = ((-1f * _e2001.y) + 1f);
-                                        if ((_e2006 < 0f) != (_e1974 < 0f)) {
-                                            let _e2010 = (_e1978 < 10u);
-                                            if _e2010 {
-                                                let _e2018 = (_e1974 / (_e1974 - _e2006));
-                                                if _e2010 {
+                                        let _e2000 = local_6.member[_e1992.member_1];
+                                        let _e2005 = ((-1f * _e2000.y) + 1f);
+                                        if ((_e2005 < 0f) != (_e1973 < 0f)) {
+                                            let _e2009 = (_e1977 < 10u);
+                                            if _e2009 {
+                                                let _e2017 = (_e1973 / (_e1973 - _e2005));
+                                                if _e2009 {
                                                 } else {
-                                                    phi_5993_ = true;
+                                                    phi_5991_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1978] = (_e1976 + vec3<f32>(((_e2001.x - _e1976.x) * _e2018), ((_e2001.y - _e1976.y) * _e2018), ((_e2001.z - _e1976.z) * _e2018)));
-                                                phi_3139_ = (_e1978 + 1u);
+                                                local_2[_e1977] = (_e1975 + vec3<f32>(((_e2000.x - _e1975.x) * _e2017), ((_e2000.y - _e1975.y) * _e2017), ((_e2000.z - _e1975.z) * _e2017)));
+                                                phi_3137_ = (_e1977 + 1u);
                                             } else {
-                                                phi_3139_ = _e1978;
+                                                phi_3137_ = _e1977;
                                             }
-                                            let _e2027 = phi_3139_;
-                                            phi_3140_ = _e2027;
+                                            let _e2026 = phi_3137_;
+                                            phi_3138_ = _e2026;
                                         } else {
-                                            phi_3140_ = _e1978;
+                                            phi_3138_ = _e1977;
                                         }
-                                        let _e2029 = phi_3140_;
-                                        if (_e2006 >= 0f) {
-                                            let _e2031 = (_e2029 < 10u);
-                                            if _e2031 {
-                                                if _e2031 {
+                                        let _e2028 = phi_3138_;
+                                        if (_e2005 >= 0f) {
+                                            let _e2030 = (_e2028 < 10u);
+                                            if _e2030 {
+                                                if _e2030 {
                                                 } else {
-                                                    phi_5993_ = true;
+                                                    phi_5991_ = true;
                                                     break;
                                                 }
-                                                local_2[_e2029] = _e2001;
-                                                phi_3156_ = (_e2029 + 1u);
+                                                local_2[_e2028] = _e2000;
+                                                phi_3154_ = (_e2028 + 1u);
                                             } else {
-                                                phi_3156_ = _e2029;
+                                                phi_3154_ = _e2028;
                                             }
-                                            let _e2035 = phi_3156_;
-                                            phi_3157_ = _e2035;
+                                            let _e2034 = phi_3154_;
+                                            phi_3155_ = _e2034;
                                         } else {
-                                            phi_3157_ = _e2029;
+                                            phi_3155_ = _e2028;
                                         }
-                                        let _e2037 = phi_3157_;
-                                        phi_3056_ = _e2006;
-                                        phi_3058_ = _e2001;
-                                        phi_3060_ = _e2037;
+                                        let _e2036 = phi_3155_;
+                                        phi_3054_ = _e2005;
+                                        phi_3056_ = _e2000;
+                                        phi_3058_ = _e2036;
                                     } else {
-                                        phi_3056_ = f32();
-                                        phi_3058_ = vec3<f32>();
-                                        phi_3060_ = u32();
+                                        phi_3054_ = f32();
+                                        phi_3056_ = vec3<f32>();
+                                        phi_3058_ = u32();
                                     }
-                                    let _e2039 = phi_3056_;
-                                    let _e2041 = phi_3058_;
-                                    let _e2043 = phi_3060_;
+                                    let _e2038 = phi_3054_;
+                                    let _e2040 = phi_3056_;
+                                    let _e2042 = phi_3058_;
                                     continue;
                                     continuing {
-                                        phi_3052_ = _e1991;
-                                        phi_3055_ = _e2039;
-                                        phi_3057_ = _e2041;
-                                        phi_3059_ = _e2043;
-                                        phi_5993_ = _e1944;
-                                        break if !(_e1997);
+                                        phi_3050_ = _e1990;
+                                        phi_3053_ = _e2038;
+                                        phi_3055_ = _e2040;
+                                        phi_3057_ = _e2042;
+                                        phi_5991_ = _e1943;
+                                        break if !(_e1996);
                                     }
                                 }
-                                let _e2046 = phi_5993_;
-                                phi_6041_ = _e2046;
-                                if _e2046 {
+                                let _e2045 = phi_5991_;
+                                phi_6039_ = _e2045;
+                                if _e2045 {
                                     break;
                                 }
-                                let _e2047 = local_2;
-                                local_6.member = _e2047;
-                                let _e2049 = local_26;
-                                local_6.member_1 = _e2049;
-                                phi_6006_ = _e2046;
+                                let _e2046 = local_2;
+                                local_6.member = _e2046;
+                                let _e2048 = local_26;
+                                local_6.member_1 = _e2048;
+                                phi_6004_ = _e2045;
                             }
-                            let _e2051 = phi_6006_;
-                            phi_6005_ = _e2051;
+                            let _e2050 = phi_6004_;
+                            phi_6003_ = _e2050;
                         }
-                        let _e2053 = phi_6005_;
-                        let _e2054 = local_6.member_1;
-                        phi_3164_ = type_12(0u, _e2054);
-                        phi_3167_ = 0f;
+                        let _e2052 = phi_6003_;
+                        let _e2053 = local_6.member_1;
+                        phi_3162_ = type_12(0u, _e2053);
+                        phi_3165_ = 0f;
                         loop {
-                            let _e2057 = phi_3164_;
-                            let _e2059 = phi_3167_;
-                            local_27 = _e2059;
-                            if (_e2057.member < _e2057.member_1) {
-                                phi_3165_ = type_12((_e2057.member + 1u), _e2057.member_1);
-                                phi_3190_ = type_12(1u, _e2057.member);
+                            let _e2056 = phi_3162_;
+                            let _e2058 = phi_3165_;
+                            local_27 = _e2058;
+                            if (_e2056.member < _e2056.member_1) {
+                                phi_3163_ = type_12((_e2056.member + 1u), _e2056.member_1);
+                                phi_3188_ = type_12(1u, _e2056.member);
                             } else {
-                                phi_3165_ = _e2057;
-                                phi_3190_ = type_12(0u, type_12().member_1);
+                                phi_3163_ = _e2056;
+                                phi_3188_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2072 = phi_3165_;
-                            let _e2074 = phi_3190_;
-                            let _e2078 = (bitcast<i32>(_e2074.member) != 0i);
-                            if _e2078 {
-                                if (_e2074.member_1 < 10u) {
+                            let _e2071 = phi_3163_;
+                            let _e2073 = phi_3188_;
+                            let _e2077 = (bitcast<i32>(_e2073.member) != 0i);
+                            if _e2077 {
+                                if (_e2073.member_1 < 10u) {
                                 } else {
-                                    phi_6001_ = true;
+                                    phi_5999_ = true;
                                     break;
                                 }
-                                let _e2082 = local_6.member[_e2074.member_1];
-                                phi_3168_ = select(_e2082.z, _e2059, (_e2059 < _e2082.z));
+                                let _e2081 = local_6.member[_e2073.member_1];
+                                phi_3166_ = select(_e2081.z, _e2058, (_e2058 < _e2081.z));
                             } else {
-                                phi_3168_ = f32();
+                                phi_3166_ = f32();
                             }
-                            let _e2087 = phi_3168_;
+                            let _e2086 = phi_3166_;
                             continue;
                             continuing {
-                                phi_3164_ = _e2072;
-                                phi_3167_ = _e2087;
-                                phi_6001_ = _e2053;
-                                break if !(_e2078);
+                                phi_3162_ = _e2071;
+                                phi_3165_ = _e2086;
+                                phi_5999_ = _e2052;
+                                break if !(_e2077);
                             }
                         }
-                        let _e2090 = phi_6001_;
-                        phi_6041_ = _e2090;
-                        if _e2090 {
+                        let _e2089 = phi_5999_;
+                        phi_6039_ = _e2089;
+                        if _e2089 {
                             break;
                         }
-                        let _e2092 = local_27;
-                        if (_e2092 >= 0f) {
-                            phi_6020_ = _e2090;
+                        let _e2091 = local_27;
+                        if (_e2091 >= 0f) {
+                            phi_6018_ = _e2089;
                         } else {
-                            let _e2094 = local_6.member_1;
-                            if (_e2094 == 0u) {
-                                phi_6021_ = _e2090;
+                            let _e2093 = local_6.member_1;
+                            if (_e2093 == 0u) {
+                                phi_6019_ = _e2089;
                             } else {
                                 local_1[0u] = vec3<f32>(0f, 0f, 0f);
                                 local_1[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2321,167 +2321,167 @@ fn function_() {
                                 local_1[7u] = vec3<f32>(0f, 0f, 0f);
                                 local_1[8u] = vec3<f32>(0f, 0f, 0f);
                                 local_1[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e2106 = local_6.member_1;
-                                let _e2107 = (_e2106 - 1u);
-                                if (_e2107 < 10u) {
+                                let _e2105 = local_6.member_1;
+                                let _e2106 = (_e2105 - 1u);
+                                if (_e2106 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e2111 = local_6.member[_e2107];
-                                let _e2113 = local_6.member_1;
-                                phi_3268_ = type_12(0u, _e2113);
-                                phi_3271_ = _e2111.z;
-                                phi_3273_ = _e2111;
-                                phi_3275_ = 0u;
+                                let _e2110 = local_6.member[_e2106];
+                                let _e2112 = local_6.member_1;
+                                phi_3266_ = type_12(0u, _e2112);
+                                phi_3269_ = _e2110.z;
+                                phi_3271_ = _e2110;
+                                phi_3273_ = 0u;
                                 loop {
-                                    let _e2116 = phi_3268_;
-                                    let _e2118 = phi_3271_;
-                                    let _e2120 = phi_3273_;
-                                    let _e2122 = phi_3275_;
-                                    local_28 = _e2122;
-                                    if (_e2116.member < _e2116.member_1) {
-                                        phi_3269_ = type_12((_e2116.member + 1u), _e2116.member_1);
-                                        phi_3298_ = type_12(1u, _e2116.member);
+                                    let _e2115 = phi_3266_;
+                                    let _e2117 = phi_3269_;
+                                    let _e2119 = phi_3271_;
+                                    let _e2121 = phi_3273_;
+                                    local_28 = _e2121;
+                                    if (_e2115.member < _e2115.member_1) {
+                                        phi_3267_ = type_12((_e2115.member + 1u), _e2115.member_1);
+                                        phi_3296_ = type_12(1u, _e2115.member);
                                     } else {
-                                        phi_3269_ = _e2116;
-                                        phi_3298_ = type_12(0u, type_12().member_1);
+                                        phi_3267_ = _e2115;
+                                        phi_3296_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e2135 = phi_3269_;
-                                    let _e2137 = phi_3298_;
-                                    let _e2141 = (bitcast<i32>(_e2137.member) != 0i);
-                                    if _e2141 {
-                                        if (_e2137.member_1 < 10u) {
+                                    let _e2134 = phi_3267_;
+                                    let _e2136 = phi_3296_;
+                                    let _e2140 = (bitcast<i32>(_e2136.member) != 0i);
+                                    if _e2140 {
+                                        if (_e2136.member_1 < 10u) {
                                         } else {
-                                            phi_6008_ = true;
+                                            phi_6006_ = true;
                                             break;
                                         }
-                                        let _e2145 = local_6.member[_e2137.member_1];
-                                        if ((_e2145.z < 0f) != (_e2118 < 0f)) {
-                                            let _e2152 = (_e2122 < 10u);
-                                            if _e2152 {
-                                                let _e2160 = (_e2118 / (_e2118 - _e2145.z));
-                                                if _e2152 {
+                                        let _e2144 = local_6.member[_e2136.member_1];
+                                        if ((_e2144.z < 0f) != (_e2117 < 0f)) {
+                                            let _e2151 = (_e2121 < 10u);
+                                            if _e2151 {
+                                                let _e2159 = (_e2117 / (_e2117 - _e2144.z));
+                                                if _e2151 {
                                                 } else {
-                                                    phi_6008_ = true;
+                                                    phi_6006_ = true;
                                                     break;
                                                 }
-                                                local_1[_e2122] = (_e2120 + vec3<f32>(((_e2145.x - _e2120.x) * _e2160), ((_e2145.y - _e2120.y) * _e2160), ((_e2145.z - _e2120.z) * _e2160)));
-                                                phi_3358_ = (_e2122 + 1u);
+                                                local_1[_e2121] = (_e2119 + vec3<f32>(((_e2144.x - _e2119.x) * _e2159), ((_e2144.y - _e2119.y) * _e2159), ((_e2144.z - _e2119.z) * _e2159)));
+                                                phi_3356_ = (_e2121 + 1u);
                                             } else {
-                                                phi_3358_ = _e2122;
+                                                phi_3356_ = _e2121;
                                             }
-                                            let _e2169 = phi_3358_;
-                                            phi_3359_ = _e2169;
+                                            let _e2168 = phi_3356_;
+                                            phi_3357_ = _e2168;
                                         } else {
-                                            phi_3359_ = _e2122;
+                                            phi_3357_ = _e2121;
                                         }
-                                        let _e2171 = phi_3359_;
-                                        if (_e2145.z >= 0f) {
-                                            let _e2173 = (_e2171 < 10u);
-                                            if _e2173 {
-                                                if _e2173 {
+                                        let _e2170 = phi_3357_;
+                                        if (_e2144.z >= 0f) {
+                                            let _e2172 = (_e2170 < 10u);
+                                            if _e2172 {
+                                                if _e2172 {
                                                 } else {
-                                                    phi_6008_ = true;
+                                                    phi_6006_ = true;
                                                     break;
                                                 }
-                                                local_1[_e2171] = _e2145;
-                                                phi_3375_ = (_e2171 + 1u);
+                                                local_1[_e2170] = _e2144;
+                                                phi_3373_ = (_e2170 + 1u);
                                             } else {
-                                                phi_3375_ = _e2171;
+                                                phi_3373_ = _e2170;
                                             }
-                                            let _e2177 = phi_3375_;
-                                            phi_3376_ = _e2177;
+                                            let _e2176 = phi_3373_;
+                                            phi_3374_ = _e2176;
                                         } else {
-                                            phi_3376_ = _e2171;
+                                            phi_3374_ = _e2170;
                                         }
-                                        let _e2179 = phi_3376_;
-                                        phi_3272_ = _e2145.z;
-                                        phi_3274_ = _e2145;
-                                        phi_3276_ = _e2179;
+                                        let _e2178 = phi_3374_;
+                                        phi_3270_ = _e2144.z;
+                                        phi_3272_ = _e2144;
+                                        phi_3274_ = _e2178;
                                     } else {
-                                        phi_3272_ = f32();
-                                        phi_3274_ = vec3<f32>();
-                                        phi_3276_ = u32();
+                                        phi_3270_ = f32();
+                                        phi_3272_ = vec3<f32>();
+                                        phi_3274_ = u32();
                                     }
-                                    let _e2181 = phi_3272_;
-                                    let _e2183 = phi_3274_;
-                                    let _e2185 = phi_3276_;
+                                    let _e2180 = phi_3270_;
+                                    let _e2182 = phi_3272_;
+                                    let _e2184 = phi_3274_;
                                     continue;
                                     continuing {
-                                        phi_3268_ = _e2135;
-                                        phi_3271_ = _e2181;
-                                        phi_3273_ = _e2183;
-                                        phi_3275_ = _e2185;
-                                        phi_6008_ = _e2090;
-                                        break if !(_e2141);
+                                        phi_3266_ = _e2134;
+                                        phi_3269_ = _e2180;
+                                        phi_3271_ = _e2182;
+                                        phi_3273_ = _e2184;
+                                        phi_6006_ = _e2089;
+                                        break if !(_e2140);
                                     }
                                 }
-                                let _e2188 = phi_6008_;
-                                phi_6041_ = _e2188;
-                                if _e2188 {
+                                let _e2187 = phi_6006_;
+                                phi_6039_ = _e2187;
+                                if _e2187 {
                                     break;
                                 }
-                                let _e2189 = local_1;
-                                local_6.member = _e2189;
-                                let _e2191 = local_28;
-                                local_6.member_1 = _e2191;
-                                phi_6021_ = _e2188;
+                                let _e2188 = local_1;
+                                local_6.member = _e2188;
+                                let _e2190 = local_28;
+                                local_6.member_1 = _e2190;
+                                phi_6019_ = _e2187;
                             }
-                            let _e2193 = phi_6021_;
-                            phi_6020_ = _e2193;
+                            let _e2192 = phi_6019_;
+                            phi_6018_ = _e2192;
                         }
-                        let _e2195 = phi_6020_;
-                        let _e2196 = local_6.member_1;
-                        phi_3389_ = type_12(0u, _e2196);
-                        phi_3392_ = 0f;
+                        let _e2194 = phi_6018_;
+                        let _e2195 = local_6.member_1;
+                        phi_3387_ = type_12(0u, _e2195);
+                        phi_3390_ = 0f;
                         loop {
-                            let _e2199 = phi_3389_;
-                            let _e2201 = phi_3392_;
-                            local_29 = _e2201;
-                            if (_e2199.member < _e2199.member_1) {
-                                phi_3390_ = type_12((_e2199.member + 1u), _e2199.member_1);
-                                phi_3415_ = type_12(1u, _e2199.member);
+                            let _e2198 = phi_3387_;
+                            let _e2200 = phi_3390_;
+                            local_29 = _e2200;
+                            if (_e2198.member < _e2198.member_1) {
+                                phi_3388_ = type_12((_e2198.member + 1u), _e2198.member_1);
+                                phi_3413_ = type_12(1u, _e2198.member);
                             } else {
-                                phi_3390_ = _e2199;
-                                phi_3415_ = type_12(0u, type_12().member_1);
+                                phi_3388_ = _e2198;
+                                phi_3413_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2214 = phi_3390_;
-                            let _e2216 = phi_3415_;
-                            let _e2220 = (bitcast<i32>(_e2216.member) != 0i);
-                            if _e2220 {
-                                if (_e2216.member_1 < 10u) {
+                            let _e2213 = phi_3388_;
+                            let _e2215 = phi_3413_;
+                            let _e2219 = (bitcast<i32>(_e2215.member) != 0i);
+                            if _e2219 {
+                                if (_e2215.member_1 < 10u) {
                                 } else {
-                                    phi_6016_ = true;
+                                    phi_6014_ = true;
                                     break;
                                 }
-                                let _e2224 = local_6.member[_e2216.member_1];
-                                let _e2227 = ((-1f * _e2224.z) + 1f);
-                                phi_3393_ = select(_e2227, _e2201, (_e2201 < _e2227));
+                                let _e2223 = local_6.member[_e2215.member_1];
+                                let _e2226 = ((-1f * _e2223.z) + 1f);
+                                phi_3391_ = select(_e2226, _e2200, (_e2200 < _e2226));
                             } else {
-                                phi_3393_ = f32();
+                                phi_3391_ = f32();
                             }
-                            let _e2231 = phi_3393_;
+                            let _e2230 = phi_3391_;
                             continue;
                             continuing {
-                                phi_3389_ = _e2214;
-                                phi_3392_ = _e2231;
-                                phi_6016_ = _e2195;
-                                break if !(_e2220);
+                                phi_3387_ = _e2213;
+                                phi_3390_ = _e2230;
+                                phi_6014_ = _e2194;
+                                break if !(_e2219);
                             }
                         }
-                        let _e2234 = phi_6016_;
-                        phi_6041_ = _e2234;
-                        if _e2234 {
+                        let _e2233 = phi_6014_;
+                        phi_6039_ = _e2233;
+                        if _e2233 {
                             break;
                         }
-                        let _e2236 = local_29;
-                        if (_e2236 >= 0f) {
-                            phi_6035_ = _e2234;
+                        let _e2235 = local_29;
+                        if (_e2235 >= 0f) {
+                            phi_6033_ = _e2233;
                         } else {
-                            let _e2238 = local_6.member_1;
-                            if (_e2238 == 0u) {
-                                phi_6036_ = _e2234;
+                            let _e2237 = local_6.member_1;
+                            if (_e2237 == 0u) {
+                                phi_6034_ = _e2233;
                             } else {
                                 local[0u] = vec3<f32>(0f, 0f, 0f);
                                 local[1u] = vec3<f32>(0f, 0f, 0f);
@@ -2493,669 +2493,669 @@ fn function_() {
                                 local[7u] = vec3<f32>(0f, 0f, 0f);
                                 local[8u] = vec3<f32>(0f, 0f, 0f);
                                 local[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e2250 = local_6.member_1;
-                                let _e2251 = (_e2250 - 1u);
-                                if (_e2251 < 10u) {
+                                let _e2249 = local_6.member_1;
+                                let _e2250 = (_e2249 - 1u);
+                                if (_e2250 < 10u) {
                                 } else {
-                                    phi_6041_ = true;
+                                    phi_6039_ = true;
                                     break;
                                 }
-                                let _e2255 = local_6.member[_e2251];
-                                let _e2259 = local_6.member_1;
-                                phi_3487_ = type_12(0u, _e2259);
-                                phi_3490_ = ((-1f * _e2255.z) + 1f);
-                                phi_3492_ = _e2255;
-                                phi_3494_ = 0u;
+                                let _e2254 = local_6.member[_e2250];
+                                let _e2258 = local_6.member_1;
+                                phi_3485_ = type_12(0u, _e2258);
+                                phi_3488_ = ((-1f * _e2254.z) + 1f);
+                                phi_3490_ = _e2254;
+                                phi_3492_ = 0u;
                                 loop {
-                                    let _e2262 = phi_3487_;
-                                    let _e2264 = phi_3490_;
-                                    let _e2266 = phi_3492_;
-                                    let _e2268 = phi_3494_;
-                                    local_30 = _e2268;
-                                    if (_e2262.member < _e2262.member_1) {
-                                        phi_3488_ = type_12((_e2262.member + 1u), _e2262.member_1);
-                                        phi_3517_ = type_12(1u, _e2262.member);
+                                    let _e2261 = phi_3485_;
+                                    let _e2263 = phi_3488_;
+                                    let _e2265 = phi_3490_;
+                                    let _e2267 = phi_3492_;
+                                    local_30 = _e2267;
+                                    if (_e2261.member < _e2261.member_1) {
+                                        phi_3486_ = type_12((_e2261.member + 1u), _e2261.member_1);
+                                        phi_3515_ = type_12(1u, _e2261.member);
                                     } else {
-                                        phi_3488_ = _e2262;
-                                        phi_3517_ = type_12(0u, type_12().member_1);
+                                        phi_3486_ = _e2261;
+                                        phi_3515_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e2281 = phi_3488_;
-                                    let _e2283 = phi_3517_;
-                                    let _e2287 = (bitcast<i32>(_e2283.member) != 0i);
-                                    if _e2287 {
-                                        if (_e2283.member_1 < 10u) {
+                                    let _e2280 = phi_3486_;
+                                    let _e2282 = phi_3515_;
+                                    let _e2286 = (bitcast<i32>(_e2282.member) != 0i);
+                                    if _e2286 {
+                                        if (_e2282.member_1 < 10u) {
                                         } else {
-                                            phi_6023_ = true;
+                                            phi_6021_ = true;
                                             break;
                                         }
-                                        let _e2291 = local_6.member[_e2283.member_1];
-                                        let _e2296 = ((-1f * _e2291.z) + 1f);
-                                        if ((_e2296 < 0f) != (_e2264 < 0f)) {
-                                            let _e2300 = (_e2268 < 10u);
-                                            if _e2300 {
-                                                let _e2308 = (_e2264 / (_e2264 - _e2296));
-                                                if _e2300 {
+                                        let _e2290 = local_6.member[_e2282.member_1];
+                                        let _e2295 = ((-1f * _e2290.z) + 1f);
+                                        if ((_e2295 < 0f) != (_e2263 < 0f)) {
+                                            let _e2299 = (_e2267 < 10u);
+                                            if _e2299 {
+                                                let _e2307 = (_e2263 / (_e2263 - _e2295));
+                                                if _e2299 {
                                                 } else {
-                                                    phi_6023_ = true;
+                                                    phi_6021_ = true;
                                                     break;
                                                 }
-                                                local[_e2268] = (_e2266 + vec3<f32>(((_e2291.x - _e2266.x) * _e2308), ((_e2291.y - _e2266.y) * _e2308), ((_e2291.z - _e2266.z) * _e2308)));
-                                                phi_3574_ = (_e2268 + 1u);
+                                                local[_e2267] = (_e2265 + vec3<f32>(((_e2290.x - _e2265.x) * _e2307), ((_e2290.y - _e2265.y) * _e2307), ((_e2290.z - _e2265.z) * _e2307)));
+                                                phi_3572_ = (_e2267 + 1u);
                                             } else {
-                                                phi_3574_ = _e2268;
+                                                phi_3572_ = _e2267;
                                             }
-                                            let _e2317 = phi_3574_;
-                                            phi_3575_ = _e2317;
+                                            let _e2316 = phi_3572_;
+                                            phi_3573_ = _e2316;
                                         } else {
-                                            phi_3575_ = _e2268;
+                                            phi_3573_ = _e2267;
                                         }
-                                        let _e2319 = phi_3575_;
-                                        if (_e2296 >= 0f) {
-                                            let _e2321 = (_e2319 < 10u);
-                                            if _e2321 {
-                                                if _e2321 {
+                                        let _e2318 = phi_3573_;
+                                        if (_e2295 >= 0f) {
+                                            let _e2320 = (_e2318 < 10u);
+                                            if _e2320 {
+                                                if _e2320 {
                                                 } else {
-                                                    phi_6023_ = true;
+                                                    phi_6021_ = true;
                                                     break;
                                                 }
-                                                local[_e2319] = _e2291;
-                                                phi_3591_ = (_e2319 + 1u);
+                                                local[_e2318] = _e2290;
+                                                phi_3589_ = (_e2318 + 1u);
                                             } else {
-                                                phi_3591_ = _e2319;
+                                                phi_3589_ = _e2318;
                                             }
-                                            let _e2325 = phi_3591_;
-                                            phi_3592_ = _e2325;
+                                            let _e2324 = phi_3589_;
+                                            phi_3590_ = _e2324;
                                         } else {
-                                            phi_3592_ = _e2319;
+                                            phi_3590_ = _e2318;
                                         }
-                                        let _e2327 = phi_3592_;
-                                        phi_3491_ = _e2296;
-                                        phi_3493_ = _e2291;
-                                        phi_3495_ = _e2327;
+                                        let _e2326 = phi_3590_;
+                                        phi_3489_ = _e2295;
+                                        phi_3491_ = _e2290;
+                                        phi_3493_ = _e2326;
                                     } else {
-                                        phi_3491_ = f32();
-                                        phi_3493_ = vec3<f32>();
-                                        phi_3495_ = u32();
+                                        phi_3489_ = f32();
+                                        phi_3491_ = vec3<f32>();
+                                        phi_3493_ = u32();
                                     }
-                                    let _e2329 = phi_3491_;
-                                    let _e2331 = phi_3493_;
-                                    let _e2333 = phi_3495_;
+                                    let _e2328 = phi_3489_;
+                                    let _e2330 = phi_3491_;
+                                    let _e2332 = phi_3493_;
                                     continue;
                                     continuing {
-                                        phi_3487_ = _e2281;
-                                        phi_3490_ = _e2329;
-                                        phi_3492_ = _e2331;
-                                        phi_3494_ = _e2333;
-                                        phi_6023_ = _e2234;
-                                        break if !(_e2287);
+                                        phi_3485_ = _e2280;
+                                        phi_3488_ = _e2328;
+                                        phi_3490_ = _e2330;
+                                        phi_3492_ = _e2332;
+                                        phi_6021_ = _e2233;
+                                        break if !(_e2286);
                                     }
                                 }
-                                let _e2336 = phi_6023_;
-                                phi_6041_ = _e2336;
-                                if _e2336 {
+                                let _e2335 = phi_6021_;
+                                phi_6039_ = _e2335;
+                                if _e2335 {
                                     break;
                                 }
-                                let _e2337 = local;
-                                local_6.member = _e2337;
-                                let _e2339 = local_30;
-                                local_6.member_1 = _e2339;
-                                phi_6036_ = _e2336;
+                                let _e2336 = local;
+                                local_6.member = _e2336;
+                                let _e2338 = local_30;
+                                local_6.member_1 = _e2338;
+                                phi_6034_ = _e2335;
                             }
-                            let _e2341 = phi_6036_;
-                            phi_6035_ = _e2341;
+                            let _e2340 = phi_6034_;
+                            phi_6033_ = _e2340;
                         }
-                        let _e2343 = phi_6035_;
-                        let _e2346 = local_6.member[0u];
-                        let _e2350 = local_6.member_1;
-                        phi_3604_ = type_12(1u, _e2350);
-                        phi_3607_ = vec3<f32>(0f, 0f, 0f);
-                        phi_3609_ = _e2346.z;
-                        phi_3611_ = _e2346.y;
-                        phi_3613_ = _e2346.x;
-                        phi_3615_ = 0f;
+                        let _e2342 = phi_6033_;
+                        let _e2345 = local_6.member[0u];
+                        let _e2349 = local_6.member_1;
+                        phi_3602_ = type_12(1u, _e2349);
+                        phi_3605_ = vec3<f32>(0f, 0f, 0f);
+                        phi_3607_ = _e2345.z;
+                        phi_3609_ = _e2345.y;
+                        phi_3611_ = _e2345.x;
+                        phi_3613_ = 0f;
                         loop {
-                            let _e2353 = phi_3604_;
-                            let _e2355 = phi_3607_;
-                            let _e2357 = phi_3609_;
-                            let _e2359 = phi_3611_;
-                            let _e2361 = phi_3613_;
-                            let _e2363 = phi_3615_;
-                            local_31 = _e2361;
-                            local_32 = _e2359;
-                            local_33 = _e2357;
-                            local_34 = _e2363;
-                            local_35 = _e2355;
-                            local_36 = _e2363;
-                            local_37 = _e2355;
-                            local_38 = _e2363;
-                            local_39 = _e2355;
-                            local_40 = _e2363;
-                            local_41 = _e2363;
-                            if (_e2353.member < _e2353.member_1) {
-                                phi_3605_ = type_12((_e2353.member + 1u), _e2353.member_1);
-                                phi_3638_ = type_12(1u, _e2353.member);
+                            let _e2352 = phi_3602_;
+                            let _e2354 = phi_3605_;
+                            let _e2356 = phi_3607_;
+                            let _e2358 = phi_3609_;
+                            let _e2360 = phi_3611_;
+                            let _e2362 = phi_3613_;
+                            local_31 = _e2360;
+                            local_32 = _e2358;
+                            local_33 = _e2356;
+                            local_34 = _e2362;
+                            local_35 = _e2354;
+                            local_36 = _e2362;
+                            local_37 = _e2354;
+                            local_38 = _e2362;
+                            local_39 = _e2354;
+                            local_40 = _e2362;
+                            local_41 = _e2362;
+                            if (_e2352.member < _e2352.member_1) {
+                                phi_3603_ = type_12((_e2352.member + 1u), _e2352.member_1);
+                                phi_3636_ = type_12(1u, _e2352.member);
                             } else {
-                                phi_3605_ = _e2353;
-                                phi_3638_ = type_12(0u, type_12().member_1);
+                                phi_3603_ = _e2352;
+                                phi_3636_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2376 = phi_3605_;
-                            let _e2378 = phi_3638_;
-                            let _e2382 = (bitcast<i32>(_e2378.member) != 0i);
-                            if _e2382 {
-                                if (_e2378.member_1 < 10u) {
+                            let _e2375 = phi_3603_;
+                            let _e2377 = phi_3636_;
+                            let _e2381 = (bitcast<i32>(_e2377.member) != 0i);
+                            if _e2381 {
+                                if (_e2377.member_1 < 10u) {
                                 } else {
-                                    phi_6031_ = true;
+                                    phi_6029_ = true;
                                     break;
                                 }
-                                let _e2386 = local_6.member[_e2378.member_1];
-                                let _e2396 = (_e2378.member_1 + 1u);
-                                let _e2397 = local_6.member_1;
-                                if (_e2396 < _e2397) {
-                                    if (_e2396 < 10u) {
+                                let _e2385 = local_6.member[_e2377.member_1];
+                                let _e2395 = (_e2377.member_1 + 1u);
+                                let _e2396 = local_6.member_1;
+                                if (_e2395 < _e2396) {
+                                    if (_e2395 < 10u) {
                                     } else {
-                                        phi_6031_ = true;
+                                        phi_6029_ = true;
                                         break;
                                     }
-                                    let _e2402 = local_6.member[_e2396];
-                                    let _e2403 = (_e2386.x - _e2346.x);
-                                    let _e2404 = (_e2386.y - _e2346.y);
-                                    let _e2405 = (_e2386.z - _e2346.z);
-                                    let _e2407 = (_e2402.x - _e2346.x);
-                                    let _e2409 = (_e2402.y - _e2346.y);
-                                    let _e2411 = (_e2402.z - _e2346.z);
-                                    let _e2414 = ((_e2404 * _e2411) - (_e2409 * _e2405));
-                                    let _e2417 = ((_e2405 * _e2407) - (_e2411 * _e2403));
-                                    let _e2420 = ((_e2403 * _e2409) - (_e2407 * _e2404));
-                                    let _e2426 = sqrt((((_e2414 * _e2414) + (_e2417 * _e2417)) + (_e2420 * _e2420)));
-                                    let _e2438 = (_e2426 * 0.16666667f);
-                                    phi_3752_ = vec3<f32>((_e2355.x + (((_e2386.x + _e2402.x) - (_e2346.x * 2f)) * _e2438)), (_e2355.y + (((_e2386.y + _e2402.y) - (_e2346.y * 2f)) * _e2438)), (_e2355.z + (((_e2386.z + _e2402.z) - (_e2346.z * 2f)) * _e2438)));
-                                    phi_3753_ = (_e2363 + (0.5f * _e2426));
+                                    let _e2401 = local_6.member[_e2395];
+                                    let _e2402 = (_e2385.x - _e2345.x);
+                                    let _e2403 = (_e2385.y - _e2345.y);
+                                    let _e2404 = (_e2385.z - _e2345.z);
+                                    let _e2406 = (_e2401.x - _e2345.x);
+                                    let _e2408 = (_e2401.y - _e2345.y);
+                                    let _e2410 = (_e2401.z - _e2345.z);
+                                    let _e2413 = ((_e2403 * _e2410) - (_e2408 * _e2404));
+                                    let _e2416 = ((_e2404 * _e2406) - (_e2410 * _e2402));
+                                    let _e2419 = ((_e2402 * _e2408) - (_e2406 * _e2403));
+                                    let _e2425 = sqrt((((_e2413 * _e2413) + (_e2416 * _e2416)) + (_e2419 * _e2419)));
+                                    let _e2437 = (_e2425 * 0.16666667f);
+                                    phi_3750_ = vec3<f32>((_e2354.x + (((_e2385.x + _e2401.x) - (_e2345.x * 2f)) * _e2437)), (_e2354.y + (((_e2385.y + _e2401.y) - (_e2345.y * 2f)) * _e2437)), (_e2354.z + (((_e2385.z + _e2401.z) - (_e2345.z * 2f)) * _e2437)));
+                                    phi_3751_ = (_e2362 + (0.5f * _e2425));
                                 } else {
-                                    phi_3752_ = _e2355;
-                                    phi_3753_ = _e2363;
+                                    phi_3750_ = _e2354;
+                                    phi_3751_ = _e2362;
                                 }
-                                let _e2450 = phi_3752_;
-                                let _e2452 = phi_3753_;
-                                phi_3608_ = _e2450;
-                                phi_3610_ = select(_e2386.z, _e2357, (_e2357 < _e2386.z));
-                                phi_3612_ = select(_e2386.y, _e2359, (_e2359 < _e2386.y));
-                                phi_3614_ = select(_e2386.x, _e2361, (_e2361 < _e2386.x));
-                                phi_3616_ = _e2452;
+                                let _e2449 = phi_3750_;
+                                let _e2451 = phi_3751_;
+                                phi_3606_ = _e2449;
+                                phi_3608_ = select(_e2385.z, _e2356, (_e2356 < _e2385.z));
+                                phi_3610_ = select(_e2385.y, _e2358, (_e2358 < _e2385.y));
+                                phi_3612_ = select(_e2385.x, _e2360, (_e2360 < _e2385.x));
+                                phi_3614_ = _e2451;
                             } else {
-                                phi_3608_ = vec3<f32>();
+                                phi_3606_ = vec3<f32>();
+                                phi_3608_ = f32();
                                 phi_3610_ = f32();
                                 phi_3612_ = f32();
                                 phi_3614_ = f32();
-                                phi_3616_ = f32();
                             }
-                            let _e2454 = phi_3608_;
-                            let _e2456 = phi_3610_;
-                            let _e2458 = phi_3612_;
-                            let _e2460 = phi_3614_;
-                            let _e2462 = phi_3616_;
+                            let _e2453 = phi_3606_;
+                            let _e2455 = phi_3608_;
+                            let _e2457 = phi_3610_;
+                            let _e2459 = phi_3612_;
+                            let _e2461 = phi_3614_;
                             continue;
                             continuing {
-                                phi_3604_ = _e2376;
-                                phi_3607_ = _e2454;
-                                phi_3609_ = _e2456;
-                                phi_3611_ = _e2458;
-                                phi_3613_ = _e2460;
-                                phi_3615_ = _e2462;
-                                phi_6031_ = _e2343;
-                                break if !(_e2382);
+                                phi_3602_ = _e2375;
+                                phi_3605_ = _e2453;
+                                phi_3607_ = _e2455;
+                                phi_3609_ = _e2457;
+                                phi_3611_ = _e2459;
+                                phi_3613_ = _e2461;
+                                phi_6029_ = _e2342;
+                                break if !(_e2381);
                             }
                         }
-                        let _e2465 = phi_6031_;
-                        phi_6041_ = _e2465;
-                        if _e2465 {
+                        let _e2464 = phi_6029_;
+                        phi_6039_ = _e2464;
+                        if _e2464 {
                             break;
                         }
-                        let _e2466 = local_6.member_1;
-                        if (_e2466 == 0u) {
-                            phi_3772_ = bool();
-                            phi_3773_ = true;
+                        let _e2465 = local_6.member_1;
+                        if (_e2465 == 0u) {
+                            phi_3770_ = bool();
+                            phi_3771_ = true;
                         } else {
-                            let _e2469 = local_31;
-                            if (_e2469 >= 1f) {
-                                phi_3770_ = bool();
-                                phi_3771_ = true;
+                            let _e2468 = local_31;
+                            if (_e2468 >= 1f) {
+                                phi_3768_ = bool();
+                                phi_3769_ = true;
                             } else {
-                                let _e2472 = local_32;
-                                let _e2473 = (_e2472 >= 1f);
-                                if _e2473 {
-                                    phi_3769_ = bool();
+                                let _e2471 = local_32;
+                                let _e2472 = (_e2471 >= 1f);
+                                if _e2472 {
+                                    phi_3767_ = bool();
                                 } else {
-                                    let _e2475 = local_33;
-                                    phi_3769_ = (_e2475 >= 1f);
+                                    let _e2474 = local_33;
+                                    phi_3767_ = (_e2474 >= 1f);
                                 }
-                                let _e2478 = phi_3769_;
-                                phi_3770_ = _e2478;
-                                phi_3771_ = _e2473;
+                                let _e2477 = phi_3767_;
+                                phi_3768_ = _e2477;
+                                phi_3769_ = _e2472;
                             }
-                            let _e2480 = phi_3770_;
-                            let _e2482 = phi_3771_;
-                            phi_3772_ = _e2480;
-                            phi_3773_ = _e2482;
+                            let _e2479 = phi_3768_;
+                            let _e2481 = phi_3769_;
+                            phi_3770_ = _e2479;
+                            phi_3771_ = _e2481;
                         }
-                        let _e2484 = phi_3772_;
-                        let _e2486 = phi_3773_;
-                        let _e2489 = local_34;
-                        if (_e2489 > 0f) {
-                            let _e2492 = local_35;
-                            let _e2495 = local_36;
-                            let _e2498 = local_37;
-                            let _e2501 = local_38;
-                            let _e2504 = local_39;
-                            let _e2507 = local_40;
-                            phi_3790_ = (_e2346 + vec3<f32>((_e2492.x / _e2495), (_e2498.y / _e2501), (_e2504.z / _e2507)));
+                        let _e2483 = phi_3770_;
+                        let _e2485 = phi_3771_;
+                        let _e2488 = local_34;
+                        if (_e2488 > 0f) {
+                            let _e2491 = local_35;
+                            let _e2494 = local_36;
+                            let _e2497 = local_37;
+                            let _e2500 = local_38;
+                            let _e2503 = local_39;
+                            let _e2506 = local_40;
+                            phi_3788_ = (_e2345 + vec3<f32>((_e2491.x / _e2494), (_e2497.y / _e2500), (_e2503.z / _e2506)));
                         } else {
-                            phi_3790_ = _e2346;
+                            phi_3788_ = _e2345;
                         }
-                        let _e2512 = phi_3790_;
-                        let _e2514 = local_41;
-                        let _e2518 = select(0f, _e2512.x, (_e2512.x > 0f));
-                        let _e2520 = select(1f, _e2518, (_e2518 < 1f));
-                        let _e2523 = select(0f, _e2512.y, (_e2512.y > 0f));
-                        let _e2525 = select(1f, _e2523, (_e2523 < 1f));
-                        let _e2528 = select(0f, _e2512.z, (_e2512.z > 0f));
-                        let _e2530 = select(1f, _e2528, (_e2528 < 1f));
-                        let _e2535 = local_42;
-                        if (_e2535 < arrayLength((&attributes.member))) {
+                        let _e2511 = phi_3788_;
+                        let _e2513 = local_41;
+                        let _e2517 = select(0f, _e2511.x, (_e2511.x > 0f));
+                        let _e2519 = select(1f, _e2517, (_e2517 < 1f));
+                        let _e2522 = select(0f, _e2511.y, (_e2511.y > 0f));
+                        let _e2524 = select(1f, _e2522, (_e2522 < 1f));
+                        let _e2527 = select(0f, _e2511.z, (_e2511.z > 0f));
+                        let _e2529 = select(1f, _e2527, (_e2527 < 1f));
+                        let _e2534 = local_42;
+                        if (_e2534 < arrayLength((&attributes.member))) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e2537 = ((_e2520 + _e1430) - _e246.x);
-                        let _e2538 = ((_e2525 + _e1433) - _e246.y);
-                        let _e2541 = ((_e495 * _e504) - (_e496 * _e503));
-                        if (abs(_e2541) > 0f) {
-                            phi_3862_ = (1f / _e2541);
+                        let _e2536 = ((_e2519 + _e1429) - _e245.x);
+                        let _e2537 = ((_e2524 + _e1432) - _e245.y);
+                        let _e2540 = ((_e494 * _e503) - (_e495 * _e502));
+                        if (abs(_e2540) > 0f) {
+                            phi_3860_ = (1f / _e2540);
                         } else {
-                            phi_3862_ = 0f;
+                            phi_3860_ = 0f;
                         }
-                        let _e2546 = phi_3862_;
-                        let _e2550 = (((_e2537 * _e504) - (_e2538 * _e503)) * _e2546);
-                        let _e2552 = select(0f, _e2550, (_e2550 > 0f));
-                        let _e2554 = select(1f, _e2552, (_e2552 < 1f));
-                        let _e2558 = (((_e495 * _e2538) - (_e496 * _e2537)) * _e2546);
-                        let _e2560 = select(0f, _e2558, (_e2558 > 0f));
-                        let _e2562 = select(1f, _e2560, (_e2560 < 1f));
-                        let _e2564 = ((1f - _e2554) - _e2562);
-                        let _e2567 = local_43;
-                        let _e2571 = attributes.member[_e2567].member[0u];
-                        let _e2575 = local_44;
-                        let _e2579 = attributes.member[_e2575].member[2u];
-                        let _e2584 = local_45;
-                        let _e2588 = attributes.member[_e2584].member[4u];
-                        let _e2590 = (((_e2571 * _e2564) + (_e2579 * _e2554)) + (_e2588 * _e2562));
-                        let _e2593 = local_46;
-                        let _e2597 = attributes.member[_e2593].member[1u];
-                        let _e2601 = local_47;
-                        let _e2605 = attributes.member[_e2601].member[3u];
-                        let _e2610 = local_48;
-                        let _e2614 = attributes.member[_e2610].member[5u];
-                        let _e2616 = (((_e2597 * _e2564) + (_e2605 * _e2554)) + (_e2614 * _e2562));
-                        if (_e392 == 4294967295u) {
-                            phi_4211_ = type_30(vec3<f32>(_e375, _e381, _e387), _e421);
+                        let _e2545 = phi_3860_;
+                        let _e2549 = (((_e2536 * _e503) - (_e2537 * _e502)) * _e2545);
+                        let _e2551 = select(0f, _e2549, (_e2549 > 0f));
+                        let _e2553 = select(1f, _e2551, (_e2551 < 1f));
+                        let _e2557 = (((_e494 * _e2537) - (_e495 * _e2536)) * _e2545);
+                        let _e2559 = select(0f, _e2557, (_e2557 > 0f));
+                        let _e2561 = select(1f, _e2559, (_e2559 < 1f));
+                        let _e2563 = ((1f - _e2553) - _e2561);
+                        let _e2566 = local_43;
+                        let _e2570 = attributes.member[_e2566].member[0u];
+                        let _e2574 = local_44;
+                        let _e2578 = attributes.member[_e2574].member[2u];
+                        let _e2583 = local_45;
+                        let _e2587 = attributes.member[_e2583].member[4u];
+                        let _e2589 = (((_e2570 * _e2563) + (_e2578 * _e2553)) + (_e2587 * _e2561));
+                        let _e2592 = local_46;
+                        let _e2596 = attributes.member[_e2592].member[1u];
+                        let _e2600 = local_47;
+                        let _e2604 = attributes.member[_e2600].member[3u];
+                        let _e2609 = local_48;
+                        let _e2613 = attributes.member[_e2609].member[5u];
+                        let _e2615 = (((_e2596 * _e2563) + (_e2604 * _e2553)) + (_e2613 * _e2561));
+                        if (_e391 == 4294967295u) {
+                            phi_4209_ = type_30(vec3<f32>(_e374, _e380, _e386), _e420);
                         } else {
-                            let _e2619 = (_e415 & 65535u);
-                            let _e2621 = (_e415 >> bitcast<u32>(16i));
-                            let _e2623 = (_e2590 - floor(_e2590));
-                            let _e2628 = ((select(0f, _e2623, (_e2623 <= 1f)) * f32(_e2619)) - 0.5f);
-                            let _e2629 = floor(_e2628);
-                            let _e2630 = (_e2628 - _e2629);
-                            let _e2631 = (_e2619 - 1u);
-                            if (_e2629 < 0f) {
-                                phi_3952_ = _e2631;
+                            let _e2618 = (_e414 & 65535u);
+                            let _e2620 = (_e414 >> bitcast<u32>(16i));
+                            let _e2622 = (_e2589 - floor(_e2589));
+                            let _e2627 = ((select(0f, _e2622, (_e2622 <= 1f)) * f32(_e2618)) - 0.5f);
+                            let _e2628 = floor(_e2627);
+                            let _e2629 = (_e2627 - _e2628);
+                            let _e2630 = (_e2618 - 1u);
+                            if (_e2628 < 0f) {
+                                phi_3950_ = _e2630;
                             } else {
-                                let _e2637 = select(select(u32(_e2629), 0u, (_e2629 < 0f)), 4294967295u, (_e2629 > 4294967000f));
-                                phi_3952_ = select(_e2637, _e2631, (_e2631 < _e2637));
+                                let _e2636 = select(select(u32(_e2628), 0u, (_e2628 < 0f)), 4294967295u, (_e2628 > 4294967000f));
+                                phi_3950_ = select(_e2636, _e2630, (_e2630 < _e2636));
                             }
-                            let _e2641 = phi_3952_;
-                            if (_e2641 == _e2631) {
-                                phi_3958_ = 0u;
+                            let _e2640 = phi_3950_;
+                            if (_e2640 == _e2630) {
+                                phi_3956_ = 0u;
                             } else {
-                                phi_3958_ = (_e2641 + 1u);
+                                phi_3956_ = (_e2640 + 1u);
                             }
-                            let _e2645 = phi_3958_;
-                            let _e2647 = (_e2616 - floor(_e2616));
-                            let _e2652 = ((select(0f, _e2647, (_e2647 <= 1f)) * f32(_e2621)) - 0.5f);
-                            let _e2653 = floor(_e2652);
-                            let _e2654 = (_e2652 - _e2653);
-                            let _e2655 = (_e2621 - 1u);
-                            if (_e2653 < 0f) {
-                                phi_3988_ = _e2655;
+                            let _e2644 = phi_3956_;
+                            let _e2646 = (_e2615 - floor(_e2615));
+                            let _e2651 = ((select(0f, _e2646, (_e2646 <= 1f)) * f32(_e2620)) - 0.5f);
+                            let _e2652 = floor(_e2651);
+                            let _e2653 = (_e2651 - _e2652);
+                            let _e2654 = (_e2620 - 1u);
+                            if (_e2652 < 0f) {
+                                phi_3986_ = _e2654;
                             } else {
-                                let _e2661 = select(select(u32(_e2653), 0u, (_e2653 < 0f)), 4294967295u, (_e2653 > 4294967000f));
-                                phi_3988_ = select(_e2661, _e2655, (_e2655 < _e2661));
+                                let _e2660 = select(select(u32(_e2652), 0u, (_e2652 < 0f)), 4294967295u, (_e2652 > 4294967000f));
+                                phi_3986_ = select(_e2660, _e2654, (_e2654 < _e2660));
                             }
-                            let _e2665 = phi_3988_;
-                            if (_e2665 == _e2655) {
-                                phi_3994_ = 0u;
+                            let _e2664 = phi_3986_;
+                            if (_e2664 == _e2654) {
+                                phi_3992_ = 0u;
                             } else {
-                                phi_3994_ = (_e2665 + 1u);
+                                phi_3992_ = (_e2664 + 1u);
                             }
-                            let _e2669 = phi_3994_;
-                            let _e2671 = (_e392 + (_e2665 * _e2619));
-                            let _e2673 = (_e392 + (_e2669 * _e2619));
-                            let _e2674 = (_e2671 + _e2641);
-                            let _e2675 = (_e2671 + _e2645);
-                            let _e2676 = (_e2673 + _e2641);
-                            let _e2677 = (_e2673 + _e2645);
+                            let _e2668 = phi_3992_;
+                            let _e2670 = (_e391 + (_e2664 * _e2618));
+                            let _e2672 = (_e391 + (_e2668 * _e2618));
+                            let _e2673 = (_e2670 + _e2640);
+                            let _e2674 = (_e2670 + _e2644);
+                            let _e2675 = (_e2672 + _e2640);
+                            let _e2676 = (_e2672 + _e2644);
+                            if (_e2673 < _e98) {
+                            } else {
+                                phi_6039_ = true;
+                                break;
+                            }
+                            let _e2680 = surfaces.member[_e2673];
                             if (_e2674 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2681 = surfaces.member[_e2674];
+                            let _e2684 = surfaces.member[_e2674];
                             if (_e2675 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2685 = surfaces.member[_e2675];
+                            let _e2688 = surfaces.member[_e2675];
                             if (_e2676 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2689 = surfaces.member[_e2676];
-                            if (_e2677 < _e98) {
+                            let _e2692 = surfaces.member[_e2676];
+                            let _e2693 = (_e2680 & 255u);
+                            if (_e2693 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2693 = surfaces.member[_e2677];
-                            let _e2694 = (_e2681 & 255u);
-                            if (_e2694 < _e98) {
+                            let _e2697 = surfaces.member[_e2693];
+                            let _e2701 = ((_e2680 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2701 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2698 = surfaces.member[_e2694];
-                            let _e2702 = ((_e2681 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2702 < _e98) {
+                            let _e2705 = surfaces.member[_e2701];
+                            let _e2709 = ((_e2680 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2709 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2706 = surfaces.member[_e2702];
-                            let _e2710 = ((_e2681 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2710 < _e98) {
+                            let _e2713 = surfaces.member[_e2709];
+                            let _e2715 = (1f - _e2629);
+                            let _e2719 = (_e2684 & 255u);
+                            if (_e2719 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2714 = surfaces.member[_e2710];
-                            let _e2716 = (1f - _e2630);
-                            let _e2720 = (_e2685 & 255u);
-                            if (_e2720 < _e98) {
+                            let _e2723 = surfaces.member[_e2719];
+                            let _e2727 = ((_e2684 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2727 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2724 = surfaces.member[_e2720];
-                            let _e2728 = ((_e2685 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2728 < _e98) {
+                            let _e2731 = surfaces.member[_e2727];
+                            let _e2735 = ((_e2684 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2735 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2732 = surfaces.member[_e2728];
-                            let _e2736 = ((_e2685 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2736 < _e98) {
+                            let _e2739 = surfaces.member[_e2735];
+                            let _e2747 = (_e2688 & 255u);
+                            if (_e2747 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2740 = surfaces.member[_e2736];
-                            let _e2748 = (_e2689 & 255u);
-                            if (_e2748 < _e98) {
+                            let _e2751 = surfaces.member[_e2747];
+                            let _e2755 = ((_e2688 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2755 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2752 = surfaces.member[_e2748];
-                            let _e2756 = ((_e2689 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2756 < _e98) {
+                            let _e2759 = surfaces.member[_e2755];
+                            let _e2763 = ((_e2688 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2763 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2760 = surfaces.member[_e2756];
-                            let _e2764 = ((_e2689 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2764 < _e98) {
+                            let _e2767 = surfaces.member[_e2763];
+                            let _e2772 = (_e2692 & 255u);
+                            if (_e2772 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2768 = surfaces.member[_e2764];
-                            let _e2773 = (_e2693 & 255u);
-                            if (_e2773 < _e98) {
+                            let _e2776 = surfaces.member[_e2772];
+                            let _e2780 = ((_e2692 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2780 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2777 = surfaces.member[_e2773];
-                            let _e2781 = ((_e2693 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2781 < _e98) {
+                            let _e2784 = surfaces.member[_e2780];
+                            let _e2788 = ((_e2692 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2788 < _e98) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2785 = surfaces.member[_e2781];
-                            let _e2789 = ((_e2693 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2789 < _e98) {
-                            } else {
-                                phi_6041_ = true;
-                                break;
-                            }
-                            let _e2793 = surfaces.member[_e2789];
-                            let _e2801 = (1f - _e2654);
-                            phi_4211_ = type_30(vec3<f32>((_e375 * ((((bitcast<f32>(_e2698) * _e2716) + (bitcast<f32>(_e2724) * _e2630)) * _e2801) + (((bitcast<f32>(_e2752) * _e2716) + (bitcast<f32>(_e2777) * _e2630)) * _e2654))), (_e381 * ((((bitcast<f32>(_e2706) * _e2716) + (bitcast<f32>(_e2732) * _e2630)) * _e2801) + (((bitcast<f32>(_e2760) * _e2716) + (bitcast<f32>(_e2785) * _e2630)) * _e2654))), (_e387 * ((((bitcast<f32>(_e2714) * _e2716) + (bitcast<f32>(_e2740) * _e2630)) * _e2801) + (((bitcast<f32>(_e2768) * _e2716) + (bitcast<f32>(_e2793) * _e2630)) * _e2654)))), (_e421 * (((((f32((_e2681 >> bitcast<u32>(24i))) * 0.003921569f) * _e2716) + ((f32((_e2685 >> bitcast<u32>(24i))) * 0.003921569f) * _e2630)) * _e2801) + ((((f32((_e2689 >> bitcast<u32>(24i))) * 0.003921569f) * _e2716) + ((f32((_e2693 >> bitcast<u32>(24i))) * 0.003921569f) * _e2630)) * _e2654))));
+                            let _e2792 = surfaces.member[_e2788];
+                            let _e2800 = (1f - _e2653);
+                            phi_4209_ = type_30(vec3<f32>((_e374 * ((((bitcast<f32>(_e2697) * _e2715) + (bitcast<f32>(_e2723) * _e2629)) * _e2800) + (((bitcast<f32>(_e2751) * _e2715) + (bitcast<f32>(_e2776) * _e2629)) * _e2653))), (_e380 * ((((bitcast<f32>(_e2705) * _e2715) + (bitcast<f32>(_e2731) * _e2629)) * _e2800) + (((bitcast<f32>(_e2759) * _e2715) + (bitcast<f32>(_e2784) * _e2629)) * _e2653))), (_e386 * ((((bitcast<f32>(_e2713) * _e2715) + (bitcast<f32>(_e2739) * _e2629)) * _e2800) + (((bitcast<f32>(_e2767) * _e2715) + (bitcast<f32>(_e2792) * _e2629)) * _e2653)))), (_e420 * (((((f32((_e2680 >> bitcast<u32>(24i))) * 0.003921569f) * _e2715) + ((f32((_e2684 >> bitcast<u32>(24i))) * 0.003921569f) * _e2629)) * _e2800) + ((((f32((_e2688 >> bitcast<u32>(24i))) * 0.003921569f) * _e2715) + ((f32((_e2692 >> bitcast<u32>(24i))) * 0.003921569f) * _e2629)) * _e2653))));
                         }
-                        let _e2844 = phi_4211_;
-                        if (_e221 == 2u) {
-                            phi_4241_ = 2u;
+                        let _e2843 = phi_4209_;
+                        if (_e220 == 2u) {
+                            phi_4239_ = 2u;
                         } else {
-                            phi_4241_ = (1u - _e221);
+                            phi_4239_ = (1u - _e220);
                         }
-                        let _e2863 = phi_4241_;
-                        if (_e2863 == 0u) {
-                            phi_4253_ = vec3<f32>(_e2525, _e2530, _e2520);
+                        let _e2862 = phi_4239_;
+                        if (_e2862 == 0u) {
+                            phi_4251_ = vec3<f32>(_e2524, _e2529, _e2519);
                         } else {
-                            if (_e2863 == 1u) {
-                                phi_4252_ = vec3<f32>(_e2530, _e2520, _e2525);
+                            if (_e2862 == 1u) {
+                                phi_4250_ = vec3<f32>(_e2529, _e2519, _e2524);
                             } else {
-                                phi_4252_ = vec3<f32>(_e2520, _e2525, _e2530);
+                                phi_4250_ = vec3<f32>(_e2519, _e2524, _e2529);
                             }
-                            let _e2868 = phi_4252_;
-                            phi_4253_ = _e2868;
+                            let _e2867 = phi_4250_;
+                            phi_4251_ = _e2867;
                         }
-                        let _e2871 = phi_4253_;
-                        let _e2875 = params.member.member_2[0u];
-                        let _e2889 = (((_e2875.z + (_e1455 >> bitcast<u32>(2i))) + (_e2875.x * (_e1461 >> bitcast<u32>(2i)))) + (_e2875.y * (_e1467 >> bitcast<u32>(1i))));
-                        let _e2912 = cells.member[((2u * _e2889) + 1u)];
-                        phi_4288_ = type_12(0u, 6u);
-                        phi_4291_ = _e2912;
+                        let _e2870 = phi_4251_;
+                        let _e2874 = params.member.member_2[0u];
+                        let _e2888 = (((_e2874.z + (_e1454 >> bitcast<u32>(2i))) + (_e2874.x * (_e1460 >> bitcast<u32>(2i)))) + (_e2874.y * (_e1466 >> bitcast<u32>(1i))));
+                        let _e2911 = cells.member[((2u * _e2888) + 1u)];
+                        phi_4286_ = type_12(0u, 6u);
+                        phi_4289_ = _e2911;
                         loop {
-                            let _e2914 = phi_4288_;
-                            let _e2916 = phi_4291_;
-                            local_49 = _e2916;
-                            if (_e2914.member < _e2914.member_1) {
-                                phi_4289_ = type_12((_e2914.member + 1u), _e2914.member_1);
-                                phi_4314_ = type_12(1u, _e2914.member);
+                            let _e2913 = phi_4286_;
+                            let _e2915 = phi_4289_;
+                            local_49 = _e2915;
+                            if (_e2913.member < _e2913.member_1) {
+                                phi_4287_ = type_12((_e2913.member + 1u), _e2913.member_1);
+                                phi_4312_ = type_12(1u, _e2913.member);
                             } else {
-                                phi_4289_ = _e2914;
-                                phi_4314_ = type_12(0u, type_12().member_1);
+                                phi_4287_ = _e2913;
+                                phi_4312_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2929 = phi_4289_;
-                            let _e2931 = phi_4314_;
-                            let _e2935 = (bitcast<i32>(_e2931.member) != 0i);
-                            if _e2935 {
-                                let _e2939 = facet_bits.member[((_e2889 * 6u) + _e2931.member_1)];
-                                let _e2940 = ((((((_e1455 & 1u) | ((_e1461 & 1u) << bitcast<u32>(1i))) | ((_e1467 & 1u) << bitcast<u32>(2i))) | ((_e1455 & 2u) << bitcast<u32>(2i))) | ((_e1461 & 2u) << bitcast<u32>(3i))) & 31u);
-                                let _e2946 = (_e2916 + countOneBits((_e2939 & ((1u << bitcast<u32>(_e2940)) - 1u))));
-                                if (_e2931.member_1 < ((2u * _e339) + select(0u, 1u, (_e344 < 0f)))) {
-                                    phi_4339_ = (_e2946 + ((_e2939 >> bitcast<u32>(_e2940)) & 1u));
+                            let _e2928 = phi_4287_;
+                            let _e2930 = phi_4312_;
+                            let _e2934 = (bitcast<i32>(_e2930.member) != 0i);
+                            if _e2934 {
+                                let _e2938 = facet_bits.member[((_e2888 * 6u) + _e2930.member_1)];
+                                let _e2939 = ((((((_e1454 & 1u) | ((_e1460 & 1u) << bitcast<u32>(1i))) | ((_e1466 & 1u) << bitcast<u32>(2i))) | ((_e1454 & 2u) << bitcast<u32>(2i))) | ((_e1460 & 2u) << bitcast<u32>(3i))) & 31u);
+                                let _e2945 = (_e2915 + countOneBits((_e2938 & ((1u << bitcast<u32>(_e2939)) - 1u))));
+                                if (_e2930.member_1 < ((2u * _e338) + select(0u, 1u, (_e343 < 0f)))) {
+                                    phi_4337_ = (_e2945 + ((_e2938 >> bitcast<u32>(_e2939)) & 1u));
                                 } else {
-                                    phi_4339_ = _e2946;
+                                    phi_4337_ = _e2945;
                                 }
-                                let _e2953 = phi_4339_;
-                                phi_4292_ = _e2953;
+                                let _e2952 = phi_4337_;
+                                phi_4290_ = _e2952;
                             } else {
-                                phi_4292_ = u32();
+                                phi_4290_ = u32();
                             }
-                            let _e2955 = phi_4292_;
+                            let _e2954 = phi_4290_;
                             continue;
                             continuing {
-                                phi_4288_ = _e2929;
-                                phi_4291_ = _e2955;
-                                break if !(_e2935);
+                                phi_4286_ = _e2928;
+                                phi_4289_ = _e2954;
+                                break if !(_e2934);
                             }
                         }
-                        let _e2959 = local_49;
-                        let _e2960 = (_e2959 * 13u);
-                        let _e2963 = params.member.member_7;
-                        let _e2966 = floor((((select(_e2514, 0f, select(_e2484, true, _e2486)) * select(1f, 0f, (_e2844.member_1 < bitcast<f32>(_e426)))) * _e2963) + 0.5f));
-                        let _e2968 = select(_e2966, 1f, (_e2966 < 1f));
-                        let _e2973 = select(select(u32(_e2968), 0u, (_e2968 < 0f)), 4294967295u, (_e2968 > 4294967000f));
-                        if (_e2960 < _e102) {
+                        let _e2958 = local_49;
+                        let _e2959 = (_e2958 * 13u);
+                        let _e2962 = params.member.member_7;
+                        let _e2965 = floor((((select(_e2513, 0f, select(_e2483, true, _e2485)) * select(1f, 0f, (_e2843.member_1 < bitcast<f32>(_e425)))) * _e2962) + 0.5f));
+                        let _e2967 = select(_e2965, 1f, (_e2965 < 1f));
+                        let _e2972 = select(select(u32(_e2967), 0u, (_e2967 < 0f)), 4294967295u, (_e2967 > 4294967000f));
+                        if (_e2959 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e2977 = atomicAdd((&sums.member[_e2960]), _e2973);
-                        if (_e2977 >= (2147483648u - select(_e2973, 2147483648u, (2147483648u < _e2973)))) {
-                            let _e2984 = params.member.member_5;
-                            let _e2985 = (_e2984 * 13u);
-                            if (_e2985 < _e102) {
+                        let _e2976 = atomicAdd((&sums.member[_e2959]), _e2972);
+                        if (_e2976 >= (2147483648u - select(_e2972, 2147483648u, (2147483648u < _e2972)))) {
+                            let _e2983 = params.member.member_5;
+                            let _e2984 = (_e2983 * 13u);
+                            if (_e2984 < _e102) {
                             } else {
-                                phi_6041_ = true;
+                                phi_6039_ = true;
                                 break;
                             }
-                            let _e2989 = atomicOr((&sums.member[_e2985]), 1u);
+                            let _e2988 = atomicOr((&sums.member[_e2984]), 1u);
                         }
-                        let _e2990 = (_e2960 + 1u);
-                        let _e2998 = floor(((_e362.x * _e2968) + 0.5f));
-                        if (_e2990 < _e102) {
+                        let _e2989 = (_e2959 + 1u);
+                        let _e2997 = floor(((_e361.x * _e2967) + 0.5f));
+                        if (_e2989 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3010 = atomicAdd((&sums.member[_e2990]), bitcast<u32>(select(0i, select(select(i32(_e2998), i32(-2147483648), (_e2998 < -2147483600f)), 2147483647i, (_e2998 > 2147483500f)), (_e2998 == _e2998))));
-                        let _e3011 = (_e2960 + 2u);
-                        let _e3013 = floor(((_e362.y * _e2968) + 0.5f));
-                        if (_e3011 < _e102) {
+                        let _e3009 = atomicAdd((&sums.member[_e2989]), bitcast<u32>(select(0i, select(select(i32(_e2997), i32(-2147483648), (_e2997 < -2147483600f)), 2147483647i, (_e2997 > 2147483500f)), (_e2997 == _e2997))));
+                        let _e3010 = (_e2959 + 2u);
+                        let _e3012 = floor(((_e361.y * _e2967) + 0.5f));
+                        if (_e3010 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3025 = atomicAdd((&sums.member[_e3011]), bitcast<u32>(select(0i, select(select(i32(_e3013), i32(-2147483648), (_e3013 < -2147483600f)), 2147483647i, (_e3013 > 2147483500f)), (_e3013 == _e3013))));
-                        let _e3026 = (_e2960 + 3u);
-                        let _e3028 = floor(((_e362.z * _e2968) + 0.5f));
-                        if (_e3026 < _e102) {
+                        let _e3024 = atomicAdd((&sums.member[_e3010]), bitcast<u32>(select(0i, select(select(i32(_e3012), i32(-2147483648), (_e3012 < -2147483600f)), 2147483647i, (_e3012 > 2147483500f)), (_e3012 == _e3012))));
+                        let _e3025 = (_e2959 + 3u);
+                        let _e3027 = floor(((_e361.z * _e2967) + 0.5f));
+                        if (_e3025 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3040 = atomicAdd((&sums.member[_e3026]), bitcast<u32>(select(0i, select(select(i32(_e3028), i32(-2147483648), (_e3028 < -2147483600f)), 2147483647i, (_e3028 > 2147483500f)), (_e3028 == _e3028))));
-                        let _e3041 = (_e2960 + 4u);
-                        let _e3049 = floor(((_e2871.x * _e2968) + 0.5f));
-                        if (_e3041 < _e102) {
+                        let _e3039 = atomicAdd((&sums.member[_e3025]), bitcast<u32>(select(0i, select(select(i32(_e3027), i32(-2147483648), (_e3027 < -2147483600f)), 2147483647i, (_e3027 > 2147483500f)), (_e3027 == _e3027))));
+                        let _e3040 = (_e2959 + 4u);
+                        let _e3048 = floor(((_e2870.x * _e2967) + 0.5f));
+                        if (_e3040 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3061 = atomicAdd((&sums.member[_e3041]), bitcast<u32>(select(0i, select(select(i32(_e3049), i32(-2147483648), (_e3049 < -2147483600f)), 2147483647i, (_e3049 > 2147483500f)), (_e3049 == _e3049))));
-                        let _e3062 = (_e2960 + 5u);
-                        let _e3064 = floor(((_e2871.y * _e2968) + 0.5f));
-                        if (_e3062 < _e102) {
+                        let _e3060 = atomicAdd((&sums.member[_e3040]), bitcast<u32>(select(0i, select(select(i32(_e3048), i32(-2147483648), (_e3048 < -2147483600f)), 2147483647i, (_e3048 > 2147483500f)), (_e3048 == _e3048))));
+                        let _e3061 = (_e2959 + 5u);
+                        let _e3063 = floor(((_e2870.y * _e2967) + 0.5f));
+                        if (_e3061 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3076 = atomicAdd((&sums.member[_e3062]), bitcast<u32>(select(0i, select(select(i32(_e3064), i32(-2147483648), (_e3064 < -2147483600f)), 2147483647i, (_e3064 > 2147483500f)), (_e3064 == _e3064))));
-                        let _e3077 = (_e2960 + 6u);
-                        let _e3079 = floor(((_e2871.z * _e2968) + 0.5f));
-                        if (_e3077 < _e102) {
+                        let _e3075 = atomicAdd((&sums.member[_e3061]), bitcast<u32>(select(0i, select(select(i32(_e3063), i32(-2147483648), (_e3063 < -2147483600f)), 2147483647i, (_e3063 > 2147483500f)), (_e3063 == _e3063))));
+                        let _e3076 = (_e2959 + 6u);
+                        let _e3078 = floor(((_e2870.z * _e2967) + 0.5f));
+                        if (_e3076 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3091 = atomicAdd((&sums.member[_e3077]), bitcast<u32>(select(0i, select(select(i32(_e3079), i32(-2147483648), (_e3079 < -2147483600f)), 2147483647i, (_e3079 > 2147483500f)), (_e3079 == _e3079))));
-                        let _e3092 = (_e2960 + 7u);
-                        let _e3097 = floor(((select(1f, _e2844.member.x, (_e2844.member.x < 1f)) * _e2968) + 0.5f));
-                        if (_e3092 < _e102) {
+                        let _e3090 = atomicAdd((&sums.member[_e3076]), bitcast<u32>(select(0i, select(select(i32(_e3078), i32(-2147483648), (_e3078 < -2147483600f)), 2147483647i, (_e3078 > 2147483500f)), (_e3078 == _e3078))));
+                        let _e3091 = (_e2959 + 7u);
+                        let _e3096 = floor(((select(1f, _e2843.member.x, (_e2843.member.x < 1f)) * _e2967) + 0.5f));
+                        if (_e3091 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3109 = atomicAdd((&sums.member[_e3092]), bitcast<u32>(select(0i, select(select(i32(_e3097), i32(-2147483648), (_e3097 < -2147483600f)), 2147483647i, (_e3097 > 2147483500f)), (_e3097 == _e3097))));
-                        let _e3110 = (_e2960 + 8u);
-                        let _e3112 = floor(((select(1f, _e2844.member.y, (_e2844.member.y < 1f)) * _e2968) + 0.5f));
-                        if (_e3110 < _e102) {
+                        let _e3108 = atomicAdd((&sums.member[_e3091]), bitcast<u32>(select(0i, select(select(i32(_e3096), i32(-2147483648), (_e3096 < -2147483600f)), 2147483647i, (_e3096 > 2147483500f)), (_e3096 == _e3096))));
+                        let _e3109 = (_e2959 + 8u);
+                        let _e3111 = floor(((select(1f, _e2843.member.y, (_e2843.member.y < 1f)) * _e2967) + 0.5f));
+                        if (_e3109 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3124 = atomicAdd((&sums.member[_e3110]), bitcast<u32>(select(0i, select(select(i32(_e3112), i32(-2147483648), (_e3112 < -2147483600f)), 2147483647i, (_e3112 > 2147483500f)), (_e3112 == _e3112))));
-                        let _e3125 = (_e2960 + 9u);
-                        let _e3127 = floor(((select(1f, _e2844.member.z, (_e2844.member.z < 1f)) * _e2968) + 0.5f));
-                        if (_e3125 < _e102) {
+                        let _e3123 = atomicAdd((&sums.member[_e3109]), bitcast<u32>(select(0i, select(select(i32(_e3111), i32(-2147483648), (_e3111 < -2147483600f)), 2147483647i, (_e3111 > 2147483500f)), (_e3111 == _e3111))));
+                        let _e3124 = (_e2959 + 9u);
+                        let _e3126 = floor(((select(1f, _e2843.member.z, (_e2843.member.z < 1f)) * _e2967) + 0.5f));
+                        if (_e3124 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3139 = atomicAdd((&sums.member[_e3125]), bitcast<u32>(select(0i, select(select(i32(_e3127), i32(-2147483648), (_e3127 < -2147483600f)), 2147483647i, (_e3127 > 2147483500f)), (_e3127 == _e3127))));
-                        let _e3140 = (_e2960 + 10u);
-                        let _e3143 = params.member.member_8;
-                        let _e3144 = (_e2968 / _e3143);
-                        let _e3149 = floor(((bitcast<f32>(_e397) * _e3144) + 0.5f));
-                        if (_e3140 < _e102) {
+                        let _e3138 = atomicAdd((&sums.member[_e3124]), bitcast<u32>(select(0i, select(select(i32(_e3126), i32(-2147483648), (_e3126 < -2147483600f)), 2147483647i, (_e3126 > 2147483500f)), (_e3126 == _e3126))));
+                        let _e3139 = (_e2959 + 10u);
+                        let _e3142 = params.member.member_8;
+                        let _e3143 = (_e2967 / _e3142);
+                        let _e3148 = floor(((bitcast<f32>(_e396) * _e3143) + 0.5f));
+                        if (_e3139 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3161 = atomicAdd((&sums.member[_e3140]), bitcast<u32>(select(0i, select(select(i32(_e3149), i32(-2147483648), (_e3149 < -2147483600f)), 2147483647i, (_e3149 > 2147483500f)), (_e3149 == _e3149))));
-                        let _e3162 = (_e2960 + 11u);
-                        let _e3164 = floor(((bitcast<f32>(_e403) * _e3144) + 0.5f));
-                        if (_e3162 < _e102) {
+                        let _e3160 = atomicAdd((&sums.member[_e3139]), bitcast<u32>(select(0i, select(select(i32(_e3148), i32(-2147483648), (_e3148 < -2147483600f)), 2147483647i, (_e3148 > 2147483500f)), (_e3148 == _e3148))));
+                        let _e3161 = (_e2959 + 11u);
+                        let _e3163 = floor(((bitcast<f32>(_e402) * _e3143) + 0.5f));
+                        if (_e3161 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3176 = atomicAdd((&sums.member[_e3162]), bitcast<u32>(select(0i, select(select(i32(_e3164), i32(-2147483648), (_e3164 < -2147483600f)), 2147483647i, (_e3164 > 2147483500f)), (_e3164 == _e3164))));
-                        let _e3177 = (_e2960 + 12u);
-                        let _e3179 = floor(((bitcast<f32>(_e409) * _e3144) + 0.5f));
-                        if (_e3177 < _e102) {
+                        let _e3175 = atomicAdd((&sums.member[_e3161]), bitcast<u32>(select(0i, select(select(i32(_e3163), i32(-2147483648), (_e3163 < -2147483600f)), 2147483647i, (_e3163 > 2147483500f)), (_e3163 == _e3163))));
+                        let _e3176 = (_e2959 + 12u);
+                        let _e3178 = floor(((bitcast<f32>(_e408) * _e3143) + 0.5f));
+                        if (_e3176 < _e102) {
                         } else {
-                            phi_6041_ = true;
+                            phi_6039_ = true;
                             break;
                         }
-                        let _e3191 = atomicAdd((&sums.member[_e3177]), bitcast<u32>(select(0i, select(select(i32(_e3179), i32(-2147483648), (_e3179 < -2147483600f)), 2147483647i, (_e3179 > 2147483500f)), (_e3179 == _e3179))));
-                        phi_6042_ = _e2465;
+                        let _e3190 = atomicAdd((&sums.member[_e3176]), bitcast<u32>(select(0i, select(select(i32(_e3178), i32(-2147483648), (_e3178 < -2147483600f)), 2147483647i, (_e3178 > 2147483500f)), (_e3178 == _e3178))));
+                        phi_6040_ = _e2464;
                     } else {
-                        phi_6042_ = _e638;
+                        phi_6040_ = _e637;
                     }
-                    let _e3193 = phi_6042_;
+                    let _e3192 = phi_6040_;
                     continue;
                     continuing {
-                        phi_5749_ = _e3193;
-                        let _e3234 = local_50;
-                        phi_5367_ = _e3234;
-                        let _e3237 = local_51;
-                        phi_5364_ = _e3237;
-                        let _e3240 = local_52;
-                        phi_5361_ = _e3240;
-                        let _e3243 = local_53;
-                        phi_5358_ = _e3243;
-                        phi_6041_ = _e3193;
-                        break if !(_e1427);
+                        phi_5747_ = _e3192;
+                        let _e3233 = local_50;
+                        phi_5365_ = _e3233;
+                        let _e3236 = local_51;
+                        phi_5362_ = _e3236;
+                        let _e3239 = local_52;
+                        phi_5359_ = _e3239;
+                        let _e3242 = local_53;
+                        phi_5356_ = _e3242;
+                        phi_6039_ = _e3192;
+                        break if !(_e1426);
                     }
                 }
-                let _e3196 = phi_6041_;
-                if _e3196 {
+                let _e3195 = phi_6039_;
+                if _e3195 {
                     break;
                 }
             }

@@ -2,12 +2,7 @@ struct type_7 {
     member: array<u32>,
 }
 
-struct type_10 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_16 {
+struct type_15 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -28,8 +23,8 @@ struct type_16 {
     member_17: vec4<u32>,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_16 {
+    member: type_15,
 }
 
 var<private> gid_1: vec3<u32>;
@@ -38,181 +33,207 @@ var<storage, read_write> out: type_7;
 @group(0) @binding(1) 
 var<storage> cells: type_7;
 @group(0) @binding(0) 
-var<uniform> params: type_17;
+var<uniform> params: type_16;
 
 fn function_() {
+    var phi_80_: u32;
     var phi_83_: u32;
+    var phi_86_: u32;
+    var phi_84_: u32;
     var phi_87_: u32;
-    var phi_90_: u32;
-    var phi_88_: u32;
-    var phi_91_: u32;
-    var phi_302_: bool;
+    var phi_356_: bool;
     var local: u32;
-    var phi_136_: type_10;
-    var phi_139_: u32;
-    var phi_137_: type_10;
-    var phi_162_: type_10;
     var phi_140_: u32;
+    var phi_145_: u32;
+    var phi_162_: u32;
+    var phi_167_: u32;
+    var phi_184_: u32;
+    var phi_189_: u32;
+    var phi_206_: u32;
+    var phi_211_: u32;
+    var phi_231_: u32;
     var local_1: u32;
+    var phi_232_: u32;
+    var phi_255_: bool;
     var local_2: u32;
-    var phi_177_: u32;
     var local_3: u32;
-    var phi_178_: u32;
-    var phi_201_: bool;
     var local_4: u32;
-    var local_5: u32;
-    var local_6: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e23 = gid_1;
-            let _e25 = arrayLength((&cells.member));
-            let _e31 = (_e23.x + (_e23.y * 2097152u));
-            let _e32 = (_e31 < arrayLength((&out.member)));
-            if _e32 {
-                let _e35 = params.member.member_11;
-                let _e39 = params.member.member_2[_e35];
-                if ((_e35 & 1u) == 1u) {
-                    phi_83_ = (_e25 / 2u);
+            let _e24 = gid_1;
+            let _e26 = arrayLength((&cells.member));
+            let _e32 = (_e24.x + (_e24.y * 2097152u));
+            let _e33 = (_e32 < arrayLength((&out.member)));
+            if _e33 {
+                let _e36 = params.member.member_11;
+                let _e40 = params.member.member_2[_e36];
+                if ((_e36 & 1u) == 1u) {
+                    phi_80_ = (_e26 / 2u);
                 } else {
-                    let _e45 = params.member.member_10;
-                    phi_83_ = _e45;
+                    let _e46 = params.member.member_10;
+                    phi_80_ = _e46;
                 }
-                let _e48 = phi_83_;
-                phi_87_ = _e48;
-                phi_90_ = _e39.z;
+                let _e49 = phi_80_;
+                phi_83_ = (_e49 - _e40.z);
+                phi_86_ = _e40.z;
                 loop {
-                    let _e50 = phi_87_;
-                    let _e52 = phi_90_;
-                    local = _e52;
-                    local_3 = _e52;
-                    local_5 = _e52;
-                    let _e54 = ((_e50 - _e52) > 1u);
-                    if _e54 {
-                        let _e56 = ((_e52 + _e50) / 2u);
-                        let _e58 = ((_e56 * 2u) + 1u);
-                        if (_e58 < _e25) {
+                    let _e52 = phi_83_;
+                    let _e54 = phi_86_;
+                    local = _e54;
+                    local_1 = _e54;
+                    local_3 = _e54;
+                    let _e55 = (_e52 > 1u);
+                    if _e55 {
+                        let _e56 = (_e52 / 2u);
+                        let _e57 = (_e54 + _e56);
+                        let _e59 = ((_e57 * 2u) + 1u);
+                        if (_e59 < _e26) {
                         } else {
-                            phi_302_ = true;
+                            phi_356_ = true;
                             break;
                         }
-                        let _e62 = cells.member[_e58];
-                        let _e63 = (_e62 <= _e31);
-                        phi_88_ = select(_e56, _e50, _e63);
-                        phi_91_ = select(_e52, _e56, _e63);
+                        let _e63 = cells.member[_e59];
+                        phi_84_ = (_e52 - _e56);
+                        phi_87_ = select(_e54, _e57, (_e63 <= _e32));
                     } else {
-                        phi_88_ = u32();
-                        phi_91_ = u32();
+                        phi_84_ = u32();
+                        phi_87_ = u32();
                     }
-                    let _e67 = phi_88_;
-                    let _e69 = phi_91_;
+                    let _e68 = phi_84_;
+                    let _e70 = phi_87_;
                     continue;
                     continuing {
-                        phi_87_ = _e67;
-                        phi_90_ = _e69;
-                        phi_302_ = false;
-                        break if !(_e54);
+                        phi_83_ = _e68;
+                        phi_86_ = _e70;
+                        phi_356_ = false;
+                        break if !(_e55);
                     }
                 }
-                let _e72 = phi_302_;
-                if _e72 {
+                let _e73 = phi_356_;
+                if _e73 {
                     break;
                 }
-                let _e74 = local;
-                let _e75 = (2u * _e74);
-                if (_e75 < _e25) {
+                let _e75 = local;
+                let _e76 = (2u * _e75);
+                if (_e76 < _e26) {
                 } else {
                     break;
                 }
-                let _e79 = cells.member[_e75];
-                let _e80 = (_e75 + 1u);
-                if (_e80 < _e25) {
+                let _e80 = cells.member[_e76];
+                let _e81 = (_e76 + 1u);
+                if (_e81 < _e26) {
                 } else {
                     break;
                 }
-                let _e84 = cells.member[_e80];
-                phi_136_ = type_10(0u, (_e31 - _e84));
-                phi_139_ = _e79;
+                let _e85 = cells.member[_e81];
+                let _e86 = (_e32 - _e85);
+                let _e88 = countOneBits((_e80 & 65535u));
+                let _e89 = (_e86 >= _e88);
+                if _e89 {
+                    phi_140_ = (_e80 >> bitcast<u32>(16u));
+                } else {
+                    phi_140_ = _e80;
+                }
+                let _e93 = phi_140_;
+                if _e89 {
+                    phi_145_ = (_e86 - _e88);
+                } else {
+                    phi_145_ = _e86;
+                }
+                let _e96 = phi_145_;
+                let _e99 = countOneBits((_e93 & 255u));
+                let _e100 = (_e96 >= _e99);
+                if _e100 {
+                    phi_162_ = (_e93 >> bitcast<u32>(8u));
+                } else {
+                    phi_162_ = _e93;
+                }
+                let _e104 = phi_162_;
+                if _e100 {
+                    phi_167_ = (_e96 - _e99);
+                } else {
+                    phi_167_ = _e96;
+                }
+                let _e107 = phi_167_;
+                let _e111 = countOneBits((_e104 & 15u));
+                let _e112 = (_e107 >= _e111);
+                if _e112 {
+                    phi_184_ = (_e104 >> bitcast<u32>(4u));
+                } else {
+                    phi_184_ = _e104;
+                }
+                let _e116 = phi_184_;
+                if _e112 {
+                    phi_189_ = (_e107 - _e111);
+                } else {
+                    phi_189_ = _e107;
+                }
+                let _e119 = phi_189_;
+                let _e123 = countOneBits((_e116 & 3u));
+                let _e124 = (_e119 >= _e123);
+                if _e124 {
+                    phi_206_ = (_e116 >> bitcast<u32>(2u));
+                } else {
+                    phi_206_ = _e116;
+                }
+                let _e128 = phi_206_;
+                if _e124 {
+                    phi_211_ = (_e119 - _e123);
+                } else {
+                    phi_211_ = _e119;
+                }
+                let _e131 = phi_211_;
+                let _e138 = ((((select(0u, 16u, _e89) + select(0u, 8u, _e100)) + select(0u, 4u, _e112)) + select(0u, 2u, _e124)) + select(0u, 1u, (_e131 >= countOneBits((_e128 & 1u)))));
+                phi_231_ = _e36;
                 loop {
-                    let _e88 = phi_136_;
-                    let _e90 = phi_139_;
-                    local_1 = _e90;
-                    local_2 = _e90;
-                    if (_e88.member < _e88.member_1) {
-                        phi_137_ = type_10((_e88.member + 1u), _e88.member_1);
-                        phi_162_ = type_10(1u, _e88.member);
+                    let _e140 = phi_231_;
+                    local_2 = _e140;
+                    local_4 = _e140;
+                    let _e141 = (_e140 + 2u);
+                    let _e145 = params.member.member_1[3u];
+                    if (_e141 < _e145) {
+                        let _e150 = params.member.member_2[_e141];
+                        let _e153 = local_1;
+                        let _e154 = (_e150.z <= _e153);
+                        phi_232_ = select(u32(), _e141, _e154);
+                        phi_255_ = _e154;
                     } else {
-                        phi_137_ = _e88;
-                        phi_162_ = type_10(0u, type_10().member_1);
+                        phi_232_ = u32();
+                        phi_255_ = false;
                     }
-                    let _e103 = phi_137_;
-                    let _e105 = phi_162_;
-                    let _e108 = (bitcast<i32>(_e105.member) != 0i);
-                    if _e108 {
-                        phi_140_ = (_e90 & (_e90 - 1u));
-                    } else {
-                        phi_140_ = u32();
-                    }
-                    let _e112 = phi_140_;
+                    let _e157 = phi_232_;
+                    let _e159 = phi_255_;
                     continue;
                     continuing {
-                        phi_136_ = _e103;
-                        phi_139_ = _e112;
-                        break if !(_e108);
+                        phi_231_ = _e157;
+                        break if !(_e159);
                     }
                 }
-                let _e115 = local_1;
-                let _e118 = local_2;
-                let _e120 = select(firstTrailingBit(_e115), 32u, (_e118 == 0u));
-                phi_177_ = _e35;
-                loop {
-                    let _e122 = phi_177_;
-                    local_4 = _e122;
-                    local_6 = _e122;
-                    let _e123 = (_e122 + 2u);
-                    let _e127 = params.member.member_1[3u];
-                    if (_e123 < _e127) {
-                        let _e132 = params.member.member_2[_e123];
-                        let _e135 = local_3;
-                        let _e136 = (_e132.z <= _e135);
-                        phi_178_ = select(u32(), _e123, _e136);
-                        phi_201_ = _e136;
-                    } else {
-                        phi_178_ = u32();
-                        phi_201_ = false;
-                    }
-                    let _e139 = phi_178_;
-                    let _e141 = phi_201_;
-                    continue;
-                    continuing {
-                        phi_177_ = _e139;
-                        break if !(_e141);
-                    }
-                }
-                let _e146 = local_4;
-                let _e148 = params.member.member_2[_e146];
-                let _e151 = local_5;
-                let _e152 = (_e151 - _e148.z);
-                if (_e148.y == 0u) {
+                let _e164 = local_2;
+                let _e166 = params.member.member_2[_e164];
+                let _e169 = local_3;
+                let _e170 = (_e169 - _e166.z);
+                if (_e166.y == 0u) {
                     break;
                 }
-                let _e155 = (_e152 / _e148.y);
-                let _e157 = (_e152 - (_e155 * _e148.y));
-                if (_e148.x == 0u) {
+                let _e173 = (_e170 / _e166.y);
+                let _e175 = (_e170 - (_e173 * _e166.y));
+                if (_e166.x == 0u) {
                     break;
                 }
-                let _e160 = (_e157 / _e148.x);
-                let _e168 = (_e120 >> bitcast<u32>(2i));
-                let _e185 = (((((_e157 - (_e160 * _e148.x)) << bitcast<u32>(2i)) | (_e120 & 1u)) | (_e168 & 2u)) * 2u);
-                let _e186 = ((((_e160 << bitcast<u32>(2i)) | ((_e120 >> bitcast<u32>(1i)) & 1u)) | ((_e120 >> bitcast<u32>(3i)) & 2u)) * 2u);
-                let _e187 = (((_e155 << bitcast<u32>(1i)) | (_e168 & 1u)) * 2u);
-                let _e189 = local_6;
-                let _e194 = params.member.member_2[(_e189 - 1u)];
-                if _e32 {
+                let _e178 = (_e175 / _e166.x);
+                let _e186 = (_e138 >> bitcast<u32>(2i));
+                let _e203 = (((((_e175 - (_e178 * _e166.x)) << bitcast<u32>(2i)) | (_e138 & 1u)) | (_e186 & 2u)) * 2u);
+                let _e204 = ((((_e178 << bitcast<u32>(2i)) | ((_e138 >> bitcast<u32>(1i)) & 1u)) | ((_e138 >> bitcast<u32>(3i)) & 2u)) * 2u);
+                let _e205 = (((_e173 << bitcast<u32>(1i)) | (_e186 & 1u)) * 2u);
+                let _e207 = local_4;
+                let _e212 = params.member.member_2[(_e207 - 1u)];
+                if _e33 {
                 } else {
                     break;
                 }
-                out.member[_e31] = (((((_e194.z + (_e185 >> bitcast<u32>(2i))) + (_e194.x * (_e186 >> bitcast<u32>(2i)))) + (_e194.y * (_e187 >> bitcast<u32>(1i)))) * 4u) + ((((((_e185 & 1u) | ((_e186 & 1u) << bitcast<u32>(1i))) | ((_e187 & 1u) << bitcast<u32>(2i))) | ((_e185 & 2u) << bitcast<u32>(2i))) | ((_e186 & 2u) << bitcast<u32>(3i))) / 8u));
+                out.member[_e32] = (((((_e212.z + (_e203 >> bitcast<u32>(2i))) + (_e212.x * (_e204 >> bitcast<u32>(2i)))) + (_e212.y * (_e205 >> bitcast<u32>(1i)))) * 4u) + ((((((_e203 & 1u) | ((_e204 & 1u) << bitcast<u32>(1i))) | ((_e205 & 1u) << bitcast<u32>(2i))) | ((_e203 & 2u) << bitcast<u32>(2i))) | ((_e204 & 2u) << bitcast<u32>(3i))) / 8u));
             }
             break;
         }

@@ -45,41 +45,38 @@ var<storage> finer: type_15;
 
 fn function_() {
     var local: array<vec4<f32>, 8>;
-    var phi_137_: u32;
-    var phi_152_: u32;
-    var phi_167_: u32;
-    var phi_182_: u32;
-    var phi_197_: u32;
-    var phi_212_: u32;
-    var phi_227_: u32;
-    var phi_392_: vec4<f32>;
-    var phi_429_: vec4<f32>;
-    var phi_478_: vec4<f32>;
-    var phi_525_: vec4<f32>;
-    var phi_337_: vec4<f32>;
-    var phi_539_: vec4<f32>;
+    var phi_134_: u32;
+    var phi_154_: u32;
+    var phi_174_: u32;
+    var phi_194_: u32;
+    var phi_214_: u32;
+    var phi_234_: u32;
+    var phi_254_: u32;
+    var phi_274_: u32;
+    var phi_379_: vec4<f32>;
+    var phi_601_: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e28 = gid_1;
-            let _e33 = params.member.member_12;
-            let _e36 = params.member.member_13;
-            let _e40 = (_e28.x + (_e28.y * 2097152u));
-            if (_e40 < _e36) {
-                let _e42 = (_e33 + _e40);
-                let _e45 = params.member.member_6;
-                if (_e45 == 0u) {
+            let _e29 = gid_1;
+            let _e34 = params.member.member_12;
+            let _e37 = params.member.member_13;
+            let _e41 = (_e29.x + (_e29.y * 2097152u));
+            if (_e41 < _e37) {
+                let _e43 = (_e34 + _e41);
+                let _e46 = params.member.member_6;
+                if (_e46 == 0u) {
                     break;
                 }
-                let _e47 = (_e42 / _e45);
-                let _e49 = (_e42 - (_e47 * _e45));
-                let _e52 = children.member[_e47];
-                let _e55 = (2u * (_e52 >> bitcast<u32>(2i)));
-                let _e59 = cells.member[_e55];
-                let _e61 = ((8u * (_e52 & 3u)) & 31u);
-                let _e63 = (_e59 >> bitcast<u32>(_e61));
-                let _e67 = cells.member[(_e55 + 1u)];
-                let _e73 = (_e67 + countOneBits((_e59 & ((1u << bitcast<u32>(_e61)) - 1u))));
+                let _e48 = (_e43 / _e46);
+                let _e50 = (_e43 - (_e48 * _e46));
+                let _e53 = children.member[_e48];
+                let _e56 = (2u * (_e53 >> bitcast<u32>(2i)));
+                let _e60 = cells.member[_e56];
+                let _e62 = ((8u * (_e53 & 3u)) & 31u);
+                let _e64 = (_e60 >> bitcast<u32>(_e62));
+                let _e68 = cells.member[(_e56 + 1u)];
+                let _e74 = (_e68 + countOneBits((_e60 & ((1u << bitcast<u32>(_e62)) - 1u))));
                 local[0u] = vec4<f32>(0f, 0f, 0f, 0f);
                 local[1u] = vec4<f32>(0f, 0f, 0f, 0f);
                 local[2u] = vec4<f32>(0f, 0f, 0f, 0f);
@@ -88,182 +85,183 @@ fn function_() {
                 local[5u] = vec4<f32>(0f, 0f, 0f, 0f);
                 local[6u] = vec4<f32>(0f, 0f, 0f, 0f);
                 local[7u] = vec4<f32>(0f, 0f, 0f, 0f);
-                if ((_e63 & 1u) == 1u) {
-                    let _e88 = finer.member[((_e73 * _e45) + _e49)];
-                    local[0u] = _e88;
-                    phi_137_ = (_e73 + 1u);
+                let _e83 = (_e64 & 1u);
+                let _e84 = (_e83 == 1u);
+                if _e84 {
+                    phi_134_ = ((_e74 * _e46) + _e50);
                 } else {
-                    phi_137_ = _e73;
+                    phi_134_ = 0u;
                 }
-                let _e91 = phi_137_;
-                if (((_e63 >> bitcast<u32>(1u)) & 1u) == 1u) {
-                    let _e100 = finer.member[((_e91 * _e45) + _e49)];
-                    local[1u] = _e100;
-                    phi_152_ = (_e91 + 1u);
+                let _e88 = phi_134_;
+                let _e91 = finer.member[_e88];
+                local[0u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e91, vec4(_e84));
+                let _e94 = (_e74 + _e83);
+                let _e97 = ((_e64 >> bitcast<u32>(1u)) & 1u);
+                let _e98 = (_e97 == 1u);
+                if _e98 {
+                    phi_154_ = ((_e94 * _e46) + _e50);
                 } else {
-                    phi_152_ = _e91;
+                    phi_154_ = 0u;
                 }
-                let _e103 = phi_152_;
-                if (((_e63 >> bitcast<u32>(2u)) & 1u) == 1u) {
-                    let _e112 = finer.member[((_e103 * _e45) + _e49)];
-                    local[2u] = _e112;
-                    phi_167_ = (_e103 + 1u);
+                let _e102 = phi_154_;
+                let _e105 = finer.member[_e102];
+                local[1u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e105, vec4(_e98));
+                let _e108 = (_e94 + _e97);
+                let _e111 = ((_e64 >> bitcast<u32>(2u)) & 1u);
+                let _e112 = (_e111 == 1u);
+                if _e112 {
+                    phi_174_ = ((_e108 * _e46) + _e50);
                 } else {
-                    phi_167_ = _e103;
+                    phi_174_ = 0u;
                 }
-                let _e115 = phi_167_;
-                if (((_e63 >> bitcast<u32>(3u)) & 1u) == 1u) {
-                    let _e124 = finer.member[((_e115 * _e45) + _e49)];
-                    local[3u] = _e124;
-                    phi_182_ = (_e115 + 1u);
+                let _e116 = phi_174_;
+                let _e119 = finer.member[_e116];
+                local[2u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e119, vec4(_e112));
+                let _e122 = (_e108 + _e111);
+                let _e125 = ((_e64 >> bitcast<u32>(3u)) & 1u);
+                let _e126 = (_e125 == 1u);
+                if _e126 {
+                    phi_194_ = ((_e122 * _e46) + _e50);
                 } else {
-                    phi_182_ = _e115;
+                    phi_194_ = 0u;
                 }
-                let _e127 = phi_182_;
-                if (((_e63 >> bitcast<u32>(4u)) & 1u) == 1u) {
-                    let _e136 = finer.member[((_e127 * _e45) + _e49)];
-                    local[4u] = _e136;
-                    phi_197_ = (_e127 + 1u);
+                let _e130 = phi_194_;
+                let _e133 = finer.member[_e130];
+                local[3u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e133, vec4(_e126));
+                let _e136 = (_e122 + _e125);
+                let _e139 = ((_e64 >> bitcast<u32>(4u)) & 1u);
+                let _e140 = (_e139 == 1u);
+                if _e140 {
+                    phi_214_ = ((_e136 * _e46) + _e50);
                 } else {
-                    phi_197_ = _e127;
+                    phi_214_ = 0u;
                 }
-                let _e139 = phi_197_;
-                if (((_e63 >> bitcast<u32>(5u)) & 1u) == 1u) {
-                    let _e148 = finer.member[((_e139 * _e45) + _e49)];
-                    local[5u] = _e148;
-                    phi_212_ = (_e139 + 1u);
+                let _e144 = phi_214_;
+                let _e147 = finer.member[_e144];
+                local[4u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e147, vec4(_e140));
+                let _e150 = (_e136 + _e139);
+                let _e153 = ((_e64 >> bitcast<u32>(5u)) & 1u);
+                let _e154 = (_e153 == 1u);
+                if _e154 {
+                    phi_234_ = ((_e150 * _e46) + _e50);
                 } else {
-                    phi_212_ = _e139;
+                    phi_234_ = 0u;
                 }
-                let _e151 = phi_212_;
-                if (((_e63 >> bitcast<u32>(6u)) & 1u) == 1u) {
-                    let _e160 = finer.member[((_e151 * _e45) + _e49)];
-                    local[6u] = _e160;
-                    phi_227_ = (_e151 + 1u);
+                let _e158 = phi_234_;
+                let _e161 = finer.member[_e158];
+                local[5u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e161, vec4(_e154));
+                let _e164 = (_e150 + _e153);
+                let _e167 = ((_e64 >> bitcast<u32>(6u)) & 1u);
+                let _e168 = (_e167 == 1u);
+                if _e168 {
+                    phi_254_ = ((_e164 * _e46) + _e50);
                 } else {
-                    phi_227_ = _e151;
+                    phi_254_ = 0u;
                 }
-                let _e163 = phi_227_;
-                if (((_e63 >> bitcast<u32>(7u)) & 1u) == 1u) {
-                    let _e172 = finer.member[((_e163 * _e45) + _e49)];
-                    local[7u] = _e172;
+                let _e172 = phi_254_;
+                let _e175 = finer.member[_e172];
+                local[6u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e175, vec4(_e168));
+                let _e182 = (((_e64 >> bitcast<u32>(7u)) & 1u) == 1u);
+                if _e182 {
+                    phi_274_ = (((_e164 + _e167) * _e46) + _e50);
+                } else {
+                    phi_274_ = 0u;
                 }
-                if (_e45 == 1u) {
-                    let _e315 = local[0u];
-                    let _e316 = local[1u];
-                    let _e329 = local[2u];
-                    let _e330 = local[3u];
-                    let _e347 = local[4u];
-                    let _e348 = local[5u];
-                    let _e361 = local[6u];
-                    let _e362 = local[7u];
-                    let _e383 = ((((_e315.x + _e316.x) + (_e329.x + _e330.x)) + ((_e347.x + _e348.x) + (_e361.x + _e362.x))) * 0.25f);
-                    let _e384 = ((((_e315.y + _e316.y) + (_e329.y + _e330.y)) + ((_e347.y + _e348.y) + (_e361.y + _e362.y))) * 0.25f);
-                    let _e385 = ((((_e315.z + _e316.z) + (_e329.z + _e330.z)) + ((_e347.z + _e348.z) + (_e361.z + _e362.z))) * 0.25f);
-                    let _e386 = ((((_e315.w + _e316.w) + (_e329.w + _e330.w)) + ((_e347.w + _e348.w) + (_e361.w + _e362.w))) * 0.25f);
-                    if (_e386 > 1f) {
-                        phi_337_ = vec4<f32>((_e383 / _e386), (_e384 / _e386), (_e385 / _e386), (_e386 / _e386));
+                let _e186 = phi_274_;
+                let _e189 = finer.member[_e186];
+                local[7u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e189, vec4(_e182));
+                if (_e46 == 1u) {
+                    let _e342 = local[0u];
+                    let _e343 = local[1u];
+                    let _e356 = local[2u];
+                    let _e357 = local[3u];
+                    let _e374 = local[4u];
+                    let _e375 = local[5u];
+                    let _e388 = local[6u];
+                    let _e389 = local[7u];
+                    let _e410 = ((((_e342.x + _e343.x) + (_e356.x + _e357.x)) + ((_e374.x + _e375.x) + (_e388.x + _e389.x))) * 0.25f);
+                    let _e411 = ((((_e342.y + _e343.y) + (_e356.y + _e357.y)) + ((_e374.y + _e375.y) + (_e388.y + _e389.y))) * 0.25f);
+                    let _e412 = ((((_e342.z + _e343.z) + (_e356.z + _e357.z)) + ((_e374.z + _e375.z) + (_e388.z + _e389.z))) * 0.25f);
+                    let _e413 = ((((_e342.w + _e343.w) + (_e356.w + _e357.w)) + ((_e374.w + _e375.w) + (_e388.w + _e389.w))) * 0.25f);
+                    if (_e413 > 1f) {
+                        phi_379_ = vec4<f32>((_e410 / _e413), (_e411 / _e413), (_e412 / _e413), (_e413 / _e413));
                     } else {
-                        phi_337_ = vec4<f32>(_e383, _e384, _e385, _e386);
+                        phi_379_ = vec4<f32>(_e410, _e411, _e412, _e413);
                     }
-                    let _e395 = phi_337_;
-                    phi_539_ = _e395;
+                    let _e422 = phi_379_;
+                    phi_601_ = _e422;
                 } else {
-                    let _e175 = (_e49 >> bitcast<u32>(1i));
-                    let _e177 = ((_e49 & 1u) == 1u);
-                    let _e180 = (1u << bitcast<u32>((_e175 & 31u)));
-                    let _e182 = select(1u, 2u, (_e175 == 0u));
-                    let _e184 = select(4u, 2u, (_e175 == 2u));
-                    let _e185 = select(0u, _e180, _e177);
-                    let _e186 = select(_e180, 0u, _e177);
-                    if (_e185 < 8u) {
+                    let _e194 = (_e50 >> bitcast<u32>(1i));
+                    let _e196 = ((_e50 & 1u) == 1u);
+                    let _e199 = (1u << bitcast<u32>((_e194 & 31u)));
+                    let _e201 = select(1u, 2u, (_e194 == 0u));
+                    let _e203 = select(4u, 2u, (_e194 == 2u));
+                    let _e204 = select(0u, _e199, _e196);
+                    let _e205 = select(_e199, 0u, _e196);
+                    if (_e204 < 8u) {
                     } else {
                         break;
                     }
-                    let _e189 = local[_e185];
-                    if (_e186 < 8u) {
+                    let _e208 = local[_e204];
+                    if (_e205 < 8u) {
                     } else {
                         break;
                     }
-                    let _e192 = local[_e186];
-                    let _e194 = (1f - _e189.w);
-                    if (_e192.w <= _e194) {
-                        phi_392_ = (_e189 + _e192);
-                    } else {
-                        let _e197 = (_e194 / _e192.w);
-                        phi_392_ = (_e189 + vec4<f32>((_e192.x * _e197), (_e192.y * _e197), (_e192.z * _e197), _e194));
-                    }
-                    let _e208 = phi_392_;
-                    let _e209 = (_e182 + _e185);
-                    if (_e209 < 8u) {
+                    let _e211 = local[_e205];
+                    let _e217 = ((1f - _e208.w) / select(0.000000000000000000000000000000000000011754944f, _e211.w, (_e211.w > 0.000000000000000000000000000000000000011754944f)));
+                    let _e219 = select(1f, _e217, (_e217 < 1f));
+                    let _e234 = (_e201 + _e204);
+                    if (_e234 < 8u) {
                     } else {
                         break;
                     }
-                    let _e212 = local[_e209];
-                    let _e213 = (_e182 + _e186);
-                    if (_e213 < 8u) {
+                    let _e237 = local[_e234];
+                    let _e238 = (_e201 + _e205);
+                    if (_e238 < 8u) {
                     } else {
                         break;
                     }
-                    let _e216 = local[_e213];
-                    let _e218 = (1f - _e212.w);
-                    if (_e216.w <= _e218) {
-                        phi_429_ = (_e212 + _e216);
-                    } else {
-                        let _e221 = (_e218 / _e216.w);
-                        phi_429_ = (_e212 + vec4<f32>((_e216.x * _e221), (_e216.y * _e221), (_e216.z * _e221), _e218));
-                    }
-                    let _e232 = phi_429_;
-                    let _e245 = (_e184 + _e185);
-                    if (_e245 < 8u) {
+                    let _e241 = local[_e238];
+                    let _e247 = ((1f - _e237.w) / select(0.000000000000000000000000000000000000011754944f, _e241.w, (_e241.w > 0.000000000000000000000000000000000000011754944f)));
+                    let _e249 = select(1f, _e247, (_e247 < 1f));
+                    let _e268 = (_e203 + _e204);
+                    if (_e268 < 8u) {
                     } else {
                         break;
                     }
-                    let _e248 = local[_e245];
-                    let _e249 = (_e184 + _e186);
-                    if (_e249 < 8u) {
+                    let _e271 = local[_e268];
+                    let _e272 = (_e203 + _e205);
+                    if (_e272 < 8u) {
                     } else {
                         break;
                     }
-                    let _e252 = local[_e249];
-                    let _e254 = (1f - _e248.w);
-                    if (_e252.w <= _e254) {
-                        phi_478_ = (_e248 + _e252);
-                    } else {
-                        let _e257 = (_e254 / _e252.w);
-                        phi_478_ = (_e248 + vec4<f32>((_e252.x * _e257), (_e252.y * _e257), (_e252.z * _e257), _e254));
-                    }
-                    let _e268 = phi_478_;
-                    let _e277 = (_e182 + _e184);
-                    let _e278 = (_e277 + _e185);
-                    if (_e278 < 8u) {
+                    let _e275 = local[_e272];
+                    let _e281 = ((1f - _e271.w) / select(0.000000000000000000000000000000000000011754944f, _e275.w, (_e275.w > 0.000000000000000000000000000000000000011754944f)));
+                    let _e283 = select(1f, _e281, (_e281 < 1f));
+                    let _e302 = (_e201 + _e203);
+                    let _e303 = (_e302 + _e204);
+                    if (_e303 < 8u) {
                     } else {
                         break;
                     }
-                    let _e281 = local[_e278];
-                    let _e282 = (_e277 + _e186);
-                    if (_e282 < 8u) {
+                    let _e306 = local[_e303];
+                    let _e307 = (_e302 + _e205);
+                    if (_e307 < 8u) {
                     } else {
                         break;
                     }
-                    let _e285 = local[_e282];
-                    let _e287 = (1f - _e281.w);
-                    if (_e285.w <= _e287) {
-                        phi_525_ = (_e281 + _e285);
-                    } else {
-                        let _e290 = (_e287 / _e285.w);
-                        phi_525_ = (_e281 + vec4<f32>((_e285.x * _e290), (_e285.y * _e290), (_e285.z * _e290), _e287));
-                    }
-                    let _e301 = phi_525_;
-                    phi_539_ = vec4<f32>(((((_e208.x + _e232.x) + _e268.x) + _e301.x) * 0.25f), ((((_e208.y + _e232.y) + _e268.y) + _e301.y) * 0.25f), ((((_e208.z + _e232.z) + _e268.z) + _e301.z) * 0.25f), ((((_e208.w + _e232.w) + _e268.w) + _e301.w) * 0.25f));
+                    let _e310 = local[_e307];
+                    let _e316 = ((1f - _e306.w) / select(0.000000000000000000000000000000000000011754944f, _e310.w, (_e310.w > 0.000000000000000000000000000000000000011754944f)));
+                    let _e318 = select(1f, _e316, (_e316 < 1f));
+                    phi_601_ = vec4<f32>((((((_e208.x + (_e211.x * _e219)) + (_e237.x + (_e241.x * _e249))) + (_e271.x + (_e275.x * _e283))) + (_e306.x + (_e310.x * _e318))) * 0.25f), (((((_e208.y + (_e211.y * _e219)) + (_e237.y + (_e241.y * _e249))) + (_e271.y + (_e275.y * _e283))) + (_e306.y + (_e310.y * _e318))) * 0.25f), (((((_e208.z + (_e211.z * _e219)) + (_e237.z + (_e241.z * _e249))) + (_e271.z + (_e275.z * _e283))) + (_e306.z + (_e310.z * _e318))) * 0.25f), (((((_e208.w + (_e211.w * _e219)) + (_e237.w + (_e241.w * _e249))) + (_e271.w + (_e275.w * _e283))) + (_e306.w + (_e310.w * _e318))) * 0.25f));
                 }
-                let _e397 = phi_539_;
-                let _e399 = (_e42 + (_e40 - _e40));
-                if (_e399 < arrayLength((&out.member))) {
+                let _e424 = phi_601_;
+                let _e426 = (_e43 + (_e41 - _e41));
+                if (_e426 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e399] = _e397;
+                out.member[_e426] = _e424;
             }
             break;
         }

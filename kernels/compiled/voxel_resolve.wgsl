@@ -55,26 +55,26 @@ var<storage> sums: type_8;
 var<storage, read_write> out: type_17;
 
 fn function_() {
+    var phi_87_: u32;
+    var phi_90_: u32;
     var phi_88_: u32;
     var phi_91_: u32;
-    var phi_89_: u32;
-    var phi_92_: u32;
-    var phi_504_: bool;
+    var phi_502_: bool;
     var local: u32;
     var local_1: u32;
-    var phi_181_: u32;
+    var phi_179_: u32;
+    var phi_182_: u32;
     var phi_184_: u32;
     var phi_186_: u32;
-    var phi_188_: u32;
+    var phi_246_: u32;
+    var phi_247_: u32;
     var phi_248_: u32;
     var phi_249_: u32;
-    var phi_250_: u32;
-    var phi_251_: u32;
-    var phi_182_: u32;
+    var phi_180_: u32;
+    var phi_183_: u32;
     var phi_185_: u32;
     var phi_187_: u32;
-    var phi_189_: u32;
-    var phi_253_: bool;
+    var phi_251_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
@@ -91,239 +91,239 @@ fn function_() {
             let _e42 = (_e41 < arrayLength((&out.member)));
             if _e42 {
                 let _e47 = params.member.member_2[0u][3u];
-                phi_88_ = _e47;
-                phi_91_ = 0u;
+                phi_87_ = _e47;
+                phi_90_ = 0u;
                 loop {
-                    let _e49 = phi_88_;
-                    let _e51 = phi_91_;
+                    let _e49 = phi_87_;
+                    let _e51 = phi_90_;
                     local = _e51;
                     local_1 = _e51;
                     local_2 = _e51;
                     local_3 = _e51;
-                    let _e53 = ((_e49 - _e51) > 1u);
-                    if _e53 {
-                        let _e55 = ((_e51 + _e49) / 2u);
-                        let _e57 = ((_e55 * 2u) + 1u);
-                        if (_e57 < _e33) {
+                    let _e52 = (_e49 > 1u);
+                    if _e52 {
+                        let _e53 = (_e49 / 2u);
+                        let _e54 = (_e51 + _e53);
+                        let _e56 = ((_e54 * 2u) + 1u);
+                        if (_e56 < _e33) {
                         } else {
-                            phi_504_ = true;
+                            phi_502_ = true;
                             break;
                         }
-                        let _e61 = cells.member[_e57];
-                        let _e62 = (_e61 <= _e41);
-                        phi_89_ = select(_e55, _e49, _e62);
-                        phi_92_ = select(_e51, _e55, _e62);
+                        let _e60 = cells.member[_e56];
+                        phi_88_ = (_e49 - _e53);
+                        phi_91_ = select(_e51, _e54, (_e60 <= _e41));
                     } else {
-                        phi_89_ = u32();
-                        phi_92_ = u32();
+                        phi_88_ = u32();
+                        phi_91_ = u32();
                     }
-                    let _e66 = phi_89_;
-                    let _e68 = phi_92_;
+                    let _e65 = phi_88_;
+                    let _e67 = phi_91_;
                     continue;
                     continuing {
-                        phi_88_ = _e66;
-                        phi_91_ = _e68;
-                        phi_504_ = false;
-                        break if !(_e53);
+                        phi_87_ = _e65;
+                        phi_90_ = _e67;
+                        phi_502_ = false;
+                        break if !(_e52);
                     }
                 }
-                let _e71 = phi_504_;
-                if _e71 {
+                let _e70 = phi_502_;
+                if _e70 {
                     break;
                 }
-                let _e73 = local;
-                let _e74 = (2u * _e73);
-                if (_e74 < _e33) {
+                let _e72 = local;
+                let _e73 = (2u * _e72);
+                if (_e73 < _e33) {
                 } else {
                     break;
                 }
-                let _e78 = cells.member[_e74];
-                let _e79 = (_e74 + 1u);
-                if (_e79 < _e33) {
+                let _e77 = cells.member[_e73];
+                let _e78 = (_e73 + 1u);
+                if (_e78 < _e33) {
                 } else {
                     break;
                 }
-                let _e83 = cells.member[_e79];
-                let _e88 = (select(firstTrailingBit(_e78), 32u, (_e78 == 0u)) & 31u);
-                let _e90 = local_1;
-                let _e91 = (_e90 * 6u);
-                let _e94 = facet_bits.member[_e91];
-                let _e95 = (_e88 & 31u);
-                let _e102 = facet_bits.member[(_e91 + 1u)];
-                let _e110 = facet_bits.member[(_e91 + 2u)];
-                let _e118 = facet_bits.member[(_e91 + 3u)];
-                let _e126 = facet_bits.member[(_e91 + 4u)];
-                let _e134 = facet_bits.member[(_e91 + 5u)];
-                phi_181_ = (((((((_e94 >> bitcast<u32>(_e95)) & 1u) + ((_e102 >> bitcast<u32>(_e95)) & 1u)) + ((_e110 >> bitcast<u32>(_e95)) & 1u)) + ((_e118 >> bitcast<u32>(_e95)) & 1u)) + ((_e126 >> bitcast<u32>(_e95)) & 1u)) + ((_e134 >> bitcast<u32>(_e95)) & 1u));
-                phi_184_ = _e88;
-                phi_186_ = (_e41 - _e83);
-                phi_188_ = _e78;
+                let _e82 = cells.member[_e78];
+                let _e87 = (select(firstTrailingBit(_e77), 32u, (_e77 == 0u)) & 31u);
+                let _e89 = local_1;
+                let _e90 = (_e89 * 6u);
+                let _e93 = facet_bits.member[_e90];
+                let _e94 = (_e87 & 31u);
+                let _e101 = facet_bits.member[(_e90 + 1u)];
+                let _e109 = facet_bits.member[(_e90 + 2u)];
+                let _e117 = facet_bits.member[(_e90 + 3u)];
+                let _e125 = facet_bits.member[(_e90 + 4u)];
+                let _e133 = facet_bits.member[(_e90 + 5u)];
+                phi_179_ = (((((((_e93 >> bitcast<u32>(_e94)) & 1u) + ((_e101 >> bitcast<u32>(_e94)) & 1u)) + ((_e109 >> bitcast<u32>(_e94)) & 1u)) + ((_e117 >> bitcast<u32>(_e94)) & 1u)) + ((_e125 >> bitcast<u32>(_e94)) & 1u)) + ((_e133 >> bitcast<u32>(_e94)) & 1u));
+                phi_182_ = _e87;
+                phi_184_ = (_e41 - _e82);
+                phi_186_ = _e77;
                 loop {
-                    let _e140 = phi_181_;
-                    let _e142 = phi_184_;
-                    let _e144 = phi_186_;
-                    let _e146 = phi_188_;
-                    local_4 = _e142;
-                    local_5 = _e142;
-                    local_6 = _e142;
-                    local_7 = _e142;
-                    if (_e144 >= _e140) {
-                        let _e148 = (_e146 == 0u);
-                        if _e148 {
+                    let _e139 = phi_179_;
+                    let _e141 = phi_182_;
+                    let _e143 = phi_184_;
+                    let _e145 = phi_186_;
+                    local_4 = _e141;
+                    local_5 = _e141;
+                    local_6 = _e141;
+                    local_7 = _e141;
+                    if (_e143 >= _e139) {
+                        let _e147 = (_e145 == 0u);
+                        if _e147 {
+                            phi_246_ = u32();
+                            phi_247_ = u32();
                             phi_248_ = u32();
                             phi_249_ = u32();
-                            phi_250_ = u32();
-                            phi_251_ = u32();
                         } else {
-                            let _e151 = (_e146 & (_e146 - 1u));
-                            let _e155 = (select(firstTrailingBit(_e151), 32u, (_e151 == 0u)) & 31u);
-                            let _e156 = (_e155 & 31u);
-                            phi_248_ = (((((((_e94 >> bitcast<u32>(_e156)) & 1u) + ((_e102 >> bitcast<u32>(_e156)) & 1u)) + ((_e110 >> bitcast<u32>(_e156)) & 1u)) + ((_e118 >> bitcast<u32>(_e156)) & 1u)) + ((_e126 >> bitcast<u32>(_e156)) & 1u)) + ((_e134 >> bitcast<u32>(_e156)) & 1u));
-                            phi_249_ = _e155;
-                            phi_250_ = (_e144 - _e140);
-                            phi_251_ = _e151;
+                            let _e150 = (_e145 & (_e145 - 1u));
+                            let _e154 = (select(firstTrailingBit(_e150), 32u, (_e150 == 0u)) & 31u);
+                            let _e155 = (_e154 & 31u);
+                            phi_246_ = (((((((_e93 >> bitcast<u32>(_e155)) & 1u) + ((_e101 >> bitcast<u32>(_e155)) & 1u)) + ((_e109 >> bitcast<u32>(_e155)) & 1u)) + ((_e117 >> bitcast<u32>(_e155)) & 1u)) + ((_e125 >> bitcast<u32>(_e155)) & 1u)) + ((_e133 >> bitcast<u32>(_e155)) & 1u));
+                            phi_247_ = _e154;
+                            phi_248_ = (_e143 - _e139);
+                            phi_249_ = _e150;
                         }
-                        let _e181 = phi_248_;
-                        let _e183 = phi_249_;
-                        let _e185 = phi_250_;
-                        let _e187 = phi_251_;
-                        phi_182_ = _e181;
-                        phi_185_ = _e183;
-                        phi_187_ = _e185;
-                        phi_189_ = _e187;
-                        phi_253_ = select(true, false, _e148);
+                        let _e180 = phi_246_;
+                        let _e182 = phi_247_;
+                        let _e184 = phi_248_;
+                        let _e186 = phi_249_;
+                        phi_180_ = _e180;
+                        phi_183_ = _e182;
+                        phi_185_ = _e184;
+                        phi_187_ = _e186;
+                        phi_251_ = select(true, false, _e147);
                     } else {
-                        phi_182_ = u32();
+                        phi_180_ = u32();
+                        phi_183_ = u32();
                         phi_185_ = u32();
                         phi_187_ = u32();
-                        phi_189_ = u32();
-                        phi_253_ = false;
+                        phi_251_ = false;
                     }
-                    let _e190 = phi_182_;
-                    let _e192 = phi_185_;
-                    let _e194 = phi_187_;
-                    let _e196 = phi_189_;
-                    let _e198 = phi_253_;
+                    let _e189 = phi_180_;
+                    let _e191 = phi_183_;
+                    let _e193 = phi_185_;
+                    let _e195 = phi_187_;
+                    let _e197 = phi_251_;
                     continue;
                     continuing {
-                        phi_181_ = _e190;
-                        phi_184_ = _e192;
-                        phi_186_ = _e194;
-                        phi_188_ = _e196;
-                        break if !(_e198);
+                        phi_179_ = _e189;
+                        phi_182_ = _e191;
+                        phi_184_ = _e193;
+                        phi_186_ = _e195;
+                        break if !(_e197);
                     }
                 }
-                let _e203 = params.member.member_2[0u];
-                if (_e203.y == 0u) {
+                let _e202 = params.member.member_2[0u];
+                if (_e202.y == 0u) {
                     break;
                 }
-                let _e207 = local_2;
-                let _e208 = (_e207 / _e203.y);
-                let _e211 = local_3;
-                let _e212 = (_e211 - (_e208 * _e203.y));
-                if (_e203.x == 0u) {
+                let _e206 = local_2;
+                let _e207 = (_e206 / _e202.y);
+                let _e210 = local_3;
+                let _e211 = (_e210 - (_e207 * _e202.y));
+                if (_e202.x == 0u) {
                     break;
                 }
-                let _e215 = (_e212 / _e203.x);
-                let _e221 = local_4;
-                let _e225 = local_5;
-                let _e227 = (_e225 >> bitcast<u32>(2i));
-                let _e229 = ((((_e212 - (_e215 * _e203.x)) << bitcast<u32>(2i)) | (_e221 & 1u)) | (_e227 & 2u));
-                let _e233 = local_6;
-                let _e239 = local_7;
-                let _e243 = (((_e215 << bitcast<u32>(2i)) | ((_e233 >> bitcast<u32>(1i)) & 1u)) | ((_e239 >> bitcast<u32>(3i)) & 2u));
-                let _e247 = ((_e208 << bitcast<u32>(1i)) | (_e227 & 1u));
-                let _e248 = (_e41 * 13u);
-                if (_e248 < _e35) {
+                let _e214 = (_e211 / _e202.x);
+                let _e220 = local_4;
+                let _e224 = local_5;
+                let _e226 = (_e224 >> bitcast<u32>(2i));
+                let _e228 = ((((_e211 - (_e214 * _e202.x)) << bitcast<u32>(2i)) | (_e220 & 1u)) | (_e226 & 2u));
+                let _e232 = local_6;
+                let _e238 = local_7;
+                let _e242 = (((_e214 << bitcast<u32>(2i)) | ((_e232 >> bitcast<u32>(1i)) & 1u)) | ((_e238 >> bitcast<u32>(3i)) & 2u));
+                let _e246 = ((_e207 << bitcast<u32>(1i)) | (_e226 & 1u));
+                let _e247 = (_e41 * 13u);
+                if (_e247 < _e35) {
                 } else {
                     break;
                 }
-                let _e252 = sums.member[_e248];
-                let _e253 = f32(_e252);
-                let _e255 = select(1f, _e253, (_e253 > 1f));
-                let _e256 = (_e248 + 4u);
-                if (_e256 < _e35) {
+                let _e251 = sums.member[_e247];
+                let _e252 = f32(_e251);
+                let _e254 = select(1f, _e252, (_e252 > 1f));
+                let _e255 = (_e247 + 4u);
+                if (_e255 < _e35) {
                 } else {
                     break;
                 }
-                let _e260 = sums.member[_e256];
-                let _e263 = (_e248 + 5u);
-                if (_e263 < _e35) {
+                let _e259 = sums.member[_e255];
+                let _e262 = (_e247 + 5u);
+                if (_e262 < _e35) {
                 } else {
                     break;
                 }
-                let _e267 = sums.member[_e263];
-                let _e270 = (_e248 + 6u);
-                if (_e270 < _e35) {
+                let _e266 = sums.member[_e262];
+                let _e269 = (_e247 + 6u);
+                if (_e269 < _e35) {
                 } else {
                     break;
                 }
-                let _e274 = sums.member[_e270];
-                let _e282 = params.member.member;
-                let _e295 = params.member.member[3u];
-                let _e304 = params.member.member_1;
-                let _e308 = params.member.member_7;
-                let _e310 = (_e248 + 1u);
-                if (_e310 < _e35) {
+                let _e273 = sums.member[_e269];
+                let _e281 = params.member.member;
+                let _e294 = params.member.member[3u];
+                let _e303 = params.member.member_1;
+                let _e307 = params.member.member_7;
+                let _e309 = (_e247 + 1u);
+                if (_e309 < _e35) {
                 } else {
                     break;
                 }
-                let _e314 = sums.member[_e310];
-                let _e317 = (_e248 + 2u);
-                if (_e317 < _e35) {
+                let _e313 = sums.member[_e309];
+                let _e316 = (_e247 + 2u);
+                if (_e316 < _e35) {
                 } else {
                     break;
                 }
-                let _e321 = sums.member[_e317];
-                let _e324 = (_e248 + 3u);
-                if (_e324 < _e35) {
+                let _e320 = sums.member[_e316];
+                let _e323 = (_e247 + 3u);
+                if (_e323 < _e35) {
                 } else {
                     break;
                 }
-                let _e328 = sums.member[_e324];
-                let _e341 = (_e248 + 7u);
-                if (_e341 < _e35) {
+                let _e327 = sums.member[_e323];
+                let _e340 = (_e247 + 7u);
+                if (_e340 < _e35) {
                 } else {
                     break;
                 }
-                let _e345 = sums.member[_e341];
-                let _e348 = (_e248 + 8u);
-                if (_e348 < _e35) {
+                let _e344 = sums.member[_e340];
+                let _e347 = (_e247 + 8u);
+                if (_e347 < _e35) {
                 } else {
                     break;
                 }
-                let _e352 = sums.member[_e348];
-                let _e355 = (_e248 + 9u);
-                if (_e355 < _e35) {
+                let _e351 = sums.member[_e347];
+                let _e354 = (_e247 + 9u);
+                if (_e354 < _e35) {
                 } else {
                     break;
                 }
-                let _e359 = sums.member[_e355];
-                let _e366 = (_e248 + 10u);
-                if (_e366 < _e35) {
+                let _e358 = sums.member[_e354];
+                let _e365 = (_e247 + 10u);
+                if (_e365 < _e35) {
                 } else {
                     break;
                 }
-                let _e370 = sums.member[_e366];
-                let _e373 = (_e248 + 11u);
-                if (_e373 < _e35) {
+                let _e369 = sums.member[_e365];
+                let _e372 = (_e247 + 11u);
+                if (_e372 < _e35) {
                 } else {
                     break;
                 }
-                let _e377 = sums.member[_e373];
-                let _e380 = (_e248 + 12u);
-                if (_e380 < _e35) {
+                let _e376 = sums.member[_e372];
+                let _e379 = (_e247 + 12u);
+                if (_e379 < _e35) {
                 } else {
                     break;
                 }
-                let _e384 = sums.member[_e380];
-                let _e389 = params.member.member_8;
-                let _e390 = (_e389 / _e255);
+                let _e383 = sums.member[_e379];
+                let _e388 = params.member.member_8;
+                let _e389 = (_e388 / _e254);
                 if _e42 {
                 } else {
                     break;
                 }
-                out.member[_e41] = type_15(array<f32, 3>((_e282.x + ((f32(_e229) + (f32(bitcast<i32>(_e260)) / _e255)) * _e295)), (_e282.y + ((f32(_e243) + (f32(bitcast<i32>(_e267)) / _e255)) * _e295)), (_e282.z + ((f32(_e247) + (f32(bitcast<i32>(_e274)) / _e255)) * _e295))), (_e255 / _e308), array<f32, 3>((f32(bitcast<i32>(_e314)) / _e308), (f32(bitcast<i32>(_e321)) / _e308), (f32(bitcast<i32>(_e328)) / _e308)), (_e229 + (_e304.x * (_e243 + (_e304.y * _e247)))), array<f32, 3>((f32(bitcast<i32>(_e345)) / _e255), (f32(bitcast<i32>(_e352)) / _e255), (f32(bitcast<i32>(_e359)) / _e255)), 0u, array<f32, 3>((f32(bitcast<i32>(_e370)) * _e390), (f32(bitcast<i32>(_e377)) * _e390), (f32(bitcast<i32>(_e384)) * _e390)), 0u);
+                out.member[_e41] = type_15(array<f32, 3>((_e281.x + ((f32(_e228) + (f32(bitcast<i32>(_e259)) / _e254)) * _e294)), (_e281.y + ((f32(_e242) + (f32(bitcast<i32>(_e266)) / _e254)) * _e294)), (_e281.z + ((f32(_e246) + (f32(bitcast<i32>(_e273)) / _e254)) * _e294))), (_e254 / _e307), array<f32, 3>((f32(bitcast<i32>(_e313)) / _e307), (f32(bitcast<i32>(_e320)) / _e307), (f32(bitcast<i32>(_e327)) / _e307)), (_e228 + (_e303.x * (_e242 + (_e303.y * _e246)))), array<f32, 3>((f32(bitcast<i32>(_e344)) / _e254), (f32(bitcast<i32>(_e351)) / _e254), (f32(bitcast<i32>(_e358)) / _e254)), 0u, array<f32, 3>((f32(bitcast<i32>(_e369)) * _e389), (f32(bitcast<i32>(_e376)) * _e389), (f32(bitcast<i32>(_e383)) * _e389)), 0u);
             }
             break;
         }

@@ -212,6 +212,32 @@ pub use host::*;
 
 #[cfg(not(target_arch = "spirv"))]
 mod host {
+    /// Instructions that CPU code is compiled for.
+    #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+    pub enum Vectors {
+        /// x86-64-v4: registers of 512 bits.
+        Avx512,
+        /// x86-64-v3: registers of 256 bits, multiply-add, counts of bits.
+        Avx2,
+        /// What every processor of the compiler's target has.
+        Baseline,
+    }
+
+    /// What this processor has.
+    #[inline]
+    pub fn vectors() -> Vectors {
+        #[cfg(all(feature = "std", target_arch = "x86_64"))]
+        {
+            macro_rules! has {
+                ($($name:tt)*) => { true $(&& std::is_x86_feature_detected!($name))* };
+            }
+            if has!("avx2" "fma" "popcnt" "lzcnt" "bmi1" "bmi2") {
+                return if has!("avx512f" "avx512vl" "avx512bw" "avx512dq") { Vectors::Avx512 } else { Vectors::Avx2 };
+            }
+        }
+        Vectors::Baseline
+    }
+
     use super::{AtomicWords, KernelDesc, Rows};
     use alloc::vec::Vec;
     use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -712,7 +738,7 @@ macro_rules! scatter {
 }
 
 /// Compiles a function again for the wider vector units of x86 and picks at run time; `over lanes` also hands it the
-/// register as its type parameter. Results do not change: Rust never contracts or reorders float operations.
+/// register as its type parameter. Results do not change: Rust never contracts or reorders float operations by itself.
 macro_rules! widest_vectors {
     ($name:ident = $inner:ident over lanes, $args:tt) => {
         $crate::kernel::widest_vectors!(@pick $name = ($inner::<$crate::real::x86::Avx512>)
@@ -727,19 +753,17 @@ macro_rules! widest_vectors {
         fn $name($($arg: $ty),*) {
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
             {
-                #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq,fma")]
+                use $crate::kernel::{Vectors, vectors};
+                #[target_feature(enable = "avx512f,avx512vl,avx512bw,avx512dq,avx2,fma,popcnt,lzcnt,bmi1,bmi2")]
                 fn avx512($($arg: $ty),*) { $wide($($arg),*) }
-                #[target_feature(enable = "avx2,fma")]
+                #[target_feature(enable = "avx2,fma,popcnt,lzcnt,bmi1,bmi2")]
                 fn avx2($($arg: $ty),*) { $middle($($arg),*) }
-                let fused = std::is_x86_feature_detected!("fma");
-                if fused && std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl")
-                    && std::is_x86_feature_detected!("avx512bw") && std::is_x86_feature_detected!("avx512dq") {
+                match vectors() {
                     // SAFETY: the processor has these instructions.
-                    return unsafe { avx512($($arg),*) };
-                }
-                if fused && std::is_x86_feature_detected!("avx2") {
-                    // SAFETY: the processor has these instructions.
-                    return unsafe { avx2($($arg),*) };
+                    Vectors::Avx512 => return unsafe { avx512($($arg),*) },
+                    // SAFETY: likewise.
+                    Vectors::Avx2 => return unsafe { avx2($($arg),*) },
+                    Vectors::Baseline => {}
                 }
             }
             $any($($arg),*)

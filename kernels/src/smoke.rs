@@ -109,7 +109,8 @@ pub fn histogram_items(p: &SmokeParams) -> u32 {
 pub fn histogram(i: u32, p: &SmokeParams, values: &[u32], bins: &mut impl AtomicWords) {
     bins.add((values[i as usize] ^ p.seed) % HISTOGRAM_BINS, 1);
 }
-const HISTOGRAM_BINS: u32 = 64;
+/// Bins of [`histogram`]: so many that threads seldom meet in one.
+pub const HISTOGRAM_BINS: u32 = 4096;
 
 #[cfg(not(target_arch = "spirv"))]
 fn histogram_case(input: &mut CaseInput) -> Case {

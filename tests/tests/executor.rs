@@ -6,7 +6,7 @@ use interreflect::exec::{
     Backend, CpuExecutor, ExecError, Executor, ExecutorExt, GpuExecutor, GpuOptions, SpirvPath, open, open_adapter,
 };
 use interreflect_kernels::kernel::{Kernel, KernelDesc};
-use interreflect_kernels::smoke::{self, smoke_axpy, smoke_fill, smoke_histogram};
+use interreflect_kernels::smoke::{self, HISTOGRAM_BINS, smoke_axpy, smoke_fill, smoke_histogram};
 use interreflect_shared::smoke::SmokeParams;
 use interreflect_tests::{gpu, suite};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -34,6 +34,9 @@ const ON_ANY: &[(&str, OnAny)] = &[
     ("too_much_memory_is_an_error", too_much_memory),
     ("live_buffers_are_listed", live_buffers_are_listed),
 ];
+
+/// The histogram's bins in bytes.
+const BINS_BYTES: usize = 4 * HISTOGRAM_BINS as usize;
 
 /// Tests that open an adapter of their own.
 const ON_ADAPTER: &[(&str, OnAdapter)] = &[
@@ -153,9 +156,9 @@ fn nothing_to_do(exec: &mut dyn Executor) -> TestResult {
     let empty = exec.zeroed("empty", 0)?;
     exec.run(&smoke_fill::KERNEL, &[uniform, empty])?;
     check(exec.read(empty)?.is_empty(), "empty output")?;
-    let bins = exec.upload_slice("bins", &[7u32; 64])?;
+    let bins = exec.upload_slice("bins", &[7u32; HISTOGRAM_BINS as usize])?;
     exec.run(&smoke_histogram::KERNEL, &[uniform, empty, bins])?;
-    check(exec.read_slice::<u32>(bins)? == [7; 64], "no invocation, no change")
+    check(exec.read_slice::<u32>(bins)? == [7; HISTOGRAM_BINS as usize], "no invocation, no change")
 }
 
 fn calls_take_effect_in_order(exec: &mut dyn Executor) -> TestResult {
@@ -192,7 +195,7 @@ fn uniform_written_by_kernel(exec: &mut dyn Executor) -> TestResult {
     let uniform = exec.upload_one("params", &params(4, 5))?;
     exec.run(&smoke_fill::KERNEL, &[uniform, made])?;
     let values = exec.zeroed("values", 20)?;
-    let bins = exec.zeroed("bins", 256)?;
+    let bins = exec.zeroed("bins", BINS_BYTES)?;
     exec.run(&smoke_histogram::KERNEL, &[made, values, bins])?;
     let counted: u32 = exec.read_slice::<u32>(bins)?.iter().sum();
     check(counted == 5, format!("{counted} invocations instead of 5"))
@@ -332,7 +335,7 @@ fn compiled(name: &str) -> Option<Cow<'static, [u8]>> {
 fn histogram_error(path: SpirvPath, load: fn(&str) -> Option<Cow<'static, [u8]>>) -> TestResult {
     let mut exec = with_modules(path, load)?;
     let uniform = exec.upload_one("params", &params(64, 1))?;
-    let [values, bins] = [exec.zeroed("values", 256)?, exec.zeroed("bins", 256)?];
+    let [values, bins] = [exec.zeroed("values", 256)?, exec.zeroed("bins", BINS_BYTES)?];
     for _ in 0..2 {
         match exec.run(&smoke_histogram::KERNEL, &[uniform, values, bins]) {
             Err(ExecError::Pipeline { kernel, reason }) => {

@@ -22,10 +22,7 @@ use crate::error::Error;
 /// # Errors
 /// What the verb returns; [`Error::exit_code`] is the program's exit code.
 pub fn run(cli: Cli) -> Result<(), Error> {
-    if let Some(threads) = cli.threads {
-        // Only the first call in a process can set the pool; tests that call `run` twice keep the first's.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
-    }
+    crate::exec::start_threads(cli.threads.map_or(0, usize::from));
     match cli.verb {
         Verb::Compare(args) => compare::run(&args, cli.json),
         Verb::Render(args) => render::run(&args, cli.json),

@@ -2,7 +2,7 @@
 
 use super::{BufferId, DeviceInfo, ExecError, Executor, Mark, check_bindings, check_rows, check_write};
 use bytemuck::{Pod, Zeroable};
-use interreflect_kernels::kernel::{Access, Form, Kernel, Piece, Rows};
+use interreflect_kernels::kernel::{Access, Form, Kernel, Piece, Rows, Vectors, vectors};
 use rayon::prelude::*;
 use std::sync::atomic::AtomicU32;
 use std::time::Instant;
@@ -25,6 +25,13 @@ impl CpuBuffer {
     fn words_mut(&mut self) -> &mut [u32] {
         &mut bytemuck::cast_slice_mut(&mut self.lines)[..self.bytes / 4]
     }
+}
+
+/// Makes the calling thread one of the threads that CPU work runs on: as many as asked for, 0: one per processor. It then works with the
+/// others instead of waiting for them, and a small dispatch is done before another thread is awake. For a program's main
+/// thread; only the first call in a process has an effect.
+pub fn start_threads(threads: usize) {
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread().build_global();
 }
 
 /// Runs kernels as native code on all threads of rayon's pool.
@@ -244,14 +251,9 @@ pub fn processor_name() -> String {
 }
 
 fn vector_instructions() -> &'static str {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if std::is_x86_feature_detected!("avx512f") {
-            return "avx512";
-        }
-        if std::is_x86_feature_detected!("avx2") {
-            return "avx2";
-        }
+    match vectors() {
+        Vectors::Avx512 => "avx512",
+        Vectors::Avx2 => "avx2",
+        Vectors::Baseline => "baseline",
     }
-    "baseline"
 }

@@ -7,7 +7,7 @@ pub mod cpu;
 pub mod gpu;
 pub mod manifest;
 
-pub use cpu::CpuExecutor;
+pub use cpu::{CpuExecutor, start_threads};
 pub use gpu::{GpuExecutor, GpuOptions, SpirvPath, list_devices};
 
 /// What can go wrong when kernels run.

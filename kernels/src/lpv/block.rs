@@ -75,16 +75,9 @@ pub fn opacity(i: u32, p: &LpvParams, facet_words: &[u32], texel_words: &[u32]) 
 
 #[cfg(not(target_arch = "spirv"))]
 fn facet_case(input: &mut CaseInput) -> Case {
-    let p = super::case::params(input, 8);
     let pyramid = crate::voxel::case::CasePyramid::resolved(input);
-    let grid = pyramid.params.origin_size;
-    let cell = grid.w * 2.0;
-    let p = LpvParams {
-        anchor_size: grid.truncate().extend(cell),
-        voxel_size: grid.w,
-        count: pyramid.facets.len() as u32,
-        ..p
-    };
+    let p = super::case::params_over(input, &pyramid.params);
+    let p = LpvParams { count: pyramid.facets.len() as u32, ..p };
     let words = OPACITY_PLANES * LpvLayout::new(p.dims).plane;
     Case::default().uniform(&p).read(&pyramid.facets).zeroed::<u32>(words as usize)
 }

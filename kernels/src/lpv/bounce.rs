@@ -61,15 +61,11 @@ pub fn reflect(i: u32, p: &LpvParams, facets: &[VoxelFacet], coefs: &[f32], dire
 #[cfg(not(target_arch = "spirv"))]
 fn facets(input: &mut CaseInput) -> (LpvParams, alloc::vec::Vec<VoxelFacet>, alloc::vec::Vec<f32>) {
     let pyramid = crate::voxel::case::CasePyramid::resolved(input);
-    let grid = pyramid.params.origin_size;
-    let p = super::case::params(input, 8);
     let p = LpvParams {
-        anchor_size: grid.truncate().extend(grid.w * 2.0),
-        voxel_size: grid.w,
         count: 2 * pyramid.facets.len() as u32,
         // A facet reflects about what its cell holds, whatever the size of voxels: area times flux per area.
         flux_scale: 1e3,
-        ..p
+        ..super::case::params_over(input, &pyramid.params)
     };
     let value = LpvLayout::new(p.dims).value() as usize;
     let coefs = (0..value * PASSED_VALUES as usize).map(|i| if i < value { input.unit() } else { 0.0 }).collect();

@@ -6,6 +6,7 @@ use crate::kernel::{CaseInput, Flavour};
 use alloc::vec::Vec;
 use glam::{IVec4, UVec4, Vec3, Vec4};
 use interreflect_shared::lpv::*;
+use interreflect_shared::voxel::VoxelParams;
 
 /// Side of a grid of about `count` cells.
 pub fn side(input: &CaseInput) -> u32 {
@@ -48,6 +49,14 @@ pub fn params(input: &mut CaseInput, side: u32) -> LpvParams {
         _pad2: 0,
         fade: Vec4::new(0.0, 0.0, 0.0, 3.0),
     }
+}
+
+/// A grid of cells of two voxels over most of a voxelized scene, some of it on each side left out.
+pub fn params_over(input: &mut CaseInput, voxels: &VoxelParams) -> LpvParams {
+    let side = (voxels.dims_levels.x * 3 / 8).next_multiple_of(2);
+    let p = params(input, side);
+    let grid = voxels.origin_size;
+    LpvParams { anchor_size: grid.truncate().extend(grid.w * 2.0), voxel_size: grid.w, ..p }
 }
 
 /// `count` texels in and around a grid.

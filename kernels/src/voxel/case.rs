@@ -54,8 +54,16 @@ pub struct CasePyramid {
     pub even_mips: Vec<Vec4>,
 }
 
-/// Voxels of the case's grid: no multiples of the bricks' sides.
+/// Voxels of a small case's grid: no multiples of the bricks' sides.
 const DIMS: UVec3 = UVec3::new(21, 13, 9);
+/// Triangles that fill it.
+const FILLING: usize = 1 << 12;
+
+/// The grid grows with the triangles: a real mesh of more triangles is voxelized finer.
+fn dims(count: usize) -> UVec3 {
+    let scale = (count as f32 / FILLING as f32).cbrt().max(1.0);
+    (DIMS.as_vec3() * scale).as_uvec3()
+}
 
 impl CasePyramid {
     /// Triangles of all sizes: points, slivers, voxel sides, and some that reach out of the grid.
@@ -65,7 +73,7 @@ impl CasePyramid {
             Flavour::Tiny => 1.0 / 1_048_576.0,
             Flavour::Huge => 1_048_576.0,
         };
-        let mut params = pyramid(Vec3::new(-1.0, 2.0, 0.5) * size, size, DIMS);
+        let mut params = pyramid(Vec3::new(-1.0, 2.0, 0.5) * size, size, dims(input.count));
         params.triangle_count = input.count as u32;
         params.direction_count = if input.bits() & 1 == 0 { 6 } else { 1 };
         let triangles: Vec<SceneTriangle> = (0..input.count).map(|k| triangle(input, &params, k as u32)).collect();
@@ -204,6 +212,12 @@ impl CasePyramid {
             }
         }
         c
+    }
+
+    /// A level from `first` on; in a large case the first, which most of the work is on.
+    pub fn some_level(&self, input: &mut CaseInput, first: u32) -> u32 {
+        let any = first + input.bits() % (self.params.dims_levels.w - first);
+        if input.count > FILLING { first } else { any }
     }
 
     /// The pass over a level's cells.

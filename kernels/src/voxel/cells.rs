@@ -129,7 +129,7 @@ fn union_case(input: &mut CaseInput) -> Case {
 #[cfg(not(target_arch = "spirv"))]
 fn coarsen_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::marked(input);
-    let level = 1 + input.bits() % (pyramid.params.dims_levels.w - 1);
+    let level = pyramid.some_level(input, 1);
     let params = pyramid.level_pass(level);
     let (finer, coarser) =
         if level & 1 == 1 { (&pyramid.even_bits, &pyramid.odd_bits) } else { (&pyramid.odd_bits, &pyramid.even_bits) };

@@ -24,6 +24,7 @@ use super::view::{at_most_covered, axis_direction, facet_total, facets_seen};
 use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::math::float::{max, min};
 use glam::Vec4;
 use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
 
@@ -31,7 +32,7 @@ use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
 #[inline(always)]
 pub fn over(front: Vec4, back: Vec4) -> Vec4 {
     let free = 1.0 - front.w;
-    if back.w <= free { front + back } else { front + back * (free / back.w) }
+    front + back * min(free / max(back.w, f32::MIN_POSITIVE), 1.0)
 }
 
 /// Eight voxels seen along one axis, `reversed` against it; bit `axis` of an index is the place along the axis.
@@ -61,6 +62,7 @@ fn combine(p: &VoxelParams, direction: u32, v: &[Vec4; 8]) -> Vec4 {
 /// Value `p.first + i` of the levels ≥ 1 of one parity, from the level below: record by record, direction by direction
 /// (+x, −x, +y, −y, +z, −z: the way the viewer looks). `children`: what [`super::cells::children`] made; `finer`: values of
 /// the other parity.
+#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
 pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> Vec4 {
     let element = p.first + i;
     let record = element / p.direction_count;
@@ -73,10 +75,11 @@ pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Ve
     let mut next = *fetch(cells, cell + 1) + (word & below(8 * byte)).count_ones();
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
-        if bits >> K & 1 == 1 {
-            v[K] = *fetch(finer, (next * p.direction_count + direction) as usize);
-            next += 1;
-        }
+        // Which of the eight there are is nothing that a processor could foresee: what is not there is read elsewhere.
+        let there = bits >> K & 1;
+        let value = *fetch(finer, if there == 1 { next * p.direction_count + direction } else { 0 } as usize);
+        v[K] = if there == 1 { value } else { Vec4::ZERO };
+        next += there;
     });
     combine(p, direction, &v)
 }
@@ -115,7 +118,7 @@ pub fn mip_base(
 #[cfg(not(target_arch = "spirv"))]
 fn mip_case(input: &mut CaseInput) -> Case {
     let pyramid = CasePyramid::lit(input);
-    let level = 2 + input.bits() % (pyramid.params.dims_levels.w - 2);
+    let level = pyramid.some_level(input, 2);
     let params = pyramid.record_pass(level);
     let (children, finer, out) = if level & 1 == 1 {
         (&pyramid.odd_children, &pyramid.even_mips, &pyramid.odd_mips)

@@ -20,7 +20,7 @@ mod voxels;
 use crate::workspace;
 use anyhow::{Context, Result};
 use interreflect::exec::gpu::AdapterKind;
-use interreflect::exec::{CpuExecutor, Executor, GpuExecutor, GpuOptions, list_devices};
+use interreflect::exec::{CpuExecutor, Executor, GpuExecutor, GpuOptions, list_devices, start_threads};
 use serde_json::{Value, json};
 
 /// What every section may use.
@@ -59,6 +59,7 @@ const SECTIONS: &[(&str, Section)] = &[
 
 /// Runs all sections, or the one that the filter names, or of the kernels those whose name contains it.
 pub fn run(filter: Option<String>) -> Result<()> {
+    start_threads(0);
     let mut cpu = CpuExecutor::new();
     let gpu = software_driver()?;
     let limits = limits::measure(&mut cpu)?;
