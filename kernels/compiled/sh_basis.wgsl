@@ -704,7 +704,7 @@ fn function_() {
                     let _e560 = phi_739_;
                     let _e563 = (bitcast<i32>(_e560.member) != 0i);
                     if _e563 {
-                        phi_716_ = ((_e535 * _e543) - (_e538 * _e545));
+                        phi_716_ = fma(_e535, _e543, -((_e538 * _e545)));
                     } else {
                         phi_716_ = f32();
                     }
@@ -719,10 +719,10 @@ fn function_() {
                 }
                 let _e574 = local_32;
                 phi_754_ = type_10(_e88, _e574);
-                let _e999 = local_40;
-                phi_757_ = _e999;
-                phi_759_ = f32(((2u * _e88) + 1u));
-                phi_761_ = 0f;
+                phi_757_ = f32(((2u * _e88) + 1u));
+                phi_759_ = 0f;
+                let _e1001 = local_40;
+                phi_761_ = _e1001;
                 let _e1004 = local_41;
                 phi_763_ = _e1004;
                 loop {
@@ -731,7 +731,7 @@ fn function_() {
                     let _e581 = phi_759_;
                     let _e583 = phi_761_;
                     let _e585 = phi_763_;
-                    local_33 = _e579;
+                    local_33 = _e583;
                     if (_e577.member < _e577.member_1) {
                         phi_755_ = type_10((_e577.member + 1u), _e577.member_1);
                         phi_785_ = type_10(1u, _e577.member);
@@ -743,9 +743,9 @@ fn function_() {
                     let _e600 = phi_785_;
                     let _e603 = (bitcast<i32>(_e600.member) != 0i);
                     if _e603 {
-                        phi_758_ = (((_e60 * _e581) * _e579) - (_e583 * _e585));
-                        phi_760_ = (_e581 + 2f);
-                        phi_762_ = (_e583 + _e581);
+                        phi_758_ = (_e579 + 2f);
+                        phi_760_ = (_e581 + _e579);
+                        phi_762_ = fma((_e60 * _e579), _e583, -((_e581 * _e585)));
                     } else {
                         phi_758_ = f32();
                         phi_760_ = f32();
@@ -760,7 +760,7 @@ fn function_() {
                         phi_757_ = _e611;
                         phi_759_ = _e613;
                         phi_761_ = _e615;
-                        phi_763_ = _e579;
+                        phi_763_ = _e583;
                         break if !(_e603);
                     }
                 }
@@ -792,7 +792,7 @@ fn function_() {
                     let _e647 = phi_846_;
                     let _e650 = (bitcast<i32>(_e647.member) != 0i);
                     if _e650 {
-                        phi_823_ = ((_e535 * _e630) - (_e538 * _e632));
+                        phi_823_ = fma(_e535, _e630, -((_e538 * _e632)));
                     } else {
                         phi_823_ = f32();
                     }
@@ -807,10 +807,10 @@ fn function_() {
                 }
                 let _e661 = local_34;
                 phi_861_ = type_10(_e204, _e661);
-                let _e1022 = local_42;
-                phi_864_ = _e1022;
-                phi_866_ = f32(((2u * _e204) + 1u));
-                phi_868_ = 0f;
+                phi_864_ = f32(((2u * _e204) + 1u));
+                phi_866_ = 0f;
+                let _e1024 = local_42;
+                phi_868_ = _e1024;
                 let _e1027 = local_43;
                 phi_870_ = _e1027;
                 loop {
@@ -819,7 +819,7 @@ fn function_() {
                     let _e668 = phi_866_;
                     let _e670 = phi_868_;
                     let _e672 = phi_870_;
-                    local_35 = _e666;
+                    local_35 = _e670;
                     if (_e664.member < _e664.member_1) {
                         phi_862_ = type_10((_e664.member + 1u), _e664.member_1);
                         phi_892_ = type_10(1u, _e664.member);
@@ -831,9 +831,9 @@ fn function_() {
                     let _e687 = phi_892_;
                     let _e690 = (bitcast<i32>(_e687.member) != 0i);
                     if _e690 {
-                        phi_865_ = (((_e60 * _e668) * _e666) - (_e670 * _e672));
-                        phi_867_ = (_e668 + 2f);
-                        phi_869_ = (_e670 + _e668);
+                        phi_865_ = (_e666 + 2f);
+                        phi_867_ = (_e668 + _e666);
+                        phi_869_ = fma((_e60 * _e666), _e670, -((_e668 * _e672)));
                     } else {
                         phi_865_ = f32();
                         phi_867_ = f32();
@@ -848,7 +848,7 @@ fn function_() {
                         phi_864_ = _e698;
                         phi_866_ = _e700;
                         phi_868_ = _e702;
-                        phi_870_ = _e666;
+                        phi_870_ = _e670;
                         break if !(_e690);
                     }
                 }
@@ -880,7 +880,7 @@ fn function_() {
                     let _e734 = phi_953_;
                     let _e737 = (bitcast<i32>(_e734.member) != 0i);
                     if _e737 {
-                        phi_930_ = ((_e535 * _e717) - (_e538 * _e719));
+                        phi_930_ = fma(_e535, _e717, -((_e538 * _e719)));
                     } else {
                         phi_930_ = f32();
                     }
@@ -895,10 +895,10 @@ fn function_() {
                 }
                 let _e748 = local_36;
                 phi_968_ = type_10(_e320, _e748);
-                let _e1045 = local_44;
-                phi_971_ = _e1045;
-                phi_973_ = f32(((2u * _e320) + 1u));
-                phi_975_ = 0f;
+                phi_971_ = f32(((2u * _e320) + 1u));
+                phi_973_ = 0f;
+                let _e1047 = local_44;
+                phi_975_ = _e1047;
                 let _e1050 = local_45;
                 phi_977_ = _e1050;
                 loop {
@@ -907,7 +907,7 @@ fn function_() {
                     let _e755 = phi_973_;
                     let _e757 = phi_975_;
                     let _e759 = phi_977_;
-                    local_37 = _e753;
+                    local_37 = _e757;
                     if (_e751.member < _e751.member_1) {
                         phi_969_ = type_10((_e751.member + 1u), _e751.member_1);
                         phi_999_ = type_10(1u, _e751.member);
@@ -919,9 +919,9 @@ fn function_() {
                     let _e774 = phi_999_;
                     let _e777 = (bitcast<i32>(_e774.member) != 0i);
                     if _e777 {
-                        phi_972_ = (((_e60 * _e755) * _e753) - (_e757 * _e759));
-                        phi_974_ = (_e755 + 2f);
-                        phi_976_ = (_e757 + _e755);
+                        phi_972_ = (_e753 + 2f);
+                        phi_974_ = (_e755 + _e753);
+                        phi_976_ = fma((_e60 * _e753), _e757, -((_e755 * _e759)));
                     } else {
                         phi_972_ = f32();
                         phi_974_ = f32();
@@ -936,7 +936,7 @@ fn function_() {
                         phi_971_ = _e785;
                         phi_973_ = _e787;
                         phi_975_ = _e789;
-                        phi_977_ = _e753;
+                        phi_977_ = _e757;
                         break if !(_e777);
                     }
                 }
@@ -968,7 +968,7 @@ fn function_() {
                     let _e821 = phi_1060_;
                     let _e824 = (bitcast<i32>(_e821.member) != 0i);
                     if _e824 {
-                        phi_1037_ = ((_e535 * _e804) - (_e538 * _e806));
+                        phi_1037_ = fma(_e535, _e804, -((_e538 * _e806)));
                     } else {
                         phi_1037_ = f32();
                     }
@@ -983,10 +983,10 @@ fn function_() {
                 }
                 let _e835 = local_38;
                 phi_1075_ = type_10(_e436, _e835);
-                let _e1068 = local_46;
-                phi_1078_ = _e1068;
-                phi_1080_ = f32(((2u * _e436) + 1u));
-                phi_1082_ = 0f;
+                phi_1078_ = f32(((2u * _e436) + 1u));
+                phi_1080_ = 0f;
+                let _e1070 = local_46;
+                phi_1082_ = _e1070;
                 let _e1073 = local_47;
                 phi_1084_ = _e1073;
                 loop {
@@ -995,7 +995,7 @@ fn function_() {
                     let _e842 = phi_1080_;
                     let _e844 = phi_1082_;
                     let _e846 = phi_1084_;
-                    local_39 = _e840;
+                    local_39 = _e844;
                     if (_e838.member < _e838.member_1) {
                         phi_1076_ = type_10((_e838.member + 1u), _e838.member_1);
                         phi_1106_ = type_10(1u, _e838.member);
@@ -1007,9 +1007,9 @@ fn function_() {
                     let _e861 = phi_1106_;
                     let _e864 = (bitcast<i32>(_e861.member) != 0i);
                     if _e864 {
-                        phi_1079_ = (((_e60 * _e842) * _e840) - (_e844 * _e846));
-                        phi_1081_ = (_e842 + 2f);
-                        phi_1083_ = (_e844 + _e842);
+                        phi_1079_ = (_e840 + 2f);
+                        phi_1081_ = (_e842 + _e840);
+                        phi_1083_ = fma((_e60 * _e840), _e844, -((_e842 * _e846)));
                     } else {
                         phi_1079_ = f32();
                         phi_1081_ = f32();
@@ -1024,7 +1024,7 @@ fn function_() {
                         phi_1078_ = _e872;
                         phi_1080_ = _e874;
                         phi_1082_ = _e876;
-                        phi_1084_ = _e840;
+                        phi_1084_ = _e844;
                         break if !(_e864);
                     }
                 }

@@ -147,62 +147,62 @@ fn function_() {
     var phi_881_: f32;
     var phi_883_: f32;
     var local_33: f32;
-    var phi_944_: f32;
-    var phi_951_: type_12;
-    var phi_954_: f32;
-    var phi_956_: f32;
-    var phi_952_: type_12;
-    var phi_978_: type_12;
-    var phi_955_: f32;
+    var phi_941_: f32;
+    var phi_948_: type_12;
+    var phi_951_: f32;
+    var phi_953_: f32;
+    var phi_949_: type_12;
+    var phi_975_: type_12;
+    var phi_952_: f32;
     var local_34: u32;
-    var phi_993_: type_12;
-    var phi_996_: f32;
-    var phi_998_: f32;
-    var phi_1000_: f32;
-    var phi_1002_: f32;
-    var phi_994_: type_12;
-    var phi_1024_: type_12;
+    var phi_990_: type_12;
+    var phi_993_: f32;
+    var phi_995_: f32;
     var phi_997_: f32;
     var phi_999_: f32;
-    var phi_1001_: f32;
+    var phi_991_: type_12;
+    var phi_1021_: type_12;
+    var phi_994_: f32;
+    var phi_996_: f32;
+    var phi_998_: f32;
     var local_35: f32;
-    var phi_1062_: f32;
-    var phi_1069_: type_12;
-    var phi_1072_: f32;
-    var phi_1074_: f32;
-    var phi_1070_: type_12;
-    var phi_1096_: type_12;
-    var phi_1073_: f32;
+    var phi_1056_: f32;
+    var phi_1063_: type_12;
+    var phi_1066_: f32;
+    var phi_1068_: f32;
+    var phi_1064_: type_12;
+    var phi_1090_: type_12;
+    var phi_1067_: f32;
     var local_36: u32;
-    var phi_1111_: type_12;
+    var phi_1105_: type_12;
+    var phi_1108_: f32;
+    var phi_1110_: f32;
+    var phi_1112_: f32;
     var phi_1114_: f32;
-    var phi_1116_: f32;
-    var phi_1118_: f32;
-    var phi_1120_: f32;
-    var phi_1112_: type_12;
-    var phi_1142_: type_12;
-    var phi_1115_: f32;
-    var phi_1117_: f32;
-    var phi_1119_: f32;
+    var phi_1106_: type_12;
+    var phi_1136_: type_12;
+    var phi_1109_: f32;
+    var phi_1111_: f32;
+    var phi_1113_: f32;
     var local_37: f32;
-    var phi_1180_: f32;
-    var phi_1187_: type_12;
-    var phi_1190_: f32;
-    var phi_1192_: f32;
-    var phi_1188_: type_12;
-    var phi_1214_: type_12;
-    var phi_1191_: f32;
+    var phi_1171_: f32;
+    var phi_1178_: type_12;
+    var phi_1181_: f32;
+    var phi_1183_: f32;
+    var phi_1179_: type_12;
+    var phi_1205_: type_12;
+    var phi_1182_: f32;
     var local_38: u32;
-    var phi_1229_: type_12;
-    var phi_1232_: f32;
-    var phi_1234_: f32;
-    var phi_1236_: f32;
-    var phi_1238_: f32;
-    var phi_1230_: type_12;
-    var phi_1260_: type_12;
-    var phi_1233_: f32;
-    var phi_1235_: f32;
-    var phi_1237_: f32;
+    var phi_1220_: type_12;
+    var phi_1223_: f32;
+    var phi_1225_: f32;
+    var phi_1227_: f32;
+    var phi_1229_: f32;
+    var phi_1221_: type_12;
+    var phi_1251_: type_12;
+    var phi_1224_: f32;
+    var phi_1226_: f32;
+    var phi_1228_: f32;
     var local_39: f32;
     var phi_765_: array<f32, 12>;
     var local_40: array<f32, 12>;
@@ -775,7 +775,7 @@ fn function_() {
                             let _e627 = phi_860_;
                             let _e630 = (bitcast<i32>(_e627.member) != 0i);
                             if _e630 {
-                                phi_837_ = ((_e602 * _e610) - (_e605 * _e612));
+                                phi_837_ = fma(_e602, _e610, -((_e605 * _e612)));
                             } else {
                                 phi_837_ = f32();
                             }
@@ -790,19 +790,19 @@ fn function_() {
                         }
                         let _e641 = local_32;
                         phi_875_ = type_12(_e109, _e641);
-                        let _e1191 = local_52;
-                        phi_878_ = _e1191;
-                        phi_880_ = f32(((2u * _e109) + 1u));
-                        phi_882_ = 0f;
-                        let _e1196 = local_53;
-                        phi_884_ = _e1196;
+                        phi_878_ = f32(((2u * _e109) + 1u));
+                        phi_880_ = 0f;
+                        let _e1181 = local_52;
+                        phi_882_ = _e1181;
+                        let _e1184 = local_53;
+                        phi_884_ = _e1184;
                         loop {
                             let _e644 = phi_875_;
                             let _e646 = phi_878_;
                             let _e648 = phi_880_;
                             let _e650 = phi_882_;
                             let _e652 = phi_884_;
-                            local_33 = _e646;
+                            local_33 = _e650;
                             if (_e644.member < _e644.member_1) {
                                 phi_876_ = type_12((_e644.member + 1u), _e644.member_1);
                                 phi_906_ = type_12(1u, _e644.member);
@@ -814,9 +814,9 @@ fn function_() {
                             let _e667 = phi_906_;
                             let _e670 = (bitcast<i32>(_e667.member) != 0i);
                             if _e670 {
-                                phi_879_ = (((_e587 * _e648) * _e646) - (_e650 * _e652));
-                                phi_881_ = (_e648 + 2f);
-                                phi_883_ = (_e650 + _e648);
+                                phi_879_ = (_e646 + 2f);
+                                phi_881_ = (_e648 + _e646);
+                                phi_883_ = fma((_e587 * _e646), _e650, -((_e648 * _e652)));
                             } else {
                                 phi_879_ = f32();
                                 phi_881_ = f32();
@@ -831,316 +831,316 @@ fn function_() {
                                 phi_878_ = _e678;
                                 phi_880_ = _e680;
                                 phi_882_ = _e682;
-                                phi_884_ = _e646;
+                                phi_884_ = _e650;
                                 break if !(_e670);
                             }
                         }
                         let _e685 = local_33;
                         let _e686 = (_e685 * _e202);
-                        let _e696 = select(1f, 0f, _e221);
+                        let _e693 = select(1f, 0f, _e221);
                         if (_e225 == 0u) {
-                            phi_944_ = _e696;
+                            phi_941_ = _e693;
                         } else {
-                            phi_944_ = select(_e579, _e583, _e221);
+                            phi_941_ = select(_e579, _e583, _e221);
                         }
-                        let _e700 = phi_944_;
-                        phi_951_ = type_12(1u, _e225);
-                        phi_954_ = _e700;
-                        phi_956_ = _e696;
+                        let _e697 = phi_941_;
+                        phi_948_ = type_12(1u, _e225);
+                        phi_951_ = _e697;
+                        phi_953_ = _e693;
                         loop {
-                            let _e703 = phi_951_;
-                            let _e705 = phi_954_;
-                            let _e707 = phi_956_;
-                            local_54 = _e705;
-                            local_55 = _e707;
-                            if (_e703.member < _e703.member_1) {
-                                phi_952_ = type_12((_e703.member + 1u), _e703.member_1);
-                                phi_978_ = type_12(1u, _e703.member);
+                            let _e700 = phi_948_;
+                            let _e702 = phi_951_;
+                            let _e704 = phi_953_;
+                            local_54 = _e702;
+                            local_55 = _e704;
+                            if (_e700.member < _e700.member_1) {
+                                phi_949_ = type_12((_e700.member + 1u), _e700.member_1);
+                                phi_975_ = type_12(1u, _e700.member);
                             } else {
-                                phi_952_ = _e703;
-                                phi_978_ = type_12(0u, type_12().member_1);
+                                phi_949_ = _e700;
+                                phi_975_ = type_12(0u, type_12().member_1);
                             }
-                            let _e720 = phi_952_;
-                            let _e722 = phi_978_;
-                            let _e725 = (bitcast<i32>(_e722.member) != 0i);
-                            if _e725 {
-                                phi_955_ = ((_e602 * _e705) - (_e605 * _e707));
+                            let _e717 = phi_949_;
+                            let _e719 = phi_975_;
+                            let _e722 = (bitcast<i32>(_e719.member) != 0i);
+                            if _e722 {
+                                phi_952_ = fma(_e602, _e702, -((_e605 * _e704)));
                             } else {
-                                phi_955_ = f32();
+                                phi_952_ = f32();
                             }
-                            let _e730 = phi_955_;
+                            let _e727 = phi_952_;
                             continue;
                             continuing {
-                                phi_951_ = _e720;
-                                phi_954_ = _e730;
-                                phi_956_ = _e705;
-                                break if !(_e725);
+                                phi_948_ = _e717;
+                                phi_951_ = _e727;
+                                phi_953_ = _e702;
+                                break if !(_e722);
                             }
                         }
-                        let _e736 = local_34;
-                        phi_993_ = type_12(_e225, _e736);
-                        let _e1214 = local_54;
-                        phi_996_ = _e1214;
-                        phi_998_ = f32(((2u * _e225) + 1u));
-                        phi_1000_ = 0f;
-                        let _e1219 = local_55;
-                        phi_1002_ = _e1219;
+                        let _e733 = local_34;
+                        phi_990_ = type_12(_e225, _e733);
+                        phi_993_ = f32(((2u * _e225) + 1u));
+                        phi_995_ = 0f;
+                        let _e1204 = local_54;
+                        phi_997_ = _e1204;
+                        let _e1207 = local_55;
+                        phi_999_ = _e1207;
                         loop {
-                            let _e739 = phi_993_;
-                            let _e741 = phi_996_;
-                            let _e743 = phi_998_;
-                            let _e745 = phi_1000_;
-                            let _e747 = phi_1002_;
-                            local_35 = _e741;
-                            if (_e739.member < _e739.member_1) {
-                                phi_994_ = type_12((_e739.member + 1u), _e739.member_1);
-                                phi_1024_ = type_12(1u, _e739.member);
+                            let _e736 = phi_990_;
+                            let _e738 = phi_993_;
+                            let _e740 = phi_995_;
+                            let _e742 = phi_997_;
+                            let _e744 = phi_999_;
+                            local_35 = _e742;
+                            if (_e736.member < _e736.member_1) {
+                                phi_991_ = type_12((_e736.member + 1u), _e736.member_1);
+                                phi_1021_ = type_12(1u, _e736.member);
                             } else {
-                                phi_994_ = _e739;
-                                phi_1024_ = type_12(0u, type_12().member_1);
+                                phi_991_ = _e736;
+                                phi_1021_ = type_12(0u, type_12().member_1);
                             }
-                            let _e760 = phi_994_;
-                            let _e762 = phi_1024_;
-                            let _e765 = (bitcast<i32>(_e762.member) != 0i);
-                            if _e765 {
-                                phi_997_ = (((_e587 * _e743) * _e741) - (_e745 * _e747));
-                                phi_999_ = (_e743 + 2f);
-                                phi_1001_ = (_e745 + _e743);
+                            let _e757 = phi_991_;
+                            let _e759 = phi_1021_;
+                            let _e762 = (bitcast<i32>(_e759.member) != 0i);
+                            if _e762 {
+                                phi_994_ = (_e738 + 2f);
+                                phi_996_ = (_e740 + _e738);
+                                phi_998_ = fma((_e587 * _e738), _e742, -((_e740 * _e744)));
                             } else {
-                                phi_997_ = f32();
-                                phi_999_ = f32();
-                                phi_1001_ = f32();
+                                phi_994_ = f32();
+                                phi_996_ = f32();
+                                phi_998_ = f32();
                             }
-                            let _e773 = phi_997_;
-                            let _e775 = phi_999_;
-                            let _e777 = phi_1001_;
+                            let _e770 = phi_994_;
+                            let _e772 = phi_996_;
+                            let _e774 = phi_998_;
                             continue;
                             continuing {
-                                phi_993_ = _e760;
-                                phi_996_ = _e773;
-                                phi_998_ = _e775;
-                                phi_1000_ = _e777;
-                                phi_1002_ = _e741;
-                                break if !(_e765);
+                                phi_990_ = _e757;
+                                phi_993_ = _e770;
+                                phi_995_ = _e772;
+                                phi_997_ = _e774;
+                                phi_999_ = _e742;
+                                break if !(_e762);
                             }
                         }
-                        let _e780 = local_35;
-                        let _e781 = (_e780 * _e318);
-                        let _e791 = select(1f, 0f, _e337);
+                        let _e777 = local_35;
+                        let _e778 = (_e777 * _e318);
+                        let _e785 = select(1f, 0f, _e337);
                         if (_e341 == 0u) {
-                            phi_1062_ = _e791;
+                            phi_1056_ = _e785;
                         } else {
-                            phi_1062_ = select(_e579, _e583, _e337);
+                            phi_1056_ = select(_e579, _e583, _e337);
                         }
-                        let _e795 = phi_1062_;
-                        phi_1069_ = type_12(1u, _e341);
-                        phi_1072_ = _e795;
-                        phi_1074_ = _e791;
+                        let _e789 = phi_1056_;
+                        phi_1063_ = type_12(1u, _e341);
+                        phi_1066_ = _e789;
+                        phi_1068_ = _e785;
                         loop {
-                            let _e798 = phi_1069_;
-                            let _e800 = phi_1072_;
-                            let _e802 = phi_1074_;
-                            local_56 = _e800;
-                            local_57 = _e802;
-                            if (_e798.member < _e798.member_1) {
-                                phi_1070_ = type_12((_e798.member + 1u), _e798.member_1);
-                                phi_1096_ = type_12(1u, _e798.member);
+                            let _e792 = phi_1063_;
+                            let _e794 = phi_1066_;
+                            let _e796 = phi_1068_;
+                            local_56 = _e794;
+                            local_57 = _e796;
+                            if (_e792.member < _e792.member_1) {
+                                phi_1064_ = type_12((_e792.member + 1u), _e792.member_1);
+                                phi_1090_ = type_12(1u, _e792.member);
                             } else {
-                                phi_1070_ = _e798;
-                                phi_1096_ = type_12(0u, type_12().member_1);
+                                phi_1064_ = _e792;
+                                phi_1090_ = type_12(0u, type_12().member_1);
                             }
-                            let _e815 = phi_1070_;
-                            let _e817 = phi_1096_;
-                            let _e820 = (bitcast<i32>(_e817.member) != 0i);
-                            if _e820 {
-                                phi_1073_ = ((_e602 * _e800) - (_e605 * _e802));
+                            let _e809 = phi_1064_;
+                            let _e811 = phi_1090_;
+                            let _e814 = (bitcast<i32>(_e811.member) != 0i);
+                            if _e814 {
+                                phi_1067_ = fma(_e602, _e794, -((_e605 * _e796)));
                             } else {
-                                phi_1073_ = f32();
+                                phi_1067_ = f32();
                             }
-                            let _e825 = phi_1073_;
+                            let _e819 = phi_1067_;
                             continue;
                             continuing {
-                                phi_1069_ = _e815;
-                                phi_1072_ = _e825;
-                                phi_1074_ = _e800;
-                                break if !(_e820);
+                                phi_1063_ = _e809;
+                                phi_1066_ = _e819;
+                                phi_1068_ = _e794;
+                                break if !(_e814);
                             }
                         }
-                        let _e831 = local_36;
-                        phi_1111_ = type_12(_e341, _e831);
-                        let _e1237 = local_56;
-                        phi_1114_ = _e1237;
-                        phi_1116_ = f32(((2u * _e341) + 1u));
-                        phi_1118_ = 0f;
-                        let _e1242 = local_57;
-                        phi_1120_ = _e1242;
+                        let _e825 = local_36;
+                        phi_1105_ = type_12(_e341, _e825);
+                        phi_1108_ = f32(((2u * _e341) + 1u));
+                        phi_1110_ = 0f;
+                        let _e1227 = local_56;
+                        phi_1112_ = _e1227;
+                        let _e1230 = local_57;
+                        phi_1114_ = _e1230;
                         loop {
-                            let _e834 = phi_1111_;
+                            let _e828 = phi_1105_;
+                            let _e830 = phi_1108_;
+                            let _e832 = phi_1110_;
+                            let _e834 = phi_1112_;
                             let _e836 = phi_1114_;
-                            let _e838 = phi_1116_;
-                            let _e840 = phi_1118_;
-                            let _e842 = phi_1120_;
-                            local_37 = _e836;
-                            if (_e834.member < _e834.member_1) {
-                                phi_1112_ = type_12((_e834.member + 1u), _e834.member_1);
-                                phi_1142_ = type_12(1u, _e834.member);
+                            local_37 = _e834;
+                            if (_e828.member < _e828.member_1) {
+                                phi_1106_ = type_12((_e828.member + 1u), _e828.member_1);
+                                phi_1136_ = type_12(1u, _e828.member);
                             } else {
-                                phi_1112_ = _e834;
-                                phi_1142_ = type_12(0u, type_12().member_1);
+                                phi_1106_ = _e828;
+                                phi_1136_ = type_12(0u, type_12().member_1);
                             }
-                            let _e855 = phi_1112_;
-                            let _e857 = phi_1142_;
-                            let _e860 = (bitcast<i32>(_e857.member) != 0i);
-                            if _e860 {
-                                phi_1115_ = (((_e587 * _e838) * _e836) - (_e840 * _e842));
-                                phi_1117_ = (_e838 + 2f);
-                                phi_1119_ = (_e840 + _e838);
+                            let _e849 = phi_1106_;
+                            let _e851 = phi_1136_;
+                            let _e854 = (bitcast<i32>(_e851.member) != 0i);
+                            if _e854 {
+                                phi_1109_ = (_e830 + 2f);
+                                phi_1111_ = (_e832 + _e830);
+                                phi_1113_ = fma((_e587 * _e830), _e834, -((_e832 * _e836)));
                             } else {
-                                phi_1115_ = f32();
-                                phi_1117_ = f32();
-                                phi_1119_ = f32();
+                                phi_1109_ = f32();
+                                phi_1111_ = f32();
+                                phi_1113_ = f32();
                             }
-                            let _e868 = phi_1115_;
-                            let _e870 = phi_1117_;
-                            let _e872 = phi_1119_;
+                            let _e862 = phi_1109_;
+                            let _e864 = phi_1111_;
+                            let _e866 = phi_1113_;
                             continue;
                             continuing {
-                                phi_1111_ = _e855;
-                                phi_1114_ = _e868;
-                                phi_1116_ = _e870;
-                                phi_1118_ = _e872;
-                                phi_1120_ = _e836;
-                                break if !(_e860);
+                                phi_1105_ = _e849;
+                                phi_1108_ = _e862;
+                                phi_1110_ = _e864;
+                                phi_1112_ = _e866;
+                                phi_1114_ = _e834;
+                                break if !(_e854);
                             }
                         }
-                        let _e875 = local_37;
-                        let _e876 = (_e875 * _e434);
-                        let _e886 = select(1f, 0f, _e453);
+                        let _e869 = local_37;
+                        let _e870 = (_e869 * _e434);
+                        let _e877 = select(1f, 0f, _e453);
                         if (_e457 == 0u) {
-                            phi_1180_ = _e886;
+                            phi_1171_ = _e877;
                         } else {
-                            phi_1180_ = select(_e579, _e583, _e453);
+                            phi_1171_ = select(_e579, _e583, _e453);
                         }
-                        let _e890 = phi_1180_;
-                        phi_1187_ = type_12(1u, _e457);
-                        phi_1190_ = _e890;
-                        phi_1192_ = _e886;
+                        let _e881 = phi_1171_;
+                        phi_1178_ = type_12(1u, _e457);
+                        phi_1181_ = _e881;
+                        phi_1183_ = _e877;
                         loop {
-                            let _e893 = phi_1187_;
-                            let _e895 = phi_1190_;
-                            let _e897 = phi_1192_;
-                            local_58 = _e895;
-                            local_59 = _e897;
-                            if (_e893.member < _e893.member_1) {
-                                phi_1188_ = type_12((_e893.member + 1u), _e893.member_1);
-                                phi_1214_ = type_12(1u, _e893.member);
+                            let _e884 = phi_1178_;
+                            let _e886 = phi_1181_;
+                            let _e888 = phi_1183_;
+                            local_58 = _e886;
+                            local_59 = _e888;
+                            if (_e884.member < _e884.member_1) {
+                                phi_1179_ = type_12((_e884.member + 1u), _e884.member_1);
+                                phi_1205_ = type_12(1u, _e884.member);
                             } else {
-                                phi_1188_ = _e893;
-                                phi_1214_ = type_12(0u, type_12().member_1);
+                                phi_1179_ = _e884;
+                                phi_1205_ = type_12(0u, type_12().member_1);
                             }
-                            let _e910 = phi_1188_;
-                            let _e912 = phi_1214_;
-                            let _e915 = (bitcast<i32>(_e912.member) != 0i);
-                            if _e915 {
-                                phi_1191_ = ((_e602 * _e895) - (_e605 * _e897));
+                            let _e901 = phi_1179_;
+                            let _e903 = phi_1205_;
+                            let _e906 = (bitcast<i32>(_e903.member) != 0i);
+                            if _e906 {
+                                phi_1182_ = fma(_e602, _e886, -((_e605 * _e888)));
                             } else {
-                                phi_1191_ = f32();
+                                phi_1182_ = f32();
                             }
-                            let _e920 = phi_1191_;
+                            let _e911 = phi_1182_;
                             continue;
                             continuing {
-                                phi_1187_ = _e910;
-                                phi_1190_ = _e920;
-                                phi_1192_ = _e895;
-                                break if !(_e915);
+                                phi_1178_ = _e901;
+                                phi_1181_ = _e911;
+                                phi_1183_ = _e886;
+                                break if !(_e906);
                             }
                         }
-                        let _e926 = local_38;
-                        phi_1229_ = type_12(_e457, _e926);
-                        let _e1260 = local_58;
-                        phi_1232_ = _e1260;
-                        phi_1234_ = f32(((2u * _e457) + 1u));
-                        phi_1236_ = 0f;
-                        let _e1265 = local_59;
-                        phi_1238_ = _e1265;
+                        let _e917 = local_38;
+                        phi_1220_ = type_12(_e457, _e917);
+                        phi_1223_ = f32(((2u * _e457) + 1u));
+                        phi_1225_ = 0f;
+                        let _e1250 = local_58;
+                        phi_1227_ = _e1250;
+                        let _e1253 = local_59;
+                        phi_1229_ = _e1253;
                         loop {
-                            let _e929 = phi_1229_;
-                            let _e931 = phi_1232_;
-                            let _e933 = phi_1234_;
-                            let _e935 = phi_1236_;
-                            let _e937 = phi_1238_;
-                            local_39 = _e931;
-                            if (_e929.member < _e929.member_1) {
-                                phi_1230_ = type_12((_e929.member + 1u), _e929.member_1);
-                                phi_1260_ = type_12(1u, _e929.member);
+                            let _e920 = phi_1220_;
+                            let _e922 = phi_1223_;
+                            let _e924 = phi_1225_;
+                            let _e926 = phi_1227_;
+                            let _e928 = phi_1229_;
+                            local_39 = _e926;
+                            if (_e920.member < _e920.member_1) {
+                                phi_1221_ = type_12((_e920.member + 1u), _e920.member_1);
+                                phi_1251_ = type_12(1u, _e920.member);
                             } else {
-                                phi_1230_ = _e929;
-                                phi_1260_ = type_12(0u, type_12().member_1);
+                                phi_1221_ = _e920;
+                                phi_1251_ = type_12(0u, type_12().member_1);
                             }
-                            let _e950 = phi_1230_;
-                            let _e952 = phi_1260_;
-                            let _e955 = (bitcast<i32>(_e952.member) != 0i);
-                            if _e955 {
-                                phi_1233_ = (((_e587 * _e933) * _e931) - (_e935 * _e937));
-                                phi_1235_ = (_e933 + 2f);
-                                phi_1237_ = (_e935 + _e933);
+                            let _e941 = phi_1221_;
+                            let _e943 = phi_1251_;
+                            let _e946 = (bitcast<i32>(_e943.member) != 0i);
+                            if _e946 {
+                                phi_1224_ = (_e922 + 2f);
+                                phi_1226_ = (_e924 + _e922);
+                                phi_1228_ = fma((_e587 * _e922), _e926, -((_e924 * _e928)));
                             } else {
-                                phi_1233_ = f32();
-                                phi_1235_ = f32();
-                                phi_1237_ = f32();
+                                phi_1224_ = f32();
+                                phi_1226_ = f32();
+                                phi_1228_ = f32();
                             }
-                            let _e963 = phi_1233_;
-                            let _e965 = phi_1235_;
-                            let _e967 = phi_1237_;
+                            let _e954 = phi_1224_;
+                            let _e956 = phi_1226_;
+                            let _e958 = phi_1228_;
                             continue;
                             continuing {
-                                phi_1229_ = _e950;
-                                phi_1232_ = _e963;
-                                phi_1234_ = _e965;
-                                phi_1236_ = _e967;
-                                phi_1238_ = _e931;
-                                break if !(_e955);
+                                phi_1220_ = _e941;
+                                phi_1223_ = _e954;
+                                phi_1225_ = _e956;
+                                phi_1227_ = _e958;
+                                phi_1229_ = _e926;
+                                break if !(_e946);
                             }
                         }
-                        let _e970 = local_39;
-                        let _e971 = (_e970 * _e550);
-                        phi_765_ = array<f32, 12>((_e555[0] + (_e590 * _e686)), (_e555[1] + (_e590 * _e781)), (_e555[2] + (_e590 * _e876)), (_e555[3] + (_e590 * _e971)), (_e555[4] + (_e593 * _e686)), (_e555[5] + (_e593 * _e781)), (_e555[6] + (_e593 * _e876)), (_e555[7] + (_e593 * _e971)), (_e555[8] + (_e596 * _e686)), (_e555[9] + (_e596 * _e781)), (_e555[10] + (_e596 * _e876)), (_e555[11] + (_e596 * _e971)));
+                        let _e961 = local_39;
+                        let _e962 = (_e961 * _e550);
+                        phi_765_ = array<f32, 12>(fma(_e590, _e686, _e555[0]), fma(_e590, _e778, _e555[1]), fma(_e590, _e870, _e555[2]), fma(_e590, _e962, _e555[3]), fma(_e593, _e686, _e555[4]), fma(_e593, _e778, _e555[5]), fma(_e593, _e870, _e555[6]), fma(_e593, _e962, _e555[7]), fma(_e596, _e686, _e555[8]), fma(_e596, _e778, _e555[9]), fma(_e596, _e870, _e555[10]), fma(_e596, _e962, _e555[11]));
                     } else {
                         phi_765_ = array<f32, 12>();
                     }
-                    let _e983 = phi_765_;
+                    let _e971 = phi_765_;
                     continue;
                     continuing {
                         phi_761_ = _e568;
-                        phi_764_ = _e983;
+                        phi_764_ = _e971;
                         break if !(_e574);
                     }
                 }
-                let _e987 = params.member.member_3;
-                let _e989 = local_40;
-                let _e993 = local_41;
-                let _e997 = local_42;
-                let _e1001 = local_43;
-                let _e1005 = local_44;
-                let _e1009 = local_45;
-                let _e1013 = local_46;
-                let _e1017 = local_47;
-                let _e1021 = local_48;
-                let _e1025 = local_49;
-                let _e1029 = local_50;
-                let _e1033 = local_51;
-                coefs.member[_e65] = (_e989[0] * _e987);
-                coefs.member[(_e61 + _e65)] = (_e993[1] * _e987);
-                coefs.member[((_e60 * 128u) + _e65)] = (_e997[2] * _e987);
-                coefs.member[((_e60 * 192u) + _e65)] = (_e1001[3] * _e987);
-                coefs.member[((_e60 * 256u) + _e65)] = (_e1005[4] * _e987);
-                coefs.member[((_e60 * 320u) + _e65)] = (_e1009[5] * _e987);
-                coefs.member[((_e60 * 384u) + _e65)] = (_e1013[6] * _e987);
-                coefs.member[((_e60 * 448u) + _e65)] = (_e1017[7] * _e987);
-                coefs.member[((_e60 * 512u) + _e65)] = (_e1021[8] * _e987);
-                coefs.member[((_e60 * 576u) + _e65)] = (_e1025[9] * _e987);
-                coefs.member[((_e60 * 640u) + _e65)] = (_e1029[10] * _e987);
-                coefs.member[((_e60 * 704u) + _e65)] = (_e1033[11] * _e987);
+                let _e975 = params.member.member_3;
+                let _e977 = local_40;
+                let _e981 = local_41;
+                let _e985 = local_42;
+                let _e989 = local_43;
+                let _e993 = local_44;
+                let _e997 = local_45;
+                let _e1001 = local_46;
+                let _e1005 = local_47;
+                let _e1009 = local_48;
+                let _e1013 = local_49;
+                let _e1017 = local_50;
+                let _e1021 = local_51;
+                coefs.member[_e65] = (_e977[0] * _e975);
+                coefs.member[(_e61 + _e65)] = (_e981[1] * _e975);
+                coefs.member[((_e60 * 128u) + _e65)] = (_e985[2] * _e975);
+                coefs.member[((_e60 * 192u) + _e65)] = (_e989[3] * _e975);
+                coefs.member[((_e60 * 256u) + _e65)] = (_e993[4] * _e975);
+                coefs.member[((_e60 * 320u) + _e65)] = (_e997[5] * _e975);
+                coefs.member[((_e60 * 384u) + _e65)] = (_e1001[6] * _e975);
+                coefs.member[((_e60 * 448u) + _e65)] = (_e1005[7] * _e975);
+                coefs.member[((_e60 * 512u) + _e65)] = (_e1009[8] * _e975);
+                coefs.member[((_e60 * 576u) + _e65)] = (_e1013[9] * _e975);
+                coefs.member[((_e60 * 640u) + _e65)] = (_e1017[10] * _e975);
+                coefs.member[((_e60 * 704u) + _e65)] = (_e1021[11] * _e975);
             }
             break;
         }

@@ -220,12 +220,13 @@ impl Function {
         };
         let (twice_x, radius2) = (x + x, x * x + y * y);
         for _ in 1..self.m {
-            (below, f) = (f, twice_x * f - radius2 * below);
+            (below, f) = (f, twice_x.mul_add(f, -(radius2 * below)));
         }
         // Times Q_j = (j−m)! P_j^m: Q_j = (2j−1) z Q_{j−1} − ((j−1)² − m²) Q_{j−2}, without a division.
         let (mut odd, mut gap) = ((2 * self.m + 1) as f32, 0.0);
         for _ in self.m..self.l {
-            (below, f) = (f, z * R::splat(odd) * f - R::splat(gap) * below);
+            // Only one operation waits for the step before.
+            (below, f) = (f, (z * R::splat(odd)).mul_add(f, -(R::splat(gap) * below)));
             gap += odd;
             odd += 2.0;
         }

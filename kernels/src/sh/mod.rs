@@ -70,6 +70,12 @@ fn block_functions(block: u32, order: u32) -> [Function; 4] {
 fn case_order(input: &mut CaseInput) -> u32 {
     input.bits() % 10
 }
+/// Samples of a test case: up to `most`, in a large case as many as a probe has rays.
+#[cfg(not(target_arch = "spirv"))]
+fn case_samples(input: &mut CaseInput, most: u32) -> u32 {
+    let any = 1 + input.bits() % most;
+    if input.count >= 1 << 12 { 256 } else { any }
+}
 /// Radiance samples of a test case. Huge ones stand alone in their element: a sum of huge terms that cancel has no digit
 /// in common with the same sum under a device's rounding.
 #[cfg(not(target_arch = "spirv"))]

@@ -31,9 +31,9 @@ pub fn coefficients<R: Real>(at: At, p: &ShParams, directions: &[f32], radiance:
         let (direction, light): ([R; 3], [R; 3]) = (load3(directions, i), load3(radiance, i));
         unroll!(J in 0, 1, 2, 3 => {
             let y = functions[J].value(direction);
-            sum[J] = sum[J] + light[0] * y;
-            sum[4 + J] = sum[4 + J] + light[1] * y;
-            sum[8 + J] = sum[8 + J] + light[2] * y;
+            sum[J] = light[0].mul_add(y, sum[J]);
+            sum[4 + J] = light[1].mul_add(y, sum[4 + J]);
+            sum[8 + J] = light[2].mul_add(y, sum[8 + J]);
         });
     }
     let weight = R::splat(p.weight);
@@ -43,7 +43,7 @@ pub fn coefficients<R: Real>(at: At, p: &ShParams, directions: &[f32], radiance:
 
 #[cfg(not(target_arch = "spirv"))]
 fn case(input: &mut CaseInput) -> Case {
-    let sample_count = 1 + input.bits() % 16;
+    let sample_count = super::case_samples(input, 16);
     let order = super::case_order(input);
     let weight = 4.0 * crate::math::float::PI / sample_count as f32;
     let p = ShParams { element_count: input.count as u32, sample_count, order, weight };
