@@ -19,7 +19,7 @@ use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spheri
 use interreflect_kernels::math::sh;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, OnceLock};
 
 /// Rays by which receivers inside solids are found.
@@ -170,6 +170,8 @@ pub struct Plan<'a> {
     verdict: OnceLock<Verdict>,
     /// What is known of mutual visibility; `None` where every ray asks for itself.
     visibility: Option<Visibility>,
+    /// Rays of local transport so far.
+    traced: AtomicU64,
     /// Milliseconds that its parts took which another plan had made.
     pub spared_ms: f64,
 }
@@ -255,6 +257,7 @@ impl<'a> Plan<'a> {
             round_trip,
             verdict: OnceLock::new(),
             visibility,
+            traced: AtomicU64::new(0),
             options: options.clone(),
             world,
             reach: ground.reach.clone(),
@@ -321,9 +324,12 @@ impl<'a> Plan<'a> {
         ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays, verdict }
     }
 
-    /// Local transport of all clusters, thrown away, for benchmarks: gives the number of receivers that sent rays.
-    pub fn transport_alone(&self) -> usize {
-        (0..self.clusters.len()).into_par_iter().map(|c| self.local(c).rays.len()).sum()
+    /// Local transport of all clusters, thrown away, for benchmarks: gives the number of rays that it traced, from receivers
+    /// and between probes and what these rays met.
+    pub fn transport_alone(&self) -> u64 {
+        let before = self.traced.load(Relaxed);
+        (0..self.clusters.len()).into_par_iter().for_each(|c| drop(self.local(c)));
+        self.traced.load(Relaxed) - before
     }
 
     /// What the rays of one cluster's receivers find.
@@ -342,6 +348,7 @@ impl<'a> Plan<'a> {
             exposed: &exposed,
             atlas: &self.atlas,
             visibility: self.visibility.as_ref(),
+            traced: &self.traced,
         };
         let members = &self.clusters[index];
         let supports: Vec<Vec<u32>> =

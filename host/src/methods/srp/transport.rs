@@ -16,7 +16,7 @@ use super::atlas::Atlas;
 use super::model::Receiver;
 use super::probes::weight;
 use super::round_trip::RoundTrip;
-use super::visibility::{NO_TEXEL, Visibility};
+use super::visibility::{Asked, NO_TEXEL, Visibility};
 use super::world::{Seen, World, frame};
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
@@ -25,6 +25,7 @@ use interreflect_kernels::math::sh;
 use interreflect_kernels::real::{Lanes, Real, WIDTH};
 use multiversion::multiversion;
 use std::f32::consts::PI;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// What transport is computed with.
 pub struct Transport<'a> {
@@ -48,6 +49,8 @@ pub struct Transport<'a> {
     pub atlas: &'a Atlas,
     /// Where given, the probes' visibility is decided by texel where that can be.
     pub visibility: Option<&'a Visibility>,
+    /// Rays that were traced so far, those between surfaces and probes included: a count, of which nothing depends.
+    pub traced: &'a AtomicU64,
 }
 
 /// Smallest cosine that counts for a probe before a surface.
@@ -162,7 +165,8 @@ impl Transport<'_> {
     /// what comes of it.
     pub fn send(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> Rays {
         self.trace(r, &frame(r.normal), &mut scratch.met);
-        self.weigh(r, support, scratch);
+        let asked = self.weigh(r, support, scratch);
+        self.traced.fetch_add(self.directions.len() as u64 + asked, Relaxed);
         let met = &scratch.met;
         let all = self.directions.len().max(1) as f32;
         let cosine_weighted = PI * met.open as f32 / met.sent();
@@ -243,8 +247,9 @@ impl Transport<'_> {
         met.pad();
     }
 
-    /// Weights of the probes in support for everything that was met, and their sums.
-    fn weigh(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) {
+    /// Weights of the probes in support for everything that was met, and their sums. Gives the number of rays that it took.
+    fn weigh(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> u64 {
+        let mut asked = 0;
         let stride = scratch.met.sum.len();
         scratch.weights.clear();
         scratch.weights.resize(support.len() * stride, 0.0);
@@ -257,22 +262,23 @@ impl Transport<'_> {
                 let sharper = |w: &mut f32| *w = falloff * (*w / falloff).powf(self.sharpness);
                 own.iter_mut().filter(|w| **w > 0.0).for_each(sharper);
             }
-            self.hide(&mut scratch.met, own, *probe);
+            asked += self.hide(&mut scratch.met, own, *probe);
         }
+        asked
     }
 
-    /// Takes away the weights of what a probe does not see, and adds the others to the sums.
-    fn hide(&self, met: &mut Met, weights: &mut [f32], probe: u32) {
+    /// Takes away the weights of what a probe does not see, and adds the others to the sums. Gives the number of rays that it took.
+    fn hide(&self, met: &mut Met, weights: &mut [f32], probe: u32) -> u64 {
+        let of = Asked { world: self.world, atlas: self.atlas, probes: self.probes };
+        let mut asked = 0;
         for (i, seen) in met.seen.iter().enumerate() {
             if weights[i] <= 0.0 {
                 weights[i] = 0.0;
                 continue;
             }
             let sees = match (self.visibility, met.texel[i]) {
-                (Some(known), texel) if texel != NO_TEXEL => {
-                    known.sees(self.world, self.atlas, self.probes, texel, probe, seen)
-                }
-                _ => self.world.sees(seen, self.probes[probe as usize]),
+                (Some(known), texel) if texel != NO_TEXEL => known.sees(&of, texel, probe, seen, &mut asked),
+                _ => of.sees(seen, probe, &mut asked),
             };
             if sees {
                 met.sum[i] += weights[i];
@@ -280,6 +286,7 @@ impl Transport<'_> {
                 weights[i] = 0.0;
             }
         }
+        asked
     }
 
     /// What one probe contributes.

@@ -36,20 +36,20 @@ impl Visibility {
         Some(Self { probe_count: probes, known: (0..bytes).map(|_| AtomicU8::new(UNKNOWN)).collect() })
     }
 
-    /// Whether a probe sees a point of a texel (an index into [`Atlas::texels`]).
+    /// Whether a probe sees a point of a texel (an index into [`Atlas::texels`]). Adds the rays that it took to `asked`.
     #[inline]
-    pub fn sees(&self, world: &World<'_>, atlas: &Atlas, probes: &[Vec3], texel: u32, probe: u32, at: &Seen) -> bool {
+    pub fn sees(&self, of: &Asked<'_>, texel: u32, probe: u32, at: &Seen, asked: &mut u64) -> bool {
         let place = &self.known[texel as usize * self.probe_count + probe as usize];
         let mut state = place.load(Relaxed);
         if state == UNKNOWN {
             // Two threads may find the same answer at the same time.
-            state = ask(world, atlas, texel, probes[probe as usize]);
+            state = of.ask(texel, probe, asked);
             place.store(state, Relaxed);
         }
         match state {
             SEEN => true,
             HIDDEN => false,
-            _ => world.sees(at, probes[probe as usize]),
+            _ => of.sees(at, probe, asked),
         }
     }
 
@@ -61,22 +61,42 @@ impl Visibility {
     }
 }
 
-/// What a texel's points say of a probe.
-fn ask(world: &World<'_>, atlas: &Atlas, texel: u32, probe: Vec3) -> u8 {
-    let (mut seen, mut hidden) = (false, false);
-    for point in atlas.points(world, texel) {
-        // A point that faces away says nothing: no ray that ends beside it asks for this probe.
-        if (point.position - probe).dot(point.normal) < 0.0 {
-            let sees = world.sees(&point, probe);
-            (seen, hidden) = (seen || sees, hidden || !sees);
-            if seen && hidden {
-                break;
+/// What is asked: surfaces and probes.
+pub struct Asked<'a> {
+    /// The scene.
+    pub world: &'a World<'a>,
+    /// The lightmap.
+    pub atlas: &'a Atlas,
+    /// Positions of the probes (m).
+    pub probes: &'a [Vec3],
+}
+
+impl Asked<'_> {
+    /// Whether a probe sees a point.
+    #[inline]
+    pub fn sees(&self, at: &Seen, probe: u32, asked: &mut u64) -> bool {
+        *asked += 1;
+        self.world.sees(at, self.probes[probe as usize])
+    }
+
+    /// What a texel's points say of a probe.
+    fn ask(&self, texel: u32, probe: u32, asked: &mut u64) -> u8 {
+        let (mut seen, mut hidden) = (false, false);
+        let from = self.probes[probe as usize];
+        for point in self.atlas.points(self.world, texel) {
+            // A point that faces away says nothing: no ray that ends beside it asks for this probe.
+            if (point.position - from).dot(point.normal) < 0.0 {
+                let sees = self.sees(&point, probe, asked);
+                (seen, hidden) = (seen || sees, hidden || !sees);
+                if seen && hidden {
+                    break;
+                }
             }
         }
-    }
-    match (seen, hidden) {
-        (true, false) => SEEN,
-        (false, true) => HIDDEN,
-        _ => MIXED,
+        match (seen, hidden) {
+            (true, false) => SEEN,
+            (false, true) => HIDDEN,
+            _ => MIXED,
+        }
     }
 }
