@@ -44,224 +44,207 @@ var<storage> children: type_7;
 var<storage> finer: type_15;
 
 fn function_() {
-    var local: array<vec4<f32>, 8>;
-    var phi_134_: u32;
-    var phi_154_: u32;
-    var phi_174_: u32;
-    var phi_194_: u32;
-    var phi_214_: u32;
-    var phi_234_: u32;
-    var phi_254_: u32;
-    var phi_274_: u32;
-    var phi_379_: vec4<f32>;
-    var phi_601_: vec4<f32>;
+    var phi_124_: vec4<f32>;
+    var phi_138_: vec4<f32>;
+    var phi_152_: vec4<f32>;
+    var phi_166_: vec4<f32>;
+    var phi_180_: vec4<f32>;
+    var phi_194_: vec4<f32>;
+    var phi_208_: vec4<f32>;
+    var phi_222_: vec4<f32>;
+    var phi_316_: vec4<f32>;
+    var phi_368_: vec4<f32>;
+    var phi_383_: vec4<f32>;
+    var phi_435_: vec4<f32>;
+    var phi_457_: vec4<f32>;
+    var phi_514_: vec4<f32>;
+    var phi_532_: vec4<f32>;
+    var phi_584_: vec4<f32>;
+    var phi_303_: vec4<f32>;
+    var phi_598_: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e29 = gid_1;
-            let _e34 = params.member.member_12;
-            let _e37 = params.member.member_13;
-            let _e41 = (_e29.x + (_e29.y * 2097152u));
-            if (_e41 < _e37) {
-                let _e43 = (_e34 + _e41);
-                let _e46 = params.member.member_6;
-                if (_e46 == 0u) {
+            let _e28 = gid_1;
+            let _e33 = params.member.member_12;
+            let _e36 = params.member.member_13;
+            let _e40 = (_e28.x + (_e28.y * 2097152u));
+            if (_e40 < _e36) {
+                let _e42 = (_e33 + _e40);
+                let _e45 = params.member.member_6;
+                if (_e45 == 0u) {
                     break;
                 }
-                let _e48 = (_e43 / _e46);
-                let _e50 = (_e43 - (_e48 * _e46));
-                let _e53 = children.member[_e48];
-                let _e56 = (2u * (_e53 >> bitcast<u32>(2i)));
-                let _e60 = cells.member[_e56];
-                let _e62 = ((8u * (_e53 & 3u)) & 31u);
-                let _e64 = (_e60 >> bitcast<u32>(_e62));
-                let _e68 = cells.member[(_e56 + 1u)];
-                let _e74 = (_e68 + countOneBits((_e60 & ((1u << bitcast<u32>(_e62)) - 1u))));
-                local[0u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[1u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[2u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[3u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[4u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[5u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[6u] = vec4<f32>(0f, 0f, 0f, 0f);
-                local[7u] = vec4<f32>(0f, 0f, 0f, 0f);
-                let _e83 = (_e64 & 1u);
-                let _e84 = (_e83 == 1u);
-                if _e84 {
-                    phi_134_ = ((_e74 * _e46) + _e50);
+                let _e47 = (_e42 / _e45);
+                let _e49 = (_e42 - (_e47 * _e45));
+                let _e52 = children.member[_e47];
+                let _e55 = (2u * (_e52 >> bitcast<u32>(2i)));
+                let _e59 = cells.member[_e55];
+                let _e61 = ((8u * (_e52 & 3u)) & 31u);
+                let _e63 = (_e59 >> bitcast<u32>(_e61));
+                let _e67 = cells.member[(_e55 + 1u)];
+                let _e73 = (_e67 + countOneBits((_e59 & ((1u << bitcast<u32>(_e61)) - 1u))));
+                let _e74 = (_e63 & 1u);
+                if (_e74 == 1u) {
+                    let _e80 = finer.member[((_e73 * _e45) + _e49)];
+                    phi_124_ = _e80;
                 } else {
-                    phi_134_ = 0u;
+                    phi_124_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e88 = phi_134_;
-                let _e91 = finer.member[_e88];
-                local[0u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e91, vec4(_e84));
-                let _e94 = (_e74 + _e83);
-                let _e97 = ((_e64 >> bitcast<u32>(1u)) & 1u);
-                let _e98 = (_e97 == 1u);
-                if _e98 {
-                    phi_154_ = ((_e94 * _e46) + _e50);
+                let _e82 = phi_124_;
+                let _e83 = (_e73 + _e74);
+                let _e86 = ((_e63 >> bitcast<u32>(1u)) & 1u);
+                if (_e86 == 1u) {
+                    let _e92 = finer.member[((_e83 * _e45) + _e49)];
+                    phi_138_ = _e92;
                 } else {
-                    phi_154_ = 0u;
+                    phi_138_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e102 = phi_154_;
-                let _e105 = finer.member[_e102];
-                local[1u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e105, vec4(_e98));
-                let _e108 = (_e94 + _e97);
-                let _e111 = ((_e64 >> bitcast<u32>(2u)) & 1u);
-                let _e112 = (_e111 == 1u);
-                if _e112 {
-                    phi_174_ = ((_e108 * _e46) + _e50);
+                let _e94 = phi_138_;
+                let _e95 = (_e83 + _e86);
+                let _e98 = ((_e63 >> bitcast<u32>(2u)) & 1u);
+                if (_e98 == 1u) {
+                    let _e104 = finer.member[((_e95 * _e45) + _e49)];
+                    phi_152_ = _e104;
                 } else {
-                    phi_174_ = 0u;
+                    phi_152_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e116 = phi_174_;
-                let _e119 = finer.member[_e116];
-                local[2u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e119, vec4(_e112));
-                let _e122 = (_e108 + _e111);
-                let _e125 = ((_e64 >> bitcast<u32>(3u)) & 1u);
-                let _e126 = (_e125 == 1u);
-                if _e126 {
-                    phi_194_ = ((_e122 * _e46) + _e50);
+                let _e106 = phi_152_;
+                let _e107 = (_e95 + _e98);
+                let _e110 = ((_e63 >> bitcast<u32>(3u)) & 1u);
+                if (_e110 == 1u) {
+                    let _e116 = finer.member[((_e107 * _e45) + _e49)];
+                    phi_166_ = _e116;
                 } else {
-                    phi_194_ = 0u;
+                    phi_166_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e130 = phi_194_;
-                let _e133 = finer.member[_e130];
-                local[3u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e133, vec4(_e126));
-                let _e136 = (_e122 + _e125);
-                let _e139 = ((_e64 >> bitcast<u32>(4u)) & 1u);
-                let _e140 = (_e139 == 1u);
-                if _e140 {
-                    phi_214_ = ((_e136 * _e46) + _e50);
+                let _e118 = phi_166_;
+                let _e119 = (_e107 + _e110);
+                let _e122 = ((_e63 >> bitcast<u32>(4u)) & 1u);
+                if (_e122 == 1u) {
+                    let _e128 = finer.member[((_e119 * _e45) + _e49)];
+                    phi_180_ = _e128;
                 } else {
-                    phi_214_ = 0u;
+                    phi_180_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e144 = phi_214_;
-                let _e147 = finer.member[_e144];
-                local[4u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e147, vec4(_e140));
-                let _e150 = (_e136 + _e139);
-                let _e153 = ((_e64 >> bitcast<u32>(5u)) & 1u);
-                let _e154 = (_e153 == 1u);
-                if _e154 {
-                    phi_234_ = ((_e150 * _e46) + _e50);
+                let _e130 = phi_180_;
+                let _e131 = (_e119 + _e122);
+                let _e134 = ((_e63 >> bitcast<u32>(5u)) & 1u);
+                if (_e134 == 1u) {
+                    let _e140 = finer.member[((_e131 * _e45) + _e49)];
+                    phi_194_ = _e140;
                 } else {
-                    phi_234_ = 0u;
+                    phi_194_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e158 = phi_234_;
-                let _e161 = finer.member[_e158];
-                local[5u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e161, vec4(_e154));
-                let _e164 = (_e150 + _e153);
-                let _e167 = ((_e64 >> bitcast<u32>(6u)) & 1u);
-                let _e168 = (_e167 == 1u);
-                if _e168 {
-                    phi_254_ = ((_e164 * _e46) + _e50);
+                let _e142 = phi_194_;
+                let _e143 = (_e131 + _e134);
+                let _e146 = ((_e63 >> bitcast<u32>(6u)) & 1u);
+                if (_e146 == 1u) {
+                    let _e152 = finer.member[((_e143 * _e45) + _e49)];
+                    phi_208_ = _e152;
                 } else {
-                    phi_254_ = 0u;
+                    phi_208_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e172 = phi_254_;
-                let _e175 = finer.member[_e172];
-                local[6u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e175, vec4(_e168));
-                let _e182 = (((_e64 >> bitcast<u32>(7u)) & 1u) == 1u);
-                if _e182 {
-                    phi_274_ = (((_e164 + _e167) * _e46) + _e50);
+                let _e154 = phi_208_;
+                if (((_e63 >> bitcast<u32>(7u)) & 1u) == 1u) {
+                    let _e164 = finer.member[(((_e143 + _e146) * _e45) + _e49)];
+                    phi_222_ = _e164;
                 } else {
-                    phi_274_ = 0u;
+                    phi_222_ = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                let _e186 = phi_274_;
-                let _e189 = finer.member[_e186];
-                local[7u] = select(vec4<f32>(0f, 0f, 0f, 0f), _e189, vec4(_e182));
-                if (_e46 == 1u) {
-                    let _e342 = local[0u];
-                    let _e343 = local[1u];
-                    let _e356 = local[2u];
-                    let _e357 = local[3u];
-                    let _e374 = local[4u];
-                    let _e375 = local[5u];
-                    let _e388 = local[6u];
-                    let _e389 = local[7u];
-                    let _e410 = ((((_e342.x + _e343.x) + (_e356.x + _e357.x)) + ((_e374.x + _e375.x) + (_e388.x + _e389.x))) * 0.25f);
-                    let _e411 = ((((_e342.y + _e343.y) + (_e356.y + _e357.y)) + ((_e374.y + _e375.y) + (_e388.y + _e389.y))) * 0.25f);
-                    let _e412 = ((((_e342.z + _e343.z) + (_e356.z + _e357.z)) + ((_e374.z + _e375.z) + (_e388.z + _e389.z))) * 0.25f);
-                    let _e413 = ((((_e342.w + _e343.w) + (_e356.w + _e357.w)) + ((_e374.w + _e375.w) + (_e388.w + _e389.w))) * 0.25f);
-                    if (_e413 > 1f) {
-                        phi_379_ = vec4<f32>((_e410 / _e413), (_e411 / _e413), (_e412 / _e413), (_e413 / _e413));
+                let _e166 = phi_222_;
+                if (_e45 == 1u) {
+                    let _e433 = ((((_e82.x + _e94.x) + (_e106.x + _e118.x)) + ((_e130.x + _e142.x) + (_e154.x + _e166.x))) * 0.25f);
+                    let _e434 = ((((_e82.y + _e94.y) + (_e106.y + _e118.y)) + ((_e130.y + _e142.y) + (_e154.y + _e166.y))) * 0.25f);
+                    let _e435 = ((((_e82.z + _e94.z) + (_e106.z + _e118.z)) + ((_e130.z + _e142.z) + (_e154.z + _e166.z))) * 0.25f);
+                    let _e436 = ((((_e82.w + _e94.w) + (_e106.w + _e118.w)) + ((_e130.w + _e142.w) + (_e154.w + _e166.w))) * 0.25f);
+                    if (_e436 > 1f) {
+                        phi_303_ = vec4<f32>((_e433 / _e436), (_e434 / _e436), (_e435 / _e436), (_e436 / _e436));
                     } else {
-                        phi_379_ = vec4<f32>(_e410, _e411, _e412, _e413);
+                        phi_303_ = vec4<f32>(_e433, _e434, _e435, _e436);
                     }
-                    let _e422 = phi_379_;
-                    phi_601_ = _e422;
+                    let _e445 = phi_303_;
+                    phi_598_ = _e445;
                 } else {
-                    let _e194 = (_e50 >> bitcast<u32>(1i));
-                    let _e196 = ((_e50 & 1u) == 1u);
-                    let _e199 = (1u << bitcast<u32>((_e194 & 31u)));
-                    let _e201 = select(1u, 2u, (_e194 == 0u));
-                    let _e203 = select(4u, 2u, (_e194 == 2u));
-                    let _e204 = select(0u, _e199, _e196);
-                    let _e205 = select(_e199, 0u, _e196);
-                    if (_e204 < 8u) {
+                    let _e169 = (_e49 >> bitcast<u32>(1i));
+                    let _e171 = ((_e49 & 1u) == 1u);
+                    let _e172 = (_e169 == 0u);
+                    if _e172 {
+                        phi_316_ = _e94;
                     } else {
-                        break;
+                        phi_316_ = select(_e130, _e106, vec4((_e169 == 1u)));
                     }
-                    let _e208 = local[_e204];
-                    if (_e205 < 8u) {
+                    let _e177 = phi_316_;
+                    if _e171 {
+                        let _e200 = ((1f - _e177.w) / select(0.000000000000000000000000000000000000011754944f, _e82.w, (_e82.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e202 = select(1f, _e200, (_e200 < 1f));
+                        phi_368_ = (_e177 + vec4<f32>((_e82.x * _e202), (_e82.y * _e202), (_e82.z * _e202), (_e82.w * _e202)));
                     } else {
-                        break;
+                        let _e183 = ((1f - _e82.w) / select(0.000000000000000000000000000000000000011754944f, _e177.w, (_e177.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e185 = select(1f, _e183, (_e183 < 1f));
+                        phi_368_ = (_e82 + vec4<f32>((_e177.x * _e185), (_e177.y * _e185), (_e177.z * _e185), (_e177.w * _e185)));
                     }
-                    let _e211 = local[_e205];
-                    let _e217 = ((1f - _e208.w) / select(0.000000000000000000000000000000000000011754944f, _e211.w, (_e211.w > 0.000000000000000000000000000000000000011754944f)));
-                    let _e219 = select(1f, _e217, (_e217 < 1f));
-                    let _e234 = (_e201 + _e204);
-                    if (_e234 < 8u) {
+                    let _e213 = phi_368_;
+                    let _e214 = vec4(_e172);
+                    let _e215 = select(_e94, _e106, _e214);
+                    if _e172 {
+                        phi_383_ = _e118;
                     } else {
-                        break;
+                        phi_383_ = select(_e142, _e118, vec4((_e169 == 1u)));
                     }
-                    let _e237 = local[_e234];
-                    let _e238 = (_e201 + _e205);
-                    if (_e238 < 8u) {
+                    let _e220 = phi_383_;
+                    if _e171 {
+                        let _e243 = ((1f - _e220.w) / select(0.000000000000000000000000000000000000011754944f, _e215.w, (_e215.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e245 = select(1f, _e243, (_e243 < 1f));
+                        phi_435_ = (_e220 + vec4<f32>((_e215.x * _e245), (_e215.y * _e245), (_e215.z * _e245), (_e215.w * _e245)));
                     } else {
-                        break;
+                        let _e226 = ((1f - _e215.w) / select(0.000000000000000000000000000000000000011754944f, _e220.w, (_e220.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e228 = select(1f, _e226, (_e226 < 1f));
+                        phi_435_ = (_e215 + vec4<f32>((_e220.x * _e228), (_e220.y * _e228), (_e220.z * _e228), (_e220.w * _e228)));
                     }
-                    let _e241 = local[_e238];
-                    let _e247 = ((1f - _e237.w) / select(0.000000000000000000000000000000000000011754944f, _e241.w, (_e241.w > 0.000000000000000000000000000000000000011754944f)));
-                    let _e249 = select(1f, _e247, (_e247 < 1f));
-                    let _e268 = (_e203 + _e204);
-                    if (_e268 < 8u) {
+                    let _e256 = phi_435_;
+                    if _e172 {
+                        phi_457_ = _e130;
                     } else {
-                        break;
+                        phi_457_ = select(_e106, _e130, vec4((_e169 == 1u)));
                     }
-                    let _e271 = local[_e268];
-                    let _e272 = (_e203 + _e205);
-                    if (_e272 < 8u) {
+                    let _e273 = phi_457_;
+                    let _e274 = select(_e154, _e142, _e214);
+                    if _e171 {
+                        let _e297 = ((1f - _e274.w) / select(0.000000000000000000000000000000000000011754944f, _e273.w, (_e273.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e299 = select(1f, _e297, (_e297 < 1f));
+                        phi_514_ = (_e274 + vec4<f32>((_e273.x * _e299), (_e273.y * _e299), (_e273.z * _e299), (_e273.w * _e299)));
                     } else {
-                        break;
+                        let _e280 = ((1f - _e273.w) / select(0.000000000000000000000000000000000000011754944f, _e274.w, (_e274.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e282 = select(1f, _e280, (_e280 < 1f));
+                        phi_514_ = (_e273 + vec4<f32>((_e274.x * _e282), (_e274.y * _e282), (_e274.z * _e282), (_e274.w * _e282)));
                     }
-                    let _e275 = local[_e272];
-                    let _e281 = ((1f - _e271.w) / select(0.000000000000000000000000000000000000011754944f, _e275.w, (_e275.w > 0.000000000000000000000000000000000000011754944f)));
-                    let _e283 = select(1f, _e281, (_e281 < 1f));
-                    let _e302 = (_e201 + _e203);
-                    let _e303 = (_e302 + _e204);
-                    if (_e303 < 8u) {
+                    let _e310 = phi_514_;
+                    if _e172 {
+                        phi_532_ = _e154;
                     } else {
-                        break;
+                        phi_532_ = select(_e118, _e142, vec4((_e169 == 1u)));
                     }
-                    let _e306 = local[_e303];
-                    let _e307 = (_e302 + _e205);
-                    if (_e307 < 8u) {
+                    let _e323 = phi_532_;
+                    if _e171 {
+                        let _e346 = ((1f - _e166.w) / select(0.000000000000000000000000000000000000011754944f, _e323.w, (_e323.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e348 = select(1f, _e346, (_e346 < 1f));
+                        phi_584_ = (_e166 + vec4<f32>((_e323.x * _e348), (_e323.y * _e348), (_e323.z * _e348), (_e323.w * _e348)));
                     } else {
-                        break;
+                        let _e329 = ((1f - _e323.w) / select(0.000000000000000000000000000000000000011754944f, _e166.w, (_e166.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e331 = select(1f, _e329, (_e329 < 1f));
+                        phi_584_ = (_e323 + vec4<f32>((_e166.x * _e331), (_e166.y * _e331), (_e166.z * _e331), (_e166.w * _e331)));
                     }
-                    let _e310 = local[_e307];
-                    let _e316 = ((1f - _e306.w) / select(0.000000000000000000000000000000000000011754944f, _e310.w, (_e310.w > 0.000000000000000000000000000000000000011754944f)));
-                    let _e318 = select(1f, _e316, (_e316 < 1f));
-                    phi_601_ = vec4<f32>((((((_e208.x + (_e211.x * _e219)) + (_e237.x + (_e241.x * _e249))) + (_e271.x + (_e275.x * _e283))) + (_e306.x + (_e310.x * _e318))) * 0.25f), (((((_e208.y + (_e211.y * _e219)) + (_e237.y + (_e241.y * _e249))) + (_e271.y + (_e275.y * _e283))) + (_e306.y + (_e310.y * _e318))) * 0.25f), (((((_e208.z + (_e211.z * _e219)) + (_e237.z + (_e241.z * _e249))) + (_e271.z + (_e275.z * _e283))) + (_e306.z + (_e310.z * _e318))) * 0.25f), (((((_e208.w + (_e211.w * _e219)) + (_e237.w + (_e241.w * _e249))) + (_e271.w + (_e275.w * _e283))) + (_e306.w + (_e310.w * _e318))) * 0.25f));
+                    let _e359 = phi_584_;
+                    phi_598_ = vec4<f32>(((((_e213.x + _e256.x) + _e310.x) + _e359.x) * 0.25f), ((((_e213.y + _e256.y) + _e310.y) + _e359.y) * 0.25f), ((((_e213.z + _e256.z) + _e310.z) + _e359.z) * 0.25f), ((((_e213.w + _e256.w) + _e310.w) + _e359.w) * 0.25f));
                 }
-                let _e424 = phi_601_;
-                let _e426 = (_e43 + (_e41 - _e41));
-                if (_e426 < arrayLength((&out.member))) {
+                let _e447 = phi_598_;
+                let _e449 = (_e42 + (_e40 - _e40));
+                if (_e449 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e426] = _e424;
+                out.member[_e449] = _e447;
             }
             break;
         }

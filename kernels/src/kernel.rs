@@ -162,6 +162,19 @@ pub fn fetch<T, B: ?Sized + IndexUnchecked<T> + Index<usize, Output = T>>(buffer
     &buffer[i]
 }
 
+/// Element `i` of a buffer where there is one, otherwise `none`; for conditions that vary from element to element without a
+/// pattern. A device branches; a processor, which would foresee half of these branches, always reads something.
+#[inline(always)]
+pub fn fetch_if<T: Copy>(is_there: bool, buffer: &[T], i: usize, none: T) -> T {
+    #[cfg(target_arch = "spirv")]
+    return if is_there { *fetch(buffer, i) } else { none };
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        let value = *fetch(buffer, if is_there { i } else { 0 });
+        if is_there { value } else { none }
+    }
+}
+
 /// Stores the element that an invocation owns: as [`fetch`], without a check of its own on a device.
 #[cfg(target_arch = "spirv")]
 #[inline(always)]

@@ -21,9 +21,9 @@ use super::cells::pass_rows;
 use super::facet::facet_index;
 use super::grid::below;
 use super::view::{at_most_covered, axis_direction, facet_total, facets_seen};
-use crate::kernel::fetch;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
+use crate::kernel::{fetch, fetch_if};
 use crate::math::float::{max, min};
 use glam::Vec4;
 use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
@@ -35,15 +35,32 @@ pub fn over(front: Vec4, back: Vec4) -> Vec4 {
     front + back * min(free / max(back.w, f32::MIN_POSITIVE), 1.0)
 }
 
-/// Eight voxels seen along one axis, `reversed` against it; bit `axis` of an index is the place along the axis.
+/// The first, second or third by an axis.
+#[inline(always)]
+fn by_axis(axis: u32, x: Vec4, y: Vec4, z: Vec4) -> Vec4 {
+    if axis == 0 {
+        x
+    } else if axis == 1 {
+        y
+    } else {
+        z
+    }
+}
+
+/// Two voxels side by side along an axis, seen along it or, `reversed`, against it.
+#[inline(always)]
+fn pair(reversed: bool, low: Vec4, high: Vec4) -> Vec4 {
+    if reversed { over(high, low) } else { over(low, high) }
+}
+
+/// Eight voxels seen along one axis, `reversed` against it; bits 0, 1, 2 of an index are the place along x, y, z. (Indices that
+/// depend on the axis would put the eight into memory on a device.)
 #[inline(always)]
 fn seen_along(axis: u32, reversed: bool, v: &[Vec4; 8]) -> Vec4 {
-    let (along, u, w) = (1 << axis, if axis == 0 { 2 } else { 1 }, if axis == 2 { 2 } else { 4 });
-    let (front, back) = if reversed { (along, 0) } else { (0, along) };
-    let sum = over(v[front], v[back])
-        + over(v[u + front], v[u + back])
-        + over(v[w + front], v[w + back])
-        + over(v[u + w + front], v[u + w + back]);
+    let sum = pair(reversed, v[0], by_axis(axis, v[1], v[2], v[4]))
+        + pair(reversed, by_axis(axis, v[2], v[1], v[1]), by_axis(axis, v[3], v[3], v[5]))
+        + pair(reversed, by_axis(axis, v[4], v[4], v[2]), by_axis(axis, v[5], v[6], v[6]))
+        + pair(reversed, by_axis(axis, v[6], v[5], v[3]), v[7]);
     sum * 0.25
 }
 
@@ -75,10 +92,9 @@ pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Ve
     let mut next = *fetch(cells, cell + 1) + (word & below(8 * byte)).count_ones();
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
-        // Which of the eight there are is nothing that a processor could foresee: what is not there is read elsewhere.
         let there = bits >> K & 1;
-        let value = *fetch(finer, if there == 1 { next * p.direction_count + direction } else { 0 } as usize);
-        v[K] = if there == 1 { value } else { Vec4::ZERO };
+        let at = (next * p.direction_count + direction) as usize;
+        v[K] = fetch_if(there == 1, finer, at, Vec4::ZERO);
         next += there;
     });
     combine(p, direction, &v)
