@@ -550,6 +550,41 @@ mod tests {
         assert!(candidate.bounds[1] - candidate.bounds[0] > 3.0 * before);
     }
 
+    /// A normal number from two hashed ones (Box & Muller).
+    fn normal(seed: u32) -> f64 {
+        use crate::scene::built_in::hash_unit;
+        let [u, v] = [hash_unit(2 * seed), hash_unit(2 * seed + 1)].map(f64::from);
+        (-2.0 * (1.0 - u).ln()).sqrt() * (std::f64::consts::TAU * v).cos()
+    }
+
+    #[test]
+    fn bounds_hold_the_error_as_often_as_their_confidence_says() {
+        let cache = tempfile::tempdir().unwrap();
+        let spec = SceneSpec { scene: "cornell-box".into(), ..SceneSpec::default() };
+        let exec = Box::new(crate::exec::CpuExecutor::new());
+        let mut evidence = Evidence::new(&spec, [64, 64], 1, cache.path().into(), exec).unwrap();
+        let row = crate::methods::method("ambient").unwrap();
+        let mut candidate = evidence.try_settings(row, &row.defaults(), Effort::Whole).unwrap();
+        assert_eq!(evidence.truth.len(), evidence.blocks.len(), "meant to be all blocks");
+        // A setting that is 0.3 away from every block of a truth of 1, which is known with a noise of 0.2.
+        let (away, noise, turns) = (0.3, 0.2, 1000);
+        candidate.means.fill(DVec3::splat(1.0 + away));
+        let (mut above, mut below) = (0, 0);
+        for turn in 0..turns {
+            for (k, truth) in evidence.truth.iter_mut().enumerate() {
+                let at = (turn * 1000 + k as u32) * 3;
+                truth.mean = 1.0 + noise * DVec3::new(normal(at), normal(at + 1), normal(at + 2));
+                truth.variance = DVec3::splat(noise * noise);
+            }
+            evidence.judge(&mut candidate);
+            above += u32::from(candidate.bounds[1] < away);
+            below += u32::from(candidate.bounds[0] > away);
+        }
+        // A fifth of a normal distribution lies beyond 0.84 standard deviations, on each side.
+        let share = |count: u32| f64::from(count) / f64::from(turns);
+        assert!((0.15..0.25).contains(&share(above)) && (0.15..0.25).contains(&share(below)), "{above} {below}");
+    }
+
     #[test]
     fn a_glance_at_a_sample_has_the_means_of_the_whole_picture() {
         let cache = tempfile::tempdir().unwrap();
