@@ -225,6 +225,11 @@ pub use host::*;
 
 #[cfg(not(target_arch = "spirv"))]
 mod host {
+    use super::{AtomicWords, KernelDesc, Rows};
+    use alloc::vec::Vec;
+    use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+    use interreflect_shared::Record;
+
     /// Instructions that CPU code is compiled for.
     #[derive(Clone, Copy, PartialEq, Eq, Debug)]
     pub enum Vectors {
@@ -250,11 +255,6 @@ mod host {
         }
         Vectors::Baseline
     }
-
-    use super::{AtomicWords, KernelDesc, Rows};
-    use alloc::vec::Vec;
-    use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
-    use interreflect_shared::Record;
 
     /// The CPU's side of [`AtomicWords`].
     pub struct HostWords<'a>(pub &'a [AtomicU32]);

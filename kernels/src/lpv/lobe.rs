@@ -138,7 +138,8 @@ struct Line<R> {
 }
 
 impl<R: Real> Line<R> {
-    /// From the mean cosine `f`, the moment's length and its factor to unit flux, so that `f` is their product.
+    /// From the mean cosine `f`, the moment's length and its factor to unit flux, so that `f` is their product. `u` is t + 1 of
+    /// [`travel`], as far as `focus` goes; the line's slope is 4 / (4π u²).
     #[inline(always)]
     fn new(f: R, length: R, per_moment: R, focus: f32) -> Self {
         let u = f.min(R::splat(focus.max(WIDEST))).mul_add(R::splat(-3.0), R::splat(3.0));
