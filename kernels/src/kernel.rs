@@ -752,6 +752,8 @@ macro_rules! scatter {
 
 /// Compiles a function again for the wider vector units of x86 and picks at run time; `over lanes` also hands it the
 /// register as its type parameter. Results do not change: Rust never contracts or reorders float operations by itself.
+/// Only what is inlined is compiled so: bodies, and what they call most, are `#[inline(always)]` (without it `floor` and
+/// `count_ones` are function calls and bit tricks, and kernels that trace, march or count take 1.1 to 1.5 times as long).
 macro_rules! widest_vectors {
     ($name:ident = $inner:ident over lanes, $args:tt) => {
         $crate::kernel::widest_vectors!(@pick $name = ($inner::<$crate::real::x86::Avx512>)

@@ -98,6 +98,7 @@ pub fn diffuse_irradiance(
 }
 
 /// Irradiance at surface point `i` of a picture; zero where there is no surface.
+#[inline(always)]
 pub fn gather(
     i: u32,
     p: &ConeParams,
@@ -125,6 +126,7 @@ pub fn gather(
 }
 
 /// Irradiance on side `i & 1` (0 front, 1 back) of facet `i / 2`.
+#[inline(always)]
 pub fn bounce(
     i: u32,
     p: &ConeParams,

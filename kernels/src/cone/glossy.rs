@@ -26,6 +26,7 @@ use interreflect_shared::voxel::VoxelFacet;
 
 /// Reflected radiance (rgb, W/(sr m²)) towards the camera of `p` at surface point `i` for a reflectance of 1, and the share
 /// of the cone that leaves the grid (w; its radiance, `p.beyond`, is in rgb already).
+#[inline(always)]
 pub fn glossy(
     i: u32,
     p: &ConeParams,

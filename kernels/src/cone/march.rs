@@ -129,6 +129,7 @@ const FLATTEST: f32 = 1e-6;
 
 /// Radiance that a cone gathers (rgb, W/(sr m²)) and the share of it that leaves the grid (w). `origin` in voxels of level
 /// 0 from the grid's corner, `direction` unit.
+#[inline(always)]
 pub fn trace_cone<G: Grid>(
     grid: &G,
     pyramid: &VoxelPyramid<'_>,

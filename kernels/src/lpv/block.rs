@@ -65,6 +65,7 @@ pub fn block_texel(i: u32, p: &LpvParams, texels: &[RsmTexel], words: &mut impl 
 }
 
 /// Opacity of element `i` from the areas of facets and of texels.
+#[inline(always)]
 pub fn opacity(i: u32, p: &LpvParams, facet_words: &[u32], texel_words: &[u32]) -> f32 {
     let facets = if p.opacity_sources & 1 == 1 { facet_words[i as usize] } else { 0 };
     let texels = if p.opacity_sources & 2 == 2 { texel_words[i as usize] } else { 0 };

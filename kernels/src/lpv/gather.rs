@@ -34,6 +34,7 @@ fn add<C: Coefficients>(p: &LpvQuery, cascade: usize, c: &C, s: &Surfel, sum: Ve
 }
 
 /// Indirect irradiance (W/m², w = 0) at surface point `i`.
+#[inline(always)]
 pub fn gather(i: u32, p: &LpvQuery, a: &[f32], b: &[f32], c: &[f32], d: &[f32], surfels: &[Surfel]) -> Vec4 {
     let s = surfels[i as usize];
     if s.triangle == NO_SURFACE {
@@ -47,6 +48,7 @@ pub fn gather(i: u32, p: &LpvQuery, a: &[f32], b: &[f32], c: &[f32], d: &[f32], 
 }
 
 /// The same from packed half floats.
+#[inline(always)]
 pub fn gather_half(i: u32, p: &LpvQuery, a: &[u32], b: &[u32], c: &[u32], d: &[u32], surfels: &[Surfel]) -> Vec4 {
     let s = surfels[i as usize];
     if s.triangle == NO_SURFACE {
@@ -61,6 +63,7 @@ pub fn gather_half(i: u32, p: &LpvQuery, a: &[u32], b: &[u32], c: &[u32], d: &[u
 }
 
 /// Word `i`: coefficients 0 and 1, 2 and 3, or 4 and 5, of one channel of one cell.
+#[inline(always)]
 pub fn pack(i: u32, p: &LpvParams, coefs: &[f32]) -> u32 {
     let value = LpvLayout::new(p.dims).value();
     let pair = i / value;

@@ -50,6 +50,7 @@ pub fn texels(p: &RsmParams) -> Rows {
 }
 
 /// Texel `p.first + invocation`: of map `i / resolution²`.
+#[inline(always)]
 pub fn texel(
     invocation: u32,
     p: &RsmParams,

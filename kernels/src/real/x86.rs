@@ -33,6 +33,27 @@ macro_rules! operator {
     )* };
 }
 
+/// Elements `i` to `i + N` of a plane. (One comparison, where a slice takes two and a sum: kernels load so often that it shows.)
+#[inline(always)]
+fn elements<T, const N: usize>(plane: &[T], i: usize) -> *const T {
+    assert!(i < plane.len().saturating_sub(N - 1), "elements beyond the end");
+    plane.as_ptr().wrapping_add(i)
+}
+
+/// For an even and an odd place `x` of the first lane, and each lane: which element of a row of half the resolution, counted
+/// from the one before `x/2`, lies below it, or (`beside`) beside that on the lane's side.
+const fn picks<const N: usize>(beside: bool) -> [[i32; N]; 2] {
+    let mut picks = [[0; N]; 2];
+    let mut k = 0;
+    while k < 2 * N {
+        let (odd, lane) = (k / N, k % N);
+        let below = (odd + lane) / 2;
+        picks[odd][lane] = (if beside { below + 2 * ((odd + lane) % 2) } else { below + 1 }) as i32;
+        k += 1;
+    }
+    picks
+}
+
 /// What both widths share, given the intrinsics' prefix.
 macro_rules! lanes {
     ($lanes:ident: $width:literal of $register:ident, mask $mask:ident, words $words:ident;
@@ -63,17 +84,19 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn words(plane: &[u32], i: usize) -> $words {
-                let part = &plane[i..i + $width];
-                // SAFETY: `part` is as long as the register; the load needs no alignment.
-                unsafe { $load_words(part.as_ptr().cast()) }
+                // SAFETY: so many elements are there; the load needs no alignment.
+                unsafe { $load_words(elements::<_, $width>(plane, i).cast()) }
             }
-            /// Lanes picked from a few neighbouring elements.
+            const HALVED: [[i32; $width]; 2] = picks(false);
+            const BESIDE: [[i32; $width]; 2] = picks(true);
+            /// Lanes picked from a few elements around `i + x/2`. (Picks are tables: where they are computed, rustc computes
+            /// them anew for every load.)
             #[inline(always)]
-            fn picked(part: &[f32], index: impl Fn(usize) -> usize) -> Self {
-                let index: [i32; $width] = core::array::from_fn(|lane| index(lane) as i32);
-                // SAFETY: as many words as the register holds; the load needs no alignment.
-                let index = unsafe { $load_words(index.as_ptr().cast()) };
-                Self($permute(index, $part(part)))
+            fn picked(plane: &[f32], i: usize, x: usize, picks: &[[i32; $width]; 2]) -> Self {
+                const COUNT: usize = $width / 2 + 3;
+                let first = elements::<_, COUNT>(plane, i + x / 2 - 1);
+                // SAFETY: as many words as the register holds, so many elements are there; the loads need no alignment.
+                unsafe { Self($permute($load_words(picks[x % 2].as_ptr().cast()), $part(first, COUNT as u32))) }
             }
             /// Sign in bit 31 and magnitude in bits 13 to 27, as [`super::HALF_SCALE`] expects them.
             #[inline(always)]
@@ -99,9 +122,8 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn load(plane: &[f32], i: usize) -> Self {
-                let part = &plane[i..i + $width];
-                // SAFETY: `part` is as long as the register; the load needs no alignment.
-                Self(unsafe { $load(part.as_ptr()) })
+                // SAFETY: so many elements are there; the load needs no alignment.
+                Self(unsafe { $load(elements::<_, $width>(plane, i)) })
             }
             #[inline(always)]
             fn load_strided(plane: &[f32], i: usize, stride: usize) -> Self {
@@ -110,13 +132,11 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn load_halved(plane: &[f32], i: usize, x: usize) -> Self {
-                let part = &plane[i + x / 2 - 1..i + x / 2 + $width / 2 + 2];
-                Self::picked(part, |lane| 1 + (x % 2 + lane) / 2)
+                Self::picked(plane, i, x, &Self::HALVED)
             }
             #[inline(always)]
             fn load_beside(plane: &[f32], i: usize, x: usize) -> Self {
-                let part = &plane[i + x / 2 - 1..i + x / 2 + $width / 2 + 2];
-                Self::picked(part, |lane| (x % 2 + lane) / 2 + 2 * ((x + lane) % 2))
+                Self::picked(plane, i, x, &Self::BESIDE)
             }
             #[inline(always)]
             fn parity(x: usize) -> Self {
@@ -198,12 +218,14 @@ fn unsigned512(words: __m512i) -> __m512 {
     on_register!(_mm512_cvtepu32_ps(words))
 }
 
-/// The first elements of a register, the others 0.
+/// The first `count` lanes of a register, the others 0.
+///
+/// # Safety
+/// So many elements are at `first`.
 #[inline(always)]
-fn part512(part: &[f32]) -> __m512 {
-    let mask = ((1_u32 << part.len().min(16)) - 1) as __mmask16;
-    // SAFETY: the mask leaves out what is not in `part`.
-    unsafe { _mm512_maskz_loadu_ps(mask, part.as_ptr()) }
+unsafe fn part512(first: *const f32, count: u32) -> __m512 {
+    // SAFETY: the mask leaves out all others; the load needs no alignment.
+    unsafe { _mm512_maskz_loadu_ps(((1_u32 << count) - 1) as __mmask16, first) }
 }
 
 #[inline(always)]
@@ -211,13 +233,16 @@ fn permute512(index: __m512i, from: __m512) -> __m512 {
     on_register!(_mm512_permutexvar_ps(index, from))
 }
 
+/// As [`part512`].
+///
+/// # Safety
+/// So many elements are at `first`.
 #[inline(always)]
-fn part256(part: &[f32]) -> __m256 {
-    let count = part.len().min(8) as i32;
-    // SAFETY: the mask leaves out what is not in `part`.
+unsafe fn part256(first: *const f32, count: u32) -> __m256 {
+    // SAFETY: the mask leaves out all others.
     unsafe {
         let lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-        _mm256_maskload_ps(part.as_ptr(), _mm256_cmpgt_epi32(_mm256_set1_epi32(count), lane))
+        _mm256_maskload_ps(first, _mm256_cmpgt_epi32(_mm256_set1_epi32(count as i32), lane))
     }
 }
 

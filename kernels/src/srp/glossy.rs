@@ -72,6 +72,7 @@ pub fn schlick(f0: Vec3, cosine: f32) -> Vec3 {
 
 /// Reflected radiance (rgb, W/(sr m²), w = 0) of point `i` towards its viewer. `radiance` in planes
 /// `[3·coefficient + channel][slot]`.
+#[inline(always)]
 pub fn glossy(
     i: u32,
     p: &SrpResolveParams,

@@ -15,6 +15,7 @@ pub fn components(p: &SrpBasisParams) -> Rows {
 }
 
 /// Component `i`. `partial` as `srp_cluster` writes it, `coefs`: λ in planes `[channel]`.
+#[inline(always)]
 pub fn component(i: u32, p: &SrpBasisParams, sources: &[SrpBasisSource], partial: &[f32], coefs: &[f32]) -> Vec4 {
     let SrpBasisSource { source, scale } = sources[i as usize];
     if source & SRP_IDENTITY != 0 {

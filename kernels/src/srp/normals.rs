@@ -57,6 +57,7 @@ pub fn blended(blend: &SrpBlend, channel: usize, radiance: &[f32], slot_count: u
 }
 
 /// Irradiance (W/m², w = 0) at point `i` for its shading normal; not negative.
+#[inline(always)]
 pub fn normal_mapped(i: u32, p: &SrpResolveParams, blends: &[SrpBlend], radiance: &[f32], surfels: &[Surfel]) -> Vec4 {
     let (blend, normal) = (blends[i as usize], surfels[i as usize].normal);
     let red = sh::irradiance(&blended(&blend, 0, radiance, p.slot_count), normal);

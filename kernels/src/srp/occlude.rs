@@ -78,6 +78,7 @@ const SMALLEST_SLOPE: f32 = 1e-12;
 
 /// Slot that entry `i` sees behind the bodies. `hits`: without them; `distances` (m): of what the rays meet, `f32::MAX` of
 /// those that miss; `rays`: positions of probes, then directions (w unused).
+#[inline(always)]
 pub fn occlude(
     i: u32,
     p: &SrpOccludeParams,
@@ -106,6 +107,7 @@ pub fn occlude(
 }
 
 /// Slot that entry `i` sees behind the mesh; the other buffers as for [`occlude`].
+#[inline(always)]
 pub fn occlude_mesh(
     i: u32,
     p: &SrpOccludeParams,

@@ -49,6 +49,7 @@ fn channel(lobe: &[f32; 9], coefs: &[f32], first: usize, count: u32) -> f32 {
 }
 
 /// Irradiance (W/m², not negative, w = 0) at point `i`. `probes`: positions (w unused); `coefs`: λ in planes `[channel]`.
+#[inline(always)]
 pub fn light(i: u32, p: &SrpProbeLightParams, probes: &[Vec4], coefs: &[f32], surfels: &[Surfel]) -> Vec4 {
     let position = Vec3::from_array(surfels[i as usize].position);
     let lobe = cosine_lobe(Vec3::from_array(surfels[i as usize].normal));

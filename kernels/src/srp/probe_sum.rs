@@ -14,6 +14,7 @@ pub fn elements(p: &SrpProbeParams) -> Rows {
 }
 
 /// Coefficient `i` of `[channel][probe][k]`; 0 beyond the last probe.
+#[inline(always)]
 pub fn sum(i: u32, p: &SrpProbeParams, partial: &[f32]) -> f32 {
     let layout = SrpLayout::new(p);
     let channel = i / layout.coef_plane();

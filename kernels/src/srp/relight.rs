@@ -20,6 +20,7 @@ pub fn slots(p: &SrpRelightParams) -> Rows {
 
 /// Radiance W/(sr m²) of slot `i`, w = 0. `direct`: irradiance (W/m²) per slot; `indirect` the same in planes
 /// `[channel][slot]`; `special`: radiance of the special slots.
+#[inline(always)]
 pub fn relight(
     i: u32,
     p: &SrpRelightParams,

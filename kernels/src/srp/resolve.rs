@@ -44,6 +44,7 @@ pub fn blended(blend: &SrpBlend, irradiance: &[f32], slot_count: u32) -> Vec4 {
 
 /// Irradiance (W/m²) of texel `i`, w = 1 where there is any. `map`: per texel a slot, [`SRP_BLENDED`] and an index of
 /// `blends`, or [`SRP_EMPTY`].
+#[inline(always)]
 pub fn texel(i: u32, p: &SrpResolveParams, map: &[u32], blends: &[SrpBlend], irradiance: &[f32]) -> Vec4 {
     let source = map[i as usize];
     if source == SRP_EMPTY {
@@ -57,6 +58,7 @@ pub fn texel(i: u32, p: &SrpResolveParams, map: &[u32], blends: &[SrpBlend], irr
 }
 
 /// Irradiance (W/m²) of point `i`, w = 0 as methods give it.
+#[inline(always)]
 pub fn point(i: u32, p: &SrpResolveParams, blends: &[SrpBlend], irradiance: &[f32]) -> Vec4 {
     let blend = blends[i as usize];
     blended(&blend, irradiance, p.slot_count).truncate().extend(0.0)

@@ -13,6 +13,7 @@ const ROOT: u32 = 0;
 const MISS: f32 = f32::MAX;
 
 /// The nearest triangle that the ray meets; of triangles at the same distance the one that the walk finds first.
+#[inline(always)]
 pub fn closest_hit(scene: &SceneRef<'_>, ray: &Ray) -> Hit {
     let frame = RayFrame::new(ray);
     let slabs = SlabRay::new(ray, reach(scene, ray));
@@ -66,6 +67,7 @@ pub fn closest_hit(scene: &SceneRef<'_>, ray: &Ray) -> Hit {
 }
 
 /// Whether the ray meets any triangle between its `t_min` and `t_max`.
+#[inline(always)]
 pub fn any_hit(scene: &SceneRef<'_>, ray: &Ray) -> bool {
     let frame = RayFrame::new(ray);
     let slabs = SlabRay::new(ray, reach(scene, ray));

@@ -17,6 +17,7 @@ pub fn pixels(p: &CountParams) -> Rows {
 }
 
 /// Radiance (W/(sr m²), w = 1) of pixel `i` towards the camera.
+#[inline(always)]
 pub fn compose(i: u32, _p: &CountParams, surfels: &[Surfel], direct: &[Vec4], indirect: &[Vec4]) -> Vec4 {
     let k = i as usize;
     let albedo = Vec3::from_array(surfels[k].albedo);

@@ -22,6 +22,7 @@ pub fn receivers(p: &DirectParams) -> Rows {
 }
 
 /// Direct irradiance (W/m², w = 0) at surface point `i`; zero where there is no surface.
+#[inline(always)]
 pub fn direct(
     i: u32,
     p: &DirectParams,

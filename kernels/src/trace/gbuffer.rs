@@ -33,6 +33,7 @@ pub fn primary_ray(i: u32, p: &GBufferParams) -> Ray {
 }
 
 /// The surface point that pixel `i` sees.
+#[inline(always)]
 pub fn gbuffer(
     i: u32,
     p: &GBufferParams,

@@ -64,6 +64,7 @@ const BEFORE_THE_POINT: f32 = 1.0 - 4.768_371_6e-7;
 /// (others take one). `scramble`: any hash of receiver and light.
 ///
 /// Every kind of light comes here as shadow rays with weights, so that kernels hold one walk through the scene.
+#[inline(always)]
 pub fn light_irradiance(scene: &SceneRef<'_>, light: &SceneLight, at: &Receiver, samples: u32, scramble: u32) -> Vec3 {
     let count = if light.kind == LIGHT_TRIANGLE || light.kind == ENVIRONMENT { samples } else { 1 };
     let (mut all, mut seen) = (0.0, 0.0);
@@ -264,6 +265,7 @@ pub struct DirectSampling {
 }
 
 /// Irradiance (W/m²) from all lights, each asked, or picked by power where there are many; and from the environment.
+#[inline(always)]
 pub fn direct_irradiance(
     scene: &SceneRef<'_>,
     lights: &[SceneLight],

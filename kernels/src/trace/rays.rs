@@ -18,6 +18,7 @@ pub fn elements(p: &CountParams) -> Rows {
 }
 
 /// The closest hit of ray `i`.
+#[inline(always)]
 pub fn closest(
     i: u32,
     _p: &CountParams,

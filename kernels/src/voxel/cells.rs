@@ -22,6 +22,7 @@ pub fn pass_rows(p: &VoxelParams) -> Rows {
 }
 
 /// Bits of one cell of level 0: voxels that hold any facet.
+#[inline(always)]
 pub fn union(i: u32, _p: &VoxelParams, facet_bits: &[u32]) -> u32 {
     let first = (i * FACET_KINDS) as usize;
     let mut bits = 0;
@@ -32,6 +33,7 @@ pub fn union(i: u32, _p: &VoxelParams, facet_bits: &[u32]) -> u32 {
 }
 
 /// Bits of cell `i` of level `p.level` from the cells of the level below (`finer`: the buffer that holds its parity).
+#[inline(always)]
 pub fn coarsen(i: u32, p: &VoxelParams, finer: &[u32]) -> u32 {
     let level = p.level(p.level);
     let below = p.level(p.level - 1);
@@ -57,6 +59,7 @@ pub fn coarsen(i: u32, p: &VoxelParams, finer: &[u32]) -> u32 {
 }
 
 /// Facets of one cell of level 0; nothing beyond the last one.
+#[inline(always)]
 pub fn facet_count(i: u32, p: &VoxelParams, facet_bits: &[u32]) -> u32 {
     if i >= p.levels[0].w {
         return 0;
@@ -70,12 +73,14 @@ pub fn facet_count(i: u32, p: &VoxelParams, facet_bits: &[u32]) -> u32 {
 }
 
 /// Occupied voxels of one cell of level ≥ 1; nothing for the cells before `p.first` (level 0 among the even levels).
+#[inline(always)]
 pub fn popcount(i: u32, p: &VoxelParams, bits: &[u32]) -> u32 {
     if i < p.first { 0 } else { bits[i as usize].count_ones() }
 }
 
 /// Word `i` of the cells: bits in even words, rank in odd ones. The rank is the number of the cell's first facet on level
 /// 0 and of its first record within the levels ≥ 1 of its parity otherwise.
+#[inline(always)]
 pub fn cells(
     i: u32,
     p: &VoxelParams,
@@ -103,6 +108,7 @@ pub fn cells(
 
 /// Cell and byte below record `p.first + i` of the levels ≥ 1 of one parity: `4·cell + byte`. `p.level` is 2 for even, 1
 /// for odd levels; `cells` as made by [`cells`].
+#[inline(always)]
 pub fn children(i: u32, p: &VoxelParams, cells: &[u32]) -> u32 {
     let first = p.level(p.level).z;
     let end = if p.level & 1 == 1 { (cells.len() / 2) as u32 } else { p.even_cells };

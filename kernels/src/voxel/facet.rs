@@ -147,6 +147,7 @@ fn add3(sums: &mut impl AtomicWords, first: u32, v: Vec3) {
 }
 
 /// Facet `i` from its sums.
+#[inline(always)]
 pub fn resolve(i: u32, p: &VoxelParams, cells: &[u32], facet_bits: &[u32], sums: &[u32]) -> VoxelFacet {
     let cell = last_at_most(cells, 0, p.levels[0].w, 2, 1, i);
     let bit = facet_bit(cells[(2 * cell) as usize], cell, facet_bits, i - cells[(2 * cell + 1) as usize]);

@@ -54,6 +54,7 @@ fn rounding(position: Vec3) -> f32 {
 }
 
 /// Direct irradiance (W/m², w = 0) on side `i & 1` (0 front, 1 back) of facet `i / 2`.
+#[inline(always)]
 pub fn inject(
     i: u32,
     p: &VoxelParams,
@@ -85,6 +86,7 @@ pub fn inject(
 }
 
 /// Radiance (W/(sr m²), w = 0) of side `i & 1` of facet `i / 2`.
+#[inline(always)]
 pub fn radiate(i: u32, p: &VoxelParams, facets: &[VoxelFacet], direct: &[Vec4], bounced: &[Vec4]) -> Vec4 {
     let facet = &facets[(i / 2) as usize];
     let irradiance = direct[i as usize] + bounced[i as usize] * p.bounce_gain;

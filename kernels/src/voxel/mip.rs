@@ -80,6 +80,7 @@ fn combine(p: &VoxelParams, direction: u32, v: &[Vec4; 8]) -> Vec4 {
 /// (+x, −x, +y, −y, +z, −z: the way the viewer looks). `children`: what [`super::cells::children`] made; `finer`: values of
 /// the other parity.
 #[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+#[inline(always)]
 pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> Vec4 {
     let element = p.first + i;
     let record = element / p.direction_count;
@@ -102,6 +103,7 @@ pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Ve
 
 /// Value `i` of level 1, from facets. `radiance`: two per facet, front and back.
 #[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+#[inline(always)]
 pub fn mip_base(
     i: u32,
     p: &VoxelParams,

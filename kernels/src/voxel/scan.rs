@@ -22,6 +22,7 @@ fn element(p: &ScanParams, values: &[u32], i: u32) -> u32 {
 }
 
 /// Sum of the elements `16·i ..` of one level, as many as there are up to 16.
+#[inline(always)]
 pub fn sum(i: u32, p: &ScanParams, values: &[u32]) -> u32 {
     let mut total = 0;
     for k in i * SCAN_RADIX..(i + 1) * SCAN_RADIX {
