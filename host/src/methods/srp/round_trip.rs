@@ -34,6 +34,7 @@ use faer::{Mat, MatRef, Side};
 use glam::Vec3;
 use interreflect_kernels::math::rng::rand;
 use interreflect_kernels::math::sh;
+use multiversion::multiversion;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -138,6 +139,12 @@ fn larger(points: &[Receiver], patch_of: &[u32], patches: usize) -> Vec<(Vec<u32
     sizes
 }
 
+/// `sums += weight · terms`.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn add_scaled(sums: &mut [f32], terms: &[f32], weight: f32) {
+    sums.iter_mut().zip(terms).for_each(|(s, t)| *s += weight * t);
+}
+
 impl RoundTrip {
     /// Kinds of light for the `receivers` (with their texels of `atlas`), seen by nobody yet.
     pub fn new(world: &World<'_>, space: &Space, atlas: Arc<Atlas>, receivers: &[(Receiver, u32)], seed: u32) -> Self {
@@ -183,8 +190,14 @@ impl RoundTrip {
         let Some(patch) = self.patch_of.get(texel as usize).filter(|p| **p != NO_PATCH) else { return };
         factors[*patch as usize] += weight * self.states.deviation[texel as usize];
         factors[self.patches] += weight;
-        let states = factors[self.patches + 1..].iter_mut();
-        states.zip(self.states.of(texel)).for_each(|(f, light)| *f += weight * light);
+        add_scaled(&mut factors[self.patches + 1..], self.states.of(texel), weight);
+    }
+
+    /// Asks for what [`Self::add`] reads of a texel: texels are many, and each has some hundred numbers.
+    pub fn prefetch(&self, texel: u32) {
+        if (texel as usize) < self.patch_of.len() {
+            self.states.prefetch(texel);
+        }
     }
 
     /// Columns to fit to: all but the judges.

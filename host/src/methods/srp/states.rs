@@ -10,6 +10,7 @@ use super::reach::Space;
 use super::stand_in::StandIns;
 use super::world::{World, frame};
 use glam::Vec3;
+use interreflect_kernels::kernel::prefetch;
 use interreflect_kernels::math::rng::{rand, rand2};
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, sphere};
 use rayon::prelude::*;
@@ -32,6 +33,8 @@ const ALBEDO: f32 = 0.5;
 const TRIES: u32 = 256;
 /// Lamps are not nearer to a receiver than this part of the scene's diagonal, as far as the falloff is concerned.
 const NEAREST: f32 = 0.01;
+/// Numbers that are read from memory at once.
+const CACHE_LINE: usize = 16;
 /// Variance (of 1) that places have which no state lights.
 const LEAST_VARIANCE: f32 = 1e-4;
 
@@ -102,6 +105,12 @@ impl States {
     /// Number of states.
     pub fn count(&self) -> usize {
         self.fitted + self.judges
+    }
+
+    /// Asks for what [`Self::of`] gives for a texel, which does not lie in a cache after another.
+    pub fn prefetch(&self, texel: u32) {
+        let first = texel as usize * self.count();
+        (first..first + self.count()).step_by(CACHE_LINE).for_each(|i| prefetch(&self.light, i));
     }
 
     /// Irradiance of a texel in all states.

@@ -56,6 +56,9 @@ pub struct Transport<'a> {
 /// Smallest cosine that counts for a probe before a surface.
 const GRAZING: f32 = 1e-3;
 
+/// Rays ahead for whose texels the kinds of light are asked for.
+const AHEAD: usize = 4;
+
 /// What became of a receiver's rays.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Rays {
@@ -213,7 +216,10 @@ impl Transport<'_> {
         let count = kinds.factor_count();
         // Neighbours among the rays often meet the same texel: they are added together.
         let mut run = (NO_TEXEL, 0.0);
-        for ((seen, texel), ray) in met.seen.iter().zip(&met.texel).zip(&met.ray) {
+        for (i, ((seen, texel), ray)) in met.seen.iter().zip(&met.texel).zip(&met.ray).enumerate() {
+            if let Some(later) = met.texel.get(i + AHEAD) {
+                kinds.prefetch(*later);
+            }
             let texel = kinds.texel(self.world, seen, *texel);
             if self.rows == 1 {
                 if texel != run.0 {
@@ -291,18 +297,23 @@ impl Transport<'_> {
 
     /// What one probe contributes.
     fn sample(&self, met: &Met, weights: &[f32], probe: Vec3, frame: &Frame, sum: &Sum, samples: &mut Samples) {
-        samples.clear();
-        for (i, seen) in met.seen.iter().enumerate() {
-            if weights[i] > 0.0 {
-                let w = weights[i] / met.sum[i] * sum.weight(met.ray[i]);
-                let about: [f32; 4] = if self.rows == 1 {
-                    [1.0; 4]
-                } else {
-                    sh::basis(frame.world_from_local(self.directions[met.ray[i] as usize]).to_array())
-                };
-                samples.push(seen.position - probe, w, &about[..self.rows as usize]);
+        let count = met.seen.len();
+        samples.resize(count, self.rows as usize);
+        let ([x, y, z], [px, py, pz]) = (&met.position, probe.to_array());
+        let mut n = 0;
+        for i in 0..count {
+            // What the probe does not see is overwritten by the next, or cut off: no branch, which nothing would foresee.
+            let w = weights[i] / met.sum[i] * sum.weight(met.ray[i]);
+            (samples.at[0][n], samples.at[1][n], samples.at[2][n]) = (x[i] - px, y[i] - py, z[i] - pz);
+            samples.w[0][n] = w;
+            if self.rows > 1 && weights[i] > 0.0 {
+                let about: [f32; 4] =
+                    sh::basis(frame.world_from_local(self.directions[met.ray[i] as usize]).to_array());
+                samples.w.iter_mut().zip(about).for_each(|(plane, b)| plane[n] = w * b);
             }
+            n += usize::from(weights[i] > 0.0);
         }
+        samples.resize(n, self.rows as usize);
         samples.pad();
     }
 
@@ -380,13 +391,9 @@ impl Met {
 }
 
 impl Samples {
-    fn clear(&mut self) {
-        self.at.iter_mut().chain(&mut self.w).for_each(Vec::clear);
-    }
-
-    fn push(&mut self, at: Vec3, weight: f32, about: &[f32]) {
-        self.at.iter_mut().zip(at.to_array()).for_each(|(plane, x)| plane.push(x));
-        about.iter().zip(&mut self.w).for_each(|(b, w)| w.push(weight * b));
+    /// Makes room for so many samples, or drops the others.
+    fn resize(&mut self, count: usize, rows: usize) {
+        self.at.iter_mut().chain(&mut self.w[..rows]).for_each(|plane| plane.resize(count, 0.0));
     }
 
     /// Fills up to whole lanes with samples of no weight.
