@@ -1,8 +1,8 @@
 //! Precomputation of sparse radiance probes: rays per second of local transport beside the truth's own, seconds and memory.
 //!
 //! Rays are those that receivers send and those that ask probes whether they see what was met; what comes of each (weights,
-//! spherical harmonics, the matrix) is part of its time. The truth's figure is one thread's closest hits of diffuse rays, without
-//! anything done with them.
+//! spherical harmonics, the matrix) is part of its time. The truth's figure are closest hits of diffuse rays, without anything
+//! done with them, on as many threads at once (threads may share a core), before transport and after it.
 
 use super::{Bench, scene};
 use anyhow::Result;
@@ -39,7 +39,7 @@ pub fn run(_: &mut Bench) -> Result<Value> {
 }
 
 fn measure(scene: &Scene, camera: &Camera, case: &Case) -> Result<Value> {
-    let truth = rays_per_second(scene, camera, SIDE_PX, SIDE_PX)?.diffuse_mrays;
+    let truth_before = truth_on_all_threads(scene, camera)?;
     let options = BakeOptions {
         receivers: case.receivers,
         probes: case.probes,
@@ -51,6 +51,7 @@ fn measure(scene: &Scene, camera: &Camera, case: &Case) -> Result<Value> {
     let plan = Plan::new(scene, &options)?;
     let plan_s = started.elapsed().as_secs_f64();
     let (traced, transport_s) = transport_alone(&plan)?;
+    let truth = 0.5 * (truth_before + truth_on_all_threads(scene, camera)?);
     let started = Instant::now();
     let (bake, _) = plan.bake();
     let bake_s = started.elapsed().as_secs_f64();
@@ -82,6 +83,13 @@ fn measure(scene: &Scene, camera: &Camera, case: &Case) -> Result<Value> {
         "peak_memory_bytes": peak_memory_bytes(),
         "report": plan.report(&bake),
     }))
+}
+
+/// Diffuse rays of the truth, million per second and thread, while all threads trace.
+fn truth_on_all_threads(scene: &Scene, camera: &Camera) -> Result<f64> {
+    let each = rayon::broadcast(|_| rays_per_second(scene, camera, SIDE_PX, SIDE_PX).map(|r| r.diffuse_mrays));
+    let each = each.into_iter().collect::<Result<Vec<f64>, _>>()?;
+    Ok(each.iter().sum::<f64>() / each.len() as f64)
 }
 
 /// Rays and seconds of local transport without correction and compression.
