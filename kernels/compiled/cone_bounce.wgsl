@@ -105,13 +105,11 @@ fn function_() {
     var phi_1135_: f32;
     var phi_1141_: vec4<f32>;
     var phi_1144_: u32;
-    var phi_1489_: u32;
-    var phi_1501_: vec4<f32>;
+    var phi_1494_: u32;
+    var phi_1506_: vec4<f32>;
     var phi_1310_: vec4<f32>;
     var phi_1313_: vec4<f32>;
     var phi_1315_: u32;
-    var phi_1426_: vec4<f32>;
-    var phi_1427_: vec4<f32>;
     var phi_1311_: vec4<f32>;
     var phi_1314_: vec4<f32>;
     var local: vec4<f32>;
@@ -120,25 +118,25 @@ fn function_() {
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1455_: vec4<f32>;
-    var phi_1469_: vec4<f32>;
-    var phi_1502_: vec4<f32>;
+    var phi_1460_: vec4<f32>;
+    var phi_1474_: vec4<f32>;
+    var phi_1507_: vec4<f32>;
     var phi_1142_: vec4<f32>;
-    var phi_1528_: vec4<f32>;
-    var phi_1568_: vec3<f32>;
-    var phi_1569_: f32;
-    var phi_1570_: f32;
-    var phi_1612_: i32;
-    var phi_1630_: bool;
-    var phi_1651_: u32;
-    var phi_1656_: i32;
-    var phi_1661_: f32;
-    var phi_1668_: u32;
-    var phi_1673_: i32;
-    var phi_1678_: f32;
-    var phi_1685_: u32;
-    var phi_1690_: i32;
-    var phi_1695_: f32;
+    var phi_1533_: vec4<f32>;
+    var phi_1573_: vec3<f32>;
+    var phi_1574_: f32;
+    var phi_1575_: f32;
+    var phi_1617_: i32;
+    var phi_1635_: bool;
+    var phi_1656_: u32;
+    var phi_1661_: i32;
+    var phi_1666_: f32;
+    var phi_1673_: u32;
+    var phi_1678_: i32;
+    var phi_1683_: f32;
+    var phi_1690_: u32;
+    var phi_1695_: i32;
+    var phi_1700_: f32;
     var phi_721_: vec3<f32>;
     var phi_724_: type_37;
     var phi_726_: u32;
@@ -155,7 +153,7 @@ fn function_() {
     var local_10: f32;
     var local_11: f32;
     var phi_309_: vec3<f32>;
-    var phi_1825_: bool;
+    var phi_1830_: bool;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
     var local_14: vec3<f32>;
@@ -230,7 +228,7 @@ fn function_() {
                         let _e231 = (_e226.member_1 < 16u);
                         if _e231 {
                         } else {
-                            phi_1825_ = true;
+                            phi_1830_ = true;
                             break;
                         }
                         let _e235 = params.member.member_3[_e226.member_1];
@@ -250,7 +248,7 @@ fn function_() {
                             let _e266 = (_e256 + (_e259 * _e264));
                             if _e231 {
                             } else {
-                                phi_1825_ = true;
+                                phi_1830_ = true;
                                 break;
                             }
                             let _e284 = params.member.member_4[_e226.member_1];
@@ -390,7 +388,7 @@ fn function_() {
                                 let _e548 = ((_e389.y + _e542) >> bitcast<u32>(_e539));
                                 let _e551 = ((_e389.z + _e542) >> bitcast<u32>(_e539));
                                 if ((_e494.member_1 < 0i) || (_e494.member_1 >= bitcast<i32>(select(select(_e548, _e545, _e518), _e551, _e520)))) {
-                                    phi_1528_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                    phi_1533_ = vec4<f32>(0f, 0f, 0f, 0f);
                                 } else {
                                     let _e559 = (1f / f32(_e541));
                                     let _e561 = (((_e149 + (_e384 * _e494.member_2)) * _e559) - 0.5f);
@@ -484,206 +482,200 @@ fn function_() {
                                                     let _e867 = (2u * _e860);
                                                     let _e869 = radiance.member[_e867];
                                                     let _e872 = radiance.member[(_e867 + 1u)];
-                                                    let _e878 = -((((select(0f, _e850, _e518) * _e863[0]) + (select(0f, _e850, (_e496 == 1u)) * _e863[1])) + (select(0f, _e850, _e520) * _e863[2])));
+                                                    let _e877 = (((select(0f, _e850, _e518) * _e863[0]) + (select(0f, _e850, (_e496 == 1u)) * _e863[1])) + (select(0f, _e850, _e520) * _e863[2]));
+                                                    let _e878 = -(_e877);
                                                     if _e759 {
-                                                        let _e931 = sqrt((((_e863[0] * _e863[0]) + (_e863[1] * _e863[1])) + (_e863[2] * _e863[2])));
+                                                        let _e930 = sqrt((((_e863[0] * _e863[0]) + (_e863[1] * _e863[1])) + (_e863[2] * _e863[2])));
                                                         phi_1311_ = _e856;
-                                                        phi_1314_ = vec4<f32>((_e858.x + (select(_e872.x, _e869.x, (_e869.x > _e872.x)) * _e931)), (_e858.y + (select(_e872.y, _e869.y, (_e869.y > _e872.y)) * _e931)), (_e858.z + (select(_e872.z, _e869.z, (_e869.z > _e872.z)) * _e931)), (_e858.w + _e931));
+                                                        phi_1314_ = vec4<f32>((_e858.x + (select(_e872.x, _e869.x, (_e869.x > _e872.x)) * _e930)), (_e858.y + (select(_e872.y, _e869.y, (_e869.y > _e872.y)) * _e930)), (_e858.z + (select(_e872.z, _e869.z, (_e869.z > _e872.z)) * _e930)), (_e858.w + _e930));
                                                     } else {
-                                                        if (_e878 > 0f) {
-                                                            phi_1426_ = _e856;
-                                                            phi_1427_ = vec4<f32>((_e858.x + (_e869.x * _e878)), (_e858.y + (_e869.y * _e878)), (_e858.z + (_e869.z * _e878)), (_e858.w + _e878));
-                                                        } else {
-                                                            phi_1426_ = vec4<f32>((_e856.x - (_e872.x * _e878)), (_e856.y - (_e872.y * _e878)), (_e856.z - (_e872.z * _e878)), (_e856.w - _e878));
-                                                            phi_1427_ = _e858;
-                                                        }
-                                                        let _e911 = phi_1426_;
-                                                        let _e913 = phi_1427_;
-                                                        phi_1311_ = _e911;
-                                                        phi_1314_ = _e913;
+                                                        let _e883 = select(0f, _e878, (_e878 > 0f));
+                                                        let _e900 = select(0f, _e877, (_e877 > 0f));
+                                                        phi_1311_ = vec4<f32>((_e856.x + (_e872.x * _e900)), (_e856.y + (_e872.y * _e900)), (_e856.z + (_e872.z * _e900)), (_e856.w + _e900));
+                                                        phi_1314_ = vec4<f32>((_e858.x + (_e869.x * _e883)), (_e858.y + (_e869.y * _e883)), (_e858.z + (_e869.z * _e883)), (_e858.w + _e883));
                                                     }
-                                                    let _e945 = phi_1311_;
-                                                    let _e947 = phi_1314_;
-                                                    let _e948 = (_e860 + 1u);
-                                                    local = _e945;
-                                                    local_1 = _e947;
-                                                    local_2 = _e945;
-                                                    local_3 = _e945;
-                                                    local_4 = _e945;
-                                                    local_5 = _e947;
-                                                    local_15 = _e947;
+                                                    let _e944 = phi_1311_;
+                                                    let _e946 = phi_1314_;
+                                                    let _e947 = (_e860 + 1u);
+                                                    local = _e944;
+                                                    local_1 = _e946;
+                                                    local_2 = _e944;
+                                                    local_3 = _e944;
+                                                    local_4 = _e944;
+                                                    local_5 = _e946;
+                                                    local_15 = _e946;
                                                     continue;
                                                     continuing {
-                                                        phi_1310_ = _e945;
-                                                        phi_1313_ = _e947;
-                                                        phi_1315_ = _e948;
-                                                        break if !(select(true, false, (_e948 >= (_e845 + (((((((_e790 >> bitcast<u32>(_e750)) & 1u) + ((_e802 >> bitcast<u32>(_e750)) & 1u)) + ((_e812 >> bitcast<u32>(_e750)) & 1u)) + ((_e822 >> bitcast<u32>(_e750)) & 1u)) + ((_e832 >> bitcast<u32>(_e750)) & 1u)) + ((_e842 >> bitcast<u32>(_e750)) & 1u))))));
+                                                        phi_1310_ = _e944;
+                                                        phi_1313_ = _e946;
+                                                        phi_1315_ = _e947;
+                                                        break if !(select(true, false, (_e947 >= (_e845 + (((((((_e790 >> bitcast<u32>(_e750)) & 1u) + ((_e802 >> bitcast<u32>(_e750)) & 1u)) + ((_e812 >> bitcast<u32>(_e750)) & 1u)) + ((_e822 >> bitcast<u32>(_e750)) & 1u)) + ((_e832 >> bitcast<u32>(_e750)) & 1u)) + ((_e842 >> bitcast<u32>(_e750)) & 1u))))));
                                                     }
                                                 }
-                                                let _e954 = local;
-                                                let _e957 = local_1;
-                                                if (_e954.w > _e957.w) {
-                                                    let _e960 = (_e954.w - _e957.w);
-                                                    let _e961 = (_e960 / _e954.w);
-                                                    let _e963 = local_2;
-                                                    let _e967 = local_3;
-                                                    let _e971 = local_4;
-                                                    let _e976 = local_5;
-                                                    phi_1455_ = (_e976 + vec4<f32>((_e963.x * _e961), (_e967.y * _e961), (_e971.z * _e961), _e960));
+                                                let _e953 = local;
+                                                let _e956 = local_1;
+                                                if (_e953.w > _e956.w) {
+                                                    let _e959 = (_e953.w - _e956.w);
+                                                    let _e960 = (_e959 / _e953.w);
+                                                    let _e962 = local_2;
+                                                    let _e966 = local_3;
+                                                    let _e970 = local_4;
+                                                    let _e975 = local_5;
+                                                    phi_1460_ = (_e975 + vec4<f32>((_e962.x * _e960), (_e966.y * _e960), (_e970.z * _e960), _e959));
                                                 } else {
-                                                    let _e1270 = local_15;
-                                                    phi_1455_ = _e1270;
+                                                    let _e1267 = local_15;
+                                                    phi_1460_ = _e1267;
                                                 }
-                                                let _e979 = phi_1455_;
-                                                if (_e979.w > 1f) {
-                                                    phi_1469_ = vec4<f32>((_e979.x / _e979.w), (_e979.y / _e979.w), (_e979.z / _e979.w), 1f);
+                                                let _e978 = phi_1460_;
+                                                if (_e978.w > 1f) {
+                                                    phi_1474_ = vec4<f32>((_e978.x / _e978.w), (_e978.y / _e978.w), (_e978.z / _e978.w), 1f);
                                                 } else {
-                                                    phi_1469_ = _e979;
+                                                    phi_1474_ = _e978;
                                                 }
-                                                let _e990 = phi_1469_;
-                                                phi_1502_ = _e990;
+                                                let _e989 = phi_1474_;
+                                                phi_1507_ = _e989;
                                             } else {
                                                 let _e763 = cells.member[(_e746 + 1u)];
                                                 let _e769 = (_e763 + countOneBits((_e748 & ((1u << bitcast<u32>(_e750)) - 1u))));
                                                 if _e759 {
-                                                    phi_1489_ = _e769;
+                                                    phi_1494_ = _e769;
                                                 } else {
-                                                    phi_1489_ = (((6u * _e769) + (2u * _e496)) + select(0u, 1u, _e534));
+                                                    phi_1494_ = (((6u * _e769) + (2u * _e496)) + select(0u, 1u, _e534));
                                                 }
-                                                let _e776 = phi_1489_;
+                                                let _e776 = phi_1494_;
                                                 if ((_e494.member & 1u) == 1u) {
                                                     let _e782 = odd.member[_e776];
-                                                    phi_1501_ = _e782;
+                                                    phi_1506_ = _e782;
                                                 } else {
                                                     let _e780 = even.member[_e776];
-                                                    phi_1501_ = _e780;
+                                                    phi_1506_ = _e780;
                                                 }
-                                                let _e784 = phi_1501_;
-                                                phi_1502_ = _e784;
+                                                let _e784 = phi_1506_;
+                                                phi_1507_ = _e784;
                                             }
-                                            let _e992 = phi_1502_;
-                                            phi_1142_ = vec4<f32>((_e726.x + (_e992.x * _e735)), (_e726.y + (_e992.y * _e735)), (_e726.z + (_e992.z * _e735)), (_e726.w + (_e992.w * _e735)));
+                                            let _e991 = phi_1507_;
+                                            phi_1142_ = vec4<f32>((_e726.x + (_e991.x * _e735)), (_e726.y + (_e991.y * _e735)), (_e726.z + (_e991.z * _e735)), (_e726.w + (_e991.w * _e735)));
                                         } else {
                                             phi_1142_ = _e726;
                                         }
-                                        let _e1011 = phi_1142_;
-                                        let _e1012 = (_e728 + 1u);
-                                        local_16 = _e1011;
+                                        let _e1010 = phi_1142_;
+                                        let _e1011 = (_e728 + 1u);
+                                        local_16 = _e1010;
                                         continue;
                                         continuing {
-                                            phi_1141_ = _e1011;
-                                            phi_1144_ = _e1012;
-                                            break if !(select(true, false, (_e1012 == 4u)));
+                                            phi_1141_ = _e1010;
+                                            phi_1144_ = _e1011;
+                                            break if !(select(true, false, (_e1011 == 4u)));
                                         }
                                     }
-                                    let _e1276 = local_16;
-                                    phi_1528_ = _e1276;
+                                    let _e1273 = local_16;
+                                    phi_1533_ = _e1273;
                                 }
-                                let _e1017 = phi_1528_;
-                                if (_e1017.w > 0f) {
-                                    let _e1024 = select(_e513, _e1017.w, (_e1017.w < _e513));
-                                    let _e1029 = ((_e502 * _e1024) / _e1017.w);
-                                    phi_1568_ = vec3<f32>((_e492.x + (_e1017.x * _e1029)), (_e492.y + (_e1017.y * _e1029)), (_e492.z + (_e1017.z * _e1029)));
-                                    phi_1569_ = (_e500 + _e1024);
-                                    phi_1570_ = _e502;
+                                let _e1016 = phi_1533_;
+                                if (_e1016.w > 0f) {
+                                    let _e1023 = select(_e513, _e1016.w, (_e1016.w < _e513));
+                                    let _e1028 = ((_e502 * _e1023) / _e1016.w);
+                                    phi_1573_ = vec3<f32>((_e492.x + (_e1016.x * _e1028)), (_e492.y + (_e1016.y * _e1028)), (_e492.z + (_e1016.z * _e1028)));
+                                    phi_1574_ = (_e500 + _e1023);
+                                    phi_1575_ = _e502;
                                 } else {
-                                    let _e1020 = (_e496 == _e401);
-                                    phi_1568_ = _e492;
-                                    phi_1569_ = select(_e500, 0f, _e1020);
-                                    phi_1570_ = select(_e502, _e514, _e1020);
+                                    let _e1019 = (_e496 == _e401);
+                                    phi_1573_ = _e492;
+                                    phi_1574_ = select(_e500, 0f, _e1019);
+                                    phi_1575_ = select(_e502, _e514, _e1019);
                                 }
-                                let _e1042 = phi_1568_;
-                                let _e1044 = phi_1569_;
-                                let _e1046 = phi_1570_;
-                                let _e1047 = (_e363 * _e494.member_2);
-                                let _e1049 = ((_e366 * _e142) + ((_e366 * _e360.z) * _e494.member_2));
-                                let _e1051 = select(_e1049, _e1047, (_e1047 < _e1049));
-                                let _e1058 = ((bitcast<u32>((select(1f, _e1051, (_e1051 > 1f)) * _e358)) >> bitcast<u32>(23i)) - 127u);
-                                let _e1060 = (_e389.w - 1u);
-                                let _e1068 = select(0u, 1u, ((((_e494.member_1 & 1i) == 0i) == _e534) && (select(_e1058, _e1060, (_e1060 < _e1058)) > _e494.member)));
+                                let _e1041 = phi_1573_;
+                                let _e1043 = phi_1574_;
+                                let _e1045 = phi_1575_;
+                                let _e1046 = (_e363 * _e494.member_2);
+                                let _e1048 = ((_e366 * _e142) + ((_e366 * _e360.z) * _e494.member_2));
+                                let _e1050 = select(_e1048, _e1046, (_e1046 < _e1048));
+                                let _e1057 = ((bitcast<u32>((select(1f, _e1050, (_e1050 > 1f)) * _e358)) >> bitcast<u32>(23i)) - 127u);
+                                let _e1059 = (_e389.w - 1u);
+                                let _e1067 = select(0u, 1u, ((((_e494.member_1 & 1i) == 0i) == _e534) && (select(_e1057, _e1059, (_e1059 < _e1057)) > _e494.member)));
                                 if _e534 {
-                                    phi_1612_ = (_e494.member_1 - 1i);
+                                    phi_1617_ = (_e494.member_1 - 1i);
                                 } else {
-                                    phi_1612_ = (_e494.member_1 + 1i);
+                                    phi_1617_ = (_e494.member_1 + 1i);
                                 }
-                                let _e1072 = phi_1612_;
-                                let _e1073 = (_e494.member + _e1068);
-                                let _e1076 = (_e1072 >> bitcast<u32>((_e1068 & 31u)));
-                                let _e1077 = (_e1073 & 31u);
-                                let _e1079 = (1u << bitcast<u32>(_e1077));
+                                let _e1071 = phi_1617_;
+                                let _e1072 = (_e494.member + _e1067);
+                                let _e1075 = (_e1071 >> bitcast<u32>((_e1067 & 31u)));
+                                let _e1076 = (_e1072 & 31u);
+                                let _e1078 = (1u << bitcast<u32>(_e1076));
                                 if _e534 {
-                                    phi_1630_ = (_e1076 < 0i);
+                                    phi_1635_ = (_e1075 < 0i);
                                 } else {
-                                    phi_1630_ = (_e1076 >= bitcast<i32>((((select(select(_e389.y, _e389.x, _e518), _e389.z, _e520) + _e1079) - 1u) >> bitcast<u32>(_e1077))));
+                                    phi_1635_ = (_e1075 >= bitcast<i32>((((select(select(_e389.y, _e389.x, _e518), _e389.z, _e520) + _e1078) - 1u) >> bitcast<u32>(_e1076))));
                                 }
-                                let _e1088 = phi_1630_;
-                                let _e1098 = select(((((f32(_e1076) + 0.5f) * f32(_e1079)) - select(select(_e150, _e149, _e518), _e151, _e520)) / _e523), 340282350000000000000000000000000000000f, (_e1088 || (abs(_e523) < 0.000001f)));
+                                let _e1087 = phi_1635_;
+                                let _e1097 = select(((((f32(_e1075) + 0.5f) * f32(_e1078)) - select(select(_e150, _e149, _e518), _e151, _e520)) / _e523), 340282350000000000000000000000000000000f, (_e1087 || (abs(_e523) < 0.000001f)));
                                 if _e518 {
-                                    phi_1651_ = _e1073;
+                                    phi_1656_ = _e1072;
                                 } else {
-                                    phi_1651_ = _e508.member;
+                                    phi_1656_ = _e508.member;
                                 }
-                                let _e1101 = phi_1651_;
+                                let _e1100 = phi_1656_;
                                 if _e518 {
-                                    phi_1656_ = _e1076;
+                                    phi_1661_ = _e1075;
                                 } else {
-                                    phi_1656_ = _e508.member_1;
+                                    phi_1661_ = _e508.member_1;
                                 }
-                                let _e1104 = phi_1656_;
+                                let _e1103 = phi_1661_;
                                 if _e518 {
-                                    phi_1661_ = _e1098;
+                                    phi_1666_ = _e1097;
                                 } else {
-                                    phi_1661_ = _e508.member_2;
+                                    phi_1666_ = _e508.member_2;
                                 }
-                                let _e1107 = phi_1661_;
-                                let _e1109 = (_e496 == 1u);
-                                if _e1109 {
-                                    phi_1668_ = _e1073;
+                                let _e1106 = phi_1666_;
+                                let _e1108 = (_e496 == 1u);
+                                if _e1108 {
+                                    phi_1673_ = _e1072;
                                 } else {
-                                    phi_1668_ = _e506.member;
+                                    phi_1673_ = _e506.member;
                                 }
-                                let _e1112 = phi_1668_;
-                                if _e1109 {
-                                    phi_1673_ = _e1076;
+                                let _e1111 = phi_1673_;
+                                if _e1108 {
+                                    phi_1678_ = _e1075;
                                 } else {
-                                    phi_1673_ = _e506.member_1;
+                                    phi_1678_ = _e506.member_1;
                                 }
-                                let _e1115 = phi_1673_;
-                                if _e1109 {
-                                    phi_1678_ = _e1098;
+                                let _e1114 = phi_1678_;
+                                if _e1108 {
+                                    phi_1683_ = _e1097;
                                 } else {
-                                    phi_1678_ = _e506.member_2;
+                                    phi_1683_ = _e506.member_2;
                                 }
-                                let _e1118 = phi_1678_;
+                                let _e1117 = phi_1683_;
                                 if _e520 {
-                                    phi_1685_ = _e1073;
+                                    phi_1690_ = _e1072;
                                 } else {
-                                    phi_1685_ = _e504.member;
+                                    phi_1690_ = _e504.member;
                                 }
-                                let _e1122 = phi_1685_;
+                                let _e1121 = phi_1690_;
                                 if _e520 {
-                                    phi_1690_ = _e1076;
+                                    phi_1695_ = _e1075;
                                 } else {
-                                    phi_1690_ = _e504.member_1;
+                                    phi_1695_ = _e504.member_1;
                                 }
-                                let _e1125 = phi_1690_;
+                                let _e1124 = phi_1695_;
                                 if _e520 {
-                                    phi_1695_ = _e1098;
+                                    phi_1700_ = _e1097;
                                 } else {
-                                    phi_1695_ = _e504.member_2;
+                                    phi_1700_ = _e504.member_2;
                                 }
-                                let _e1128 = phi_1695_;
-                                let _e1132 = ((_e1107 <= _e1118) && (_e1107 <= _e1128));
-                                let _e1133 = (_e1118 <= _e1128);
-                                phi_721_ = _e1042;
-                                phi_724_ = type_37(select(select(_e1122, _e1112, _e1133), _e1101, _e1132), select(select(_e1125, _e1115, _e1133), _e1104, _e1132), select(select(_e1128, _e1118, _e1133), _e1107, _e1132));
-                                phi_726_ = select(select(2u, 1u, _e1133), 0u, _e1132);
+                                let _e1127 = phi_1700_;
+                                let _e1131 = ((_e1106 <= _e1117) && (_e1106 <= _e1127));
+                                let _e1132 = (_e1117 <= _e1127);
+                                phi_721_ = _e1041;
+                                phi_724_ = type_37(select(select(_e1121, _e1111, _e1132), _e1100, _e1131), select(select(_e1124, _e1114, _e1132), _e1103, _e1131), select(select(_e1127, _e1117, _e1132), _e1106, _e1131));
+                                phi_726_ = select(select(2u, 1u, _e1132), 0u, _e1131);
                                 phi_728_ = (_e498 + 1u);
-                                phi_730_ = _e1044;
-                                phi_732_ = _e1046;
-                                phi_734_ = type_37(_e1122, _e1125, _e1128);
-                                phi_736_ = type_37(_e1112, _e1115, _e1118);
-                                phi_738_ = type_37(_e1101, _e1104, _e1107);
+                                phi_730_ = _e1043;
+                                phi_732_ = _e1045;
+                                phi_734_ = type_37(_e1121, _e1124, _e1127);
+                                phi_736_ = type_37(_e1111, _e1114, _e1117);
+                                phi_738_ = type_37(_e1100, _e1103, _e1106);
                             } else {
                                 phi_721_ = vec3<f32>();
                                 phi_724_ = type_37();
@@ -695,61 +687,61 @@ fn function_() {
                                 phi_736_ = type_37();
                                 phi_738_ = type_37();
                             }
-                            let _e1144 = phi_721_;
-                            let _e1146 = phi_724_;
-                            let _e1148 = phi_726_;
-                            let _e1150 = phi_728_;
-                            let _e1152 = phi_730_;
-                            let _e1154 = phi_732_;
-                            let _e1156 = phi_734_;
-                            let _e1158 = phi_736_;
-                            let _e1160 = phi_738_;
+                            let _e1143 = phi_721_;
+                            let _e1145 = phi_724_;
+                            let _e1147 = phi_726_;
+                            let _e1149 = phi_728_;
+                            let _e1151 = phi_730_;
+                            let _e1153 = phi_732_;
+                            let _e1155 = phi_734_;
+                            let _e1157 = phi_736_;
+                            let _e1159 = phi_738_;
                             continue;
                             continuing {
-                                phi_720_ = _e1144;
-                                phi_723_ = _e1146;
-                                phi_725_ = _e1148;
-                                phi_727_ = _e1150;
-                                phi_729_ = _e1152;
-                                phi_731_ = _e1154;
-                                phi_733_ = _e1156;
-                                phi_735_ = _e1158;
-                                phi_737_ = _e1160;
+                                phi_720_ = _e1143;
+                                phi_723_ = _e1145;
+                                phi_725_ = _e1147;
+                                phi_727_ = _e1149;
+                                phi_729_ = _e1151;
+                                phi_731_ = _e1153;
+                                phi_733_ = _e1155;
+                                phi_735_ = _e1157;
+                                phi_737_ = _e1159;
                                 break if !(_e516);
                             }
                         }
-                        let _e1163 = local_6;
-                        let _e1166 = local_7;
-                        let _e1169 = local_8;
-                        let _e1173 = params.member.member_5;
-                        let _e1178 = local_9;
-                        let _e1181 = local_10;
-                        let _e1184 = local_11;
-                        phi_309_ = vec3<f32>((_e211.x + ((_e1163.x + (_e1173.x * _e1178)) * _e235.w)), (_e211.y + ((_e1166.y + (_e1173.y * _e1181)) * _e235.w)), (_e211.z + ((_e1169.z + (_e1173.z * _e1184)) * _e235.w)));
+                        let _e1162 = local_6;
+                        let _e1165 = local_7;
+                        let _e1168 = local_8;
+                        let _e1172 = params.member.member_5;
+                        let _e1177 = local_9;
+                        let _e1180 = local_10;
+                        let _e1183 = local_11;
+                        phi_309_ = vec3<f32>((_e211.x + ((_e1162.x + (_e1172.x * _e1177)) * _e235.w)), (_e211.y + ((_e1165.y + (_e1172.y * _e1180)) * _e235.w)), (_e211.z + ((_e1168.z + (_e1172.z * _e1183)) * _e235.w)));
                     } else {
                         phi_309_ = vec3<f32>();
                     }
-                    let _e1201 = phi_309_;
+                    let _e1200 = phi_309_;
                     continue;
                     continuing {
                         phi_305_ = _e224;
-                        phi_308_ = _e1201;
-                        phi_1825_ = false;
+                        phi_308_ = _e1200;
+                        phi_1830_ = false;
                         break if !(_e230);
                     }
                 }
-                let _e1204 = phi_1825_;
-                if _e1204 {
+                let _e1203 = phi_1830_;
+                if _e1203 {
                     break;
                 }
-                let _e1206 = local_12;
-                let _e1210 = local_13;
-                let _e1214 = local_14;
+                let _e1205 = local_12;
+                let _e1209 = local_13;
+                let _e1213 = local_14;
                 if (_e94 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e94] = vec4<f32>((_e1206.x * 3.1415927f), (_e1210.y * 3.1415927f), (_e1214.z * 3.1415927f), 0f);
+                out.member[_e94] = vec4<f32>((_e1205.x * 3.1415927f), (_e1209.y * 3.1415927f), (_e1213.z * 3.1415927f), 0f);
             }
             break;
         }

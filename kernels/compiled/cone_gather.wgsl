@@ -122,13 +122,11 @@ fn function_() {
     var phi_1147_: f32;
     var phi_1153_: vec4<f32>;
     var phi_1156_: u32;
-    var phi_1501_: u32;
-    var phi_1513_: vec4<f32>;
+    var phi_1506_: u32;
+    var phi_1518_: vec4<f32>;
     var phi_1322_: vec4<f32>;
     var phi_1325_: vec4<f32>;
     var phi_1327_: u32;
-    var phi_1438_: vec4<f32>;
-    var phi_1439_: vec4<f32>;
     var phi_1323_: vec4<f32>;
     var phi_1326_: vec4<f32>;
     var local: vec4<f32>;
@@ -137,25 +135,25 @@ fn function_() {
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1467_: vec4<f32>;
-    var phi_1481_: vec4<f32>;
-    var phi_1514_: vec4<f32>;
+    var phi_1472_: vec4<f32>;
+    var phi_1486_: vec4<f32>;
+    var phi_1519_: vec4<f32>;
     var phi_1154_: vec4<f32>;
-    var phi_1540_: vec4<f32>;
-    var phi_1580_: vec3<f32>;
-    var phi_1581_: f32;
-    var phi_1582_: f32;
-    var phi_1624_: i32;
-    var phi_1642_: bool;
-    var phi_1663_: u32;
-    var phi_1668_: i32;
-    var phi_1673_: f32;
-    var phi_1680_: u32;
-    var phi_1685_: i32;
-    var phi_1690_: f32;
-    var phi_1697_: u32;
-    var phi_1702_: i32;
-    var phi_1707_: f32;
+    var phi_1545_: vec4<f32>;
+    var phi_1585_: vec3<f32>;
+    var phi_1586_: f32;
+    var phi_1587_: f32;
+    var phi_1629_: i32;
+    var phi_1647_: bool;
+    var phi_1668_: u32;
+    var phi_1673_: i32;
+    var phi_1678_: f32;
+    var phi_1685_: u32;
+    var phi_1690_: i32;
+    var phi_1695_: f32;
+    var phi_1702_: u32;
+    var phi_1707_: i32;
+    var phi_1712_: f32;
     var phi_733_: vec3<f32>;
     var phi_736_: type_40;
     var phi_738_: u32;
@@ -172,11 +170,11 @@ fn function_() {
     var local_10: f32;
     var local_11: f32;
     var phi_324_: vec3<f32>;
-    var phi_1838_: bool;
+    var phi_1843_: bool;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
     var local_14: vec3<f32>;
-    var phi_1782_: vec4<f32>;
+    var phi_1787_: vec4<f32>;
     var local_15: vec4<f32>;
     var local_16: vec4<f32>;
 
@@ -195,7 +193,7 @@ fn function_() {
                 let _e108 = surfels.member[_e94].member_2;
                 let _e112 = surfels.member[_e94].member_4;
                 if (_e104 == 4294967295u) {
-                    phi_1782_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1787_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e125 = params.member.member;
                     let _e138 = params.member.member_12;
@@ -240,7 +238,7 @@ fn function_() {
                             let _e224 = (_e219.member_1 < 16u);
                             if _e224 {
                             } else {
-                                phi_1838_ = true;
+                                phi_1843_ = true;
                                 break;
                             }
                             let _e228 = params.member.member_3[_e219.member_1];
@@ -260,7 +258,7 @@ fn function_() {
                                 let _e259 = (_e249 + (_e252 * _e257));
                                 if _e224 {
                                 } else {
-                                    phi_1838_ = true;
+                                    phi_1843_ = true;
                                     break;
                                 }
                                 let _e277 = params.member.member_4[_e219.member_1];
@@ -400,7 +398,7 @@ fn function_() {
                                     let _e541 = ((_e382.y + _e535) >> bitcast<u32>(_e532));
                                     let _e544 = ((_e382.z + _e535) >> bitcast<u32>(_e532));
                                     if ((_e487.member_1 < 0i) || (_e487.member_1 >= bitcast<i32>(select(select(_e541, _e538, _e511), _e544, _e513)))) {
-                                        phi_1540_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1545_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     } else {
                                         let _e552 = (1f / f32(_e534));
                                         let _e554 = (((_e142 + (_e377 * _e487.member_2)) * _e552) - 0.5f);
@@ -494,206 +492,200 @@ fn function_() {
                                                         let _e860 = (2u * _e853);
                                                         let _e862 = radiance.member[_e860];
                                                         let _e865 = radiance.member[(_e860 + 1u)];
-                                                        let _e871 = -((((select(0f, _e843, _e511) * _e856[0]) + (select(0f, _e843, (_e489 == 1u)) * _e856[1])) + (select(0f, _e843, _e513) * _e856[2])));
+                                                        let _e870 = (((select(0f, _e843, _e511) * _e856[0]) + (select(0f, _e843, (_e489 == 1u)) * _e856[1])) + (select(0f, _e843, _e513) * _e856[2]));
+                                                        let _e871 = -(_e870);
                                                         if _e752 {
-                                                            let _e924 = sqrt((((_e856[0] * _e856[0]) + (_e856[1] * _e856[1])) + (_e856[2] * _e856[2])));
+                                                            let _e923 = sqrt((((_e856[0] * _e856[0]) + (_e856[1] * _e856[1])) + (_e856[2] * _e856[2])));
                                                             phi_1323_ = _e849;
-                                                            phi_1326_ = vec4<f32>((_e851.x + (select(_e865.x, _e862.x, (_e862.x > _e865.x)) * _e924)), (_e851.y + (select(_e865.y, _e862.y, (_e862.y > _e865.y)) * _e924)), (_e851.z + (select(_e865.z, _e862.z, (_e862.z > _e865.z)) * _e924)), (_e851.w + _e924));
+                                                            phi_1326_ = vec4<f32>((_e851.x + (select(_e865.x, _e862.x, (_e862.x > _e865.x)) * _e923)), (_e851.y + (select(_e865.y, _e862.y, (_e862.y > _e865.y)) * _e923)), (_e851.z + (select(_e865.z, _e862.z, (_e862.z > _e865.z)) * _e923)), (_e851.w + _e923));
                                                         } else {
-                                                            if (_e871 > 0f) {
-                                                                phi_1438_ = _e849;
-                                                                phi_1439_ = vec4<f32>((_e851.x + (_e862.x * _e871)), (_e851.y + (_e862.y * _e871)), (_e851.z + (_e862.z * _e871)), (_e851.w + _e871));
-                                                            } else {
-                                                                phi_1438_ = vec4<f32>((_e849.x - (_e865.x * _e871)), (_e849.y - (_e865.y * _e871)), (_e849.z - (_e865.z * _e871)), (_e849.w - _e871));
-                                                                phi_1439_ = _e851;
-                                                            }
-                                                            let _e904 = phi_1438_;
-                                                            let _e906 = phi_1439_;
-                                                            phi_1323_ = _e904;
-                                                            phi_1326_ = _e906;
+                                                            let _e876 = select(0f, _e871, (_e871 > 0f));
+                                                            let _e893 = select(0f, _e870, (_e870 > 0f));
+                                                            phi_1323_ = vec4<f32>((_e849.x + (_e865.x * _e893)), (_e849.y + (_e865.y * _e893)), (_e849.z + (_e865.z * _e893)), (_e849.w + _e893));
+                                                            phi_1326_ = vec4<f32>((_e851.x + (_e862.x * _e876)), (_e851.y + (_e862.y * _e876)), (_e851.z + (_e862.z * _e876)), (_e851.w + _e876));
                                                         }
-                                                        let _e938 = phi_1323_;
-                                                        let _e940 = phi_1326_;
-                                                        let _e941 = (_e853 + 1u);
-                                                        local = _e938;
-                                                        local_1 = _e940;
-                                                        local_2 = _e938;
-                                                        local_3 = _e938;
-                                                        local_4 = _e938;
-                                                        local_5 = _e940;
-                                                        local_15 = _e940;
+                                                        let _e937 = phi_1323_;
+                                                        let _e939 = phi_1326_;
+                                                        let _e940 = (_e853 + 1u);
+                                                        local = _e937;
+                                                        local_1 = _e939;
+                                                        local_2 = _e937;
+                                                        local_3 = _e937;
+                                                        local_4 = _e937;
+                                                        local_5 = _e939;
+                                                        local_15 = _e939;
                                                         continue;
                                                         continuing {
-                                                            phi_1322_ = _e938;
-                                                            phi_1325_ = _e940;
-                                                            phi_1327_ = _e941;
-                                                            break if !(select(true, false, (_e941 >= (_e838 + (((((((_e783 >> bitcast<u32>(_e743)) & 1u) + ((_e795 >> bitcast<u32>(_e743)) & 1u)) + ((_e805 >> bitcast<u32>(_e743)) & 1u)) + ((_e815 >> bitcast<u32>(_e743)) & 1u)) + ((_e825 >> bitcast<u32>(_e743)) & 1u)) + ((_e835 >> bitcast<u32>(_e743)) & 1u))))));
+                                                            phi_1322_ = _e937;
+                                                            phi_1325_ = _e939;
+                                                            phi_1327_ = _e940;
+                                                            break if !(select(true, false, (_e940 >= (_e838 + (((((((_e783 >> bitcast<u32>(_e743)) & 1u) + ((_e795 >> bitcast<u32>(_e743)) & 1u)) + ((_e805 >> bitcast<u32>(_e743)) & 1u)) + ((_e815 >> bitcast<u32>(_e743)) & 1u)) + ((_e825 >> bitcast<u32>(_e743)) & 1u)) + ((_e835 >> bitcast<u32>(_e743)) & 1u))))));
                                                         }
                                                     }
-                                                    let _e947 = local;
-                                                    let _e950 = local_1;
-                                                    if (_e947.w > _e950.w) {
-                                                        let _e953 = (_e947.w - _e950.w);
-                                                        let _e954 = (_e953 / _e947.w);
-                                                        let _e956 = local_2;
-                                                        let _e960 = local_3;
-                                                        let _e964 = local_4;
-                                                        let _e969 = local_5;
-                                                        phi_1467_ = (_e969 + vec4<f32>((_e956.x * _e954), (_e960.y * _e954), (_e964.z * _e954), _e953));
+                                                    let _e946 = local;
+                                                    let _e949 = local_1;
+                                                    if (_e946.w > _e949.w) {
+                                                        let _e952 = (_e946.w - _e949.w);
+                                                        let _e953 = (_e952 / _e946.w);
+                                                        let _e955 = local_2;
+                                                        let _e959 = local_3;
+                                                        let _e963 = local_4;
+                                                        let _e968 = local_5;
+                                                        phi_1472_ = (_e968 + vec4<f32>((_e955.x * _e953), (_e959.y * _e953), (_e963.z * _e953), _e952));
                                                     } else {
-                                                        let _e1263 = local_15;
-                                                        phi_1467_ = _e1263;
+                                                        let _e1260 = local_15;
+                                                        phi_1472_ = _e1260;
                                                     }
-                                                    let _e972 = phi_1467_;
-                                                    if (_e972.w > 1f) {
-                                                        phi_1481_ = vec4<f32>((_e972.x / _e972.w), (_e972.y / _e972.w), (_e972.z / _e972.w), 1f);
+                                                    let _e971 = phi_1472_;
+                                                    if (_e971.w > 1f) {
+                                                        phi_1486_ = vec4<f32>((_e971.x / _e971.w), (_e971.y / _e971.w), (_e971.z / _e971.w), 1f);
                                                     } else {
-                                                        phi_1481_ = _e972;
+                                                        phi_1486_ = _e971;
                                                     }
-                                                    let _e983 = phi_1481_;
-                                                    phi_1514_ = _e983;
+                                                    let _e982 = phi_1486_;
+                                                    phi_1519_ = _e982;
                                                 } else {
                                                     let _e756 = cells.member[(_e739 + 1u)];
                                                     let _e762 = (_e756 + countOneBits((_e741 & ((1u << bitcast<u32>(_e743)) - 1u))));
                                                     if _e752 {
-                                                        phi_1501_ = _e762;
+                                                        phi_1506_ = _e762;
                                                     } else {
-                                                        phi_1501_ = (((6u * _e762) + (2u * _e489)) + select(0u, 1u, _e527));
+                                                        phi_1506_ = (((6u * _e762) + (2u * _e489)) + select(0u, 1u, _e527));
                                                     }
-                                                    let _e769 = phi_1501_;
+                                                    let _e769 = phi_1506_;
                                                     if ((_e487.member & 1u) == 1u) {
                                                         let _e775 = odd.member[_e769];
-                                                        phi_1513_ = _e775;
+                                                        phi_1518_ = _e775;
                                                     } else {
                                                         let _e773 = even.member[_e769];
-                                                        phi_1513_ = _e773;
+                                                        phi_1518_ = _e773;
                                                     }
-                                                    let _e777 = phi_1513_;
-                                                    phi_1514_ = _e777;
+                                                    let _e777 = phi_1518_;
+                                                    phi_1519_ = _e777;
                                                 }
-                                                let _e985 = phi_1514_;
-                                                phi_1154_ = vec4<f32>((_e719.x + (_e985.x * _e728)), (_e719.y + (_e985.y * _e728)), (_e719.z + (_e985.z * _e728)), (_e719.w + (_e985.w * _e728)));
+                                                let _e984 = phi_1519_;
+                                                phi_1154_ = vec4<f32>((_e719.x + (_e984.x * _e728)), (_e719.y + (_e984.y * _e728)), (_e719.z + (_e984.z * _e728)), (_e719.w + (_e984.w * _e728)));
                                             } else {
                                                 phi_1154_ = _e719;
                                             }
-                                            let _e1004 = phi_1154_;
-                                            let _e1005 = (_e721 + 1u);
-                                            local_16 = _e1004;
+                                            let _e1003 = phi_1154_;
+                                            let _e1004 = (_e721 + 1u);
+                                            local_16 = _e1003;
                                             continue;
                                             continuing {
-                                                phi_1153_ = _e1004;
-                                                phi_1156_ = _e1005;
-                                                break if !(select(true, false, (_e1005 == 4u)));
+                                                phi_1153_ = _e1003;
+                                                phi_1156_ = _e1004;
+                                                break if !(select(true, false, (_e1004 == 4u)));
                                             }
                                         }
-                                        let _e1269 = local_16;
-                                        phi_1540_ = _e1269;
+                                        let _e1266 = local_16;
+                                        phi_1545_ = _e1266;
                                     }
-                                    let _e1010 = phi_1540_;
-                                    if (_e1010.w > 0f) {
-                                        let _e1017 = select(_e506, _e1010.w, (_e1010.w < _e506));
-                                        let _e1022 = ((_e495 * _e1017) / _e1010.w);
-                                        phi_1580_ = vec3<f32>((_e485.x + (_e1010.x * _e1022)), (_e485.y + (_e1010.y * _e1022)), (_e485.z + (_e1010.z * _e1022)));
-                                        phi_1581_ = (_e493 + _e1017);
-                                        phi_1582_ = _e495;
+                                    let _e1009 = phi_1545_;
+                                    if (_e1009.w > 0f) {
+                                        let _e1016 = select(_e506, _e1009.w, (_e1009.w < _e506));
+                                        let _e1021 = ((_e495 * _e1016) / _e1009.w);
+                                        phi_1585_ = vec3<f32>((_e485.x + (_e1009.x * _e1021)), (_e485.y + (_e1009.y * _e1021)), (_e485.z + (_e1009.z * _e1021)));
+                                        phi_1586_ = (_e493 + _e1016);
+                                        phi_1587_ = _e495;
                                     } else {
-                                        let _e1013 = (_e489 == _e394);
-                                        phi_1580_ = _e485;
-                                        phi_1581_ = select(_e493, 0f, _e1013);
-                                        phi_1582_ = select(_e495, _e507, _e1013);
+                                        let _e1012 = (_e489 == _e394);
+                                        phi_1585_ = _e485;
+                                        phi_1586_ = select(_e493, 0f, _e1012);
+                                        phi_1587_ = select(_e495, _e507, _e1012);
                                     }
-                                    let _e1035 = phi_1580_;
-                                    let _e1037 = phi_1581_;
-                                    let _e1039 = phi_1582_;
-                                    let _e1040 = (_e356 * _e487.member_2);
-                                    let _e1042 = ((_e359 * _e138) + ((_e359 * _e353.z) * _e487.member_2));
-                                    let _e1044 = select(_e1042, _e1040, (_e1040 < _e1042));
-                                    let _e1051 = ((bitcast<u32>((select(1f, _e1044, (_e1044 > 1f)) * _e351)) >> bitcast<u32>(23i)) - 127u);
-                                    let _e1053 = (_e382.w - 1u);
-                                    let _e1061 = select(0u, 1u, ((((_e487.member_1 & 1i) == 0i) == _e527) && (select(_e1051, _e1053, (_e1053 < _e1051)) > _e487.member)));
+                                    let _e1034 = phi_1585_;
+                                    let _e1036 = phi_1586_;
+                                    let _e1038 = phi_1587_;
+                                    let _e1039 = (_e356 * _e487.member_2);
+                                    let _e1041 = ((_e359 * _e138) + ((_e359 * _e353.z) * _e487.member_2));
+                                    let _e1043 = select(_e1041, _e1039, (_e1039 < _e1041));
+                                    let _e1050 = ((bitcast<u32>((select(1f, _e1043, (_e1043 > 1f)) * _e351)) >> bitcast<u32>(23i)) - 127u);
+                                    let _e1052 = (_e382.w - 1u);
+                                    let _e1060 = select(0u, 1u, ((((_e487.member_1 & 1i) == 0i) == _e527) && (select(_e1050, _e1052, (_e1052 < _e1050)) > _e487.member)));
                                     if _e527 {
-                                        phi_1624_ = (_e487.member_1 - 1i);
+                                        phi_1629_ = (_e487.member_1 - 1i);
                                     } else {
-                                        phi_1624_ = (_e487.member_1 + 1i);
+                                        phi_1629_ = (_e487.member_1 + 1i);
                                     }
-                                    let _e1065 = phi_1624_;
-                                    let _e1066 = (_e487.member + _e1061);
-                                    let _e1069 = (_e1065 >> bitcast<u32>((_e1061 & 31u)));
-                                    let _e1070 = (_e1066 & 31u);
-                                    let _e1072 = (1u << bitcast<u32>(_e1070));
+                                    let _e1064 = phi_1629_;
+                                    let _e1065 = (_e487.member + _e1060);
+                                    let _e1068 = (_e1064 >> bitcast<u32>((_e1060 & 31u)));
+                                    let _e1069 = (_e1065 & 31u);
+                                    let _e1071 = (1u << bitcast<u32>(_e1069));
                                     if _e527 {
-                                        phi_1642_ = (_e1069 < 0i);
+                                        phi_1647_ = (_e1068 < 0i);
                                     } else {
-                                        phi_1642_ = (_e1069 >= bitcast<i32>((((select(select(_e382.y, _e382.x, _e511), _e382.z, _e513) + _e1072) - 1u) >> bitcast<u32>(_e1070))));
+                                        phi_1647_ = (_e1068 >= bitcast<i32>((((select(select(_e382.y, _e382.x, _e511), _e382.z, _e513) + _e1071) - 1u) >> bitcast<u32>(_e1069))));
                                     }
-                                    let _e1081 = phi_1642_;
-                                    let _e1091 = select(((((f32(_e1069) + 0.5f) * f32(_e1072)) - select(select(_e143, _e142, _e511), _e144, _e513)) / _e516), 340282350000000000000000000000000000000f, (_e1081 || (abs(_e516) < 0.000001f)));
+                                    let _e1080 = phi_1647_;
+                                    let _e1090 = select(((((f32(_e1068) + 0.5f) * f32(_e1071)) - select(select(_e143, _e142, _e511), _e144, _e513)) / _e516), 340282350000000000000000000000000000000f, (_e1080 || (abs(_e516) < 0.000001f)));
                                     if _e511 {
-                                        phi_1663_ = _e1066;
+                                        phi_1668_ = _e1065;
                                     } else {
-                                        phi_1663_ = _e501.member;
+                                        phi_1668_ = _e501.member;
                                     }
-                                    let _e1094 = phi_1663_;
+                                    let _e1093 = phi_1668_;
                                     if _e511 {
-                                        phi_1668_ = _e1069;
+                                        phi_1673_ = _e1068;
                                     } else {
-                                        phi_1668_ = _e501.member_1;
+                                        phi_1673_ = _e501.member_1;
                                     }
-                                    let _e1097 = phi_1668_;
+                                    let _e1096 = phi_1673_;
                                     if _e511 {
-                                        phi_1673_ = _e1091;
+                                        phi_1678_ = _e1090;
                                     } else {
-                                        phi_1673_ = _e501.member_2;
+                                        phi_1678_ = _e501.member_2;
                                     }
-                                    let _e1100 = phi_1673_;
-                                    let _e1102 = (_e489 == 1u);
-                                    if _e1102 {
-                                        phi_1680_ = _e1066;
+                                    let _e1099 = phi_1678_;
+                                    let _e1101 = (_e489 == 1u);
+                                    if _e1101 {
+                                        phi_1685_ = _e1065;
                                     } else {
-                                        phi_1680_ = _e499.member;
+                                        phi_1685_ = _e499.member;
                                     }
-                                    let _e1105 = phi_1680_;
-                                    if _e1102 {
-                                        phi_1685_ = _e1069;
+                                    let _e1104 = phi_1685_;
+                                    if _e1101 {
+                                        phi_1690_ = _e1068;
                                     } else {
-                                        phi_1685_ = _e499.member_1;
+                                        phi_1690_ = _e499.member_1;
                                     }
-                                    let _e1108 = phi_1685_;
-                                    if _e1102 {
-                                        phi_1690_ = _e1091;
+                                    let _e1107 = phi_1690_;
+                                    if _e1101 {
+                                        phi_1695_ = _e1090;
                                     } else {
-                                        phi_1690_ = _e499.member_2;
+                                        phi_1695_ = _e499.member_2;
                                     }
-                                    let _e1111 = phi_1690_;
+                                    let _e1110 = phi_1695_;
                                     if _e513 {
-                                        phi_1697_ = _e1066;
+                                        phi_1702_ = _e1065;
                                     } else {
-                                        phi_1697_ = _e497.member;
+                                        phi_1702_ = _e497.member;
                                     }
-                                    let _e1115 = phi_1697_;
+                                    let _e1114 = phi_1702_;
                                     if _e513 {
-                                        phi_1702_ = _e1069;
+                                        phi_1707_ = _e1068;
                                     } else {
-                                        phi_1702_ = _e497.member_1;
+                                        phi_1707_ = _e497.member_1;
                                     }
-                                    let _e1118 = phi_1702_;
+                                    let _e1117 = phi_1707_;
                                     if _e513 {
-                                        phi_1707_ = _e1091;
+                                        phi_1712_ = _e1090;
                                     } else {
-                                        phi_1707_ = _e497.member_2;
+                                        phi_1712_ = _e497.member_2;
                                     }
-                                    let _e1121 = phi_1707_;
-                                    let _e1125 = ((_e1100 <= _e1111) && (_e1100 <= _e1121));
-                                    let _e1126 = (_e1111 <= _e1121);
-                                    phi_733_ = _e1035;
-                                    phi_736_ = type_40(select(select(_e1115, _e1105, _e1126), _e1094, _e1125), select(select(_e1118, _e1108, _e1126), _e1097, _e1125), select(select(_e1121, _e1111, _e1126), _e1100, _e1125));
-                                    phi_738_ = select(select(2u, 1u, _e1126), 0u, _e1125);
+                                    let _e1120 = phi_1712_;
+                                    let _e1124 = ((_e1099 <= _e1110) && (_e1099 <= _e1120));
+                                    let _e1125 = (_e1110 <= _e1120);
+                                    phi_733_ = _e1034;
+                                    phi_736_ = type_40(select(select(_e1114, _e1104, _e1125), _e1093, _e1124), select(select(_e1117, _e1107, _e1125), _e1096, _e1124), select(select(_e1120, _e1110, _e1125), _e1099, _e1124));
+                                    phi_738_ = select(select(2u, 1u, _e1125), 0u, _e1124);
                                     phi_740_ = (_e491 + 1u);
-                                    phi_742_ = _e1037;
-                                    phi_744_ = _e1039;
-                                    phi_746_ = type_40(_e1115, _e1118, _e1121);
-                                    phi_748_ = type_40(_e1105, _e1108, _e1111);
-                                    phi_750_ = type_40(_e1094, _e1097, _e1100);
+                                    phi_742_ = _e1036;
+                                    phi_744_ = _e1038;
+                                    phi_746_ = type_40(_e1114, _e1117, _e1120);
+                                    phi_748_ = type_40(_e1104, _e1107, _e1110);
+                                    phi_750_ = type_40(_e1093, _e1096, _e1099);
                                 } else {
                                     phi_733_ = vec3<f32>();
                                     phi_736_ = type_40();
@@ -705,64 +697,64 @@ fn function_() {
                                     phi_748_ = type_40();
                                     phi_750_ = type_40();
                                 }
-                                let _e1137 = phi_733_;
-                                let _e1139 = phi_736_;
-                                let _e1141 = phi_738_;
-                                let _e1143 = phi_740_;
-                                let _e1145 = phi_742_;
-                                let _e1147 = phi_744_;
-                                let _e1149 = phi_746_;
-                                let _e1151 = phi_748_;
-                                let _e1153 = phi_750_;
+                                let _e1136 = phi_733_;
+                                let _e1138 = phi_736_;
+                                let _e1140 = phi_738_;
+                                let _e1142 = phi_740_;
+                                let _e1144 = phi_742_;
+                                let _e1146 = phi_744_;
+                                let _e1148 = phi_746_;
+                                let _e1150 = phi_748_;
+                                let _e1152 = phi_750_;
                                 continue;
                                 continuing {
-                                    phi_732_ = _e1137;
-                                    phi_735_ = _e1139;
-                                    phi_737_ = _e1141;
-                                    phi_739_ = _e1143;
-                                    phi_741_ = _e1145;
-                                    phi_743_ = _e1147;
-                                    phi_745_ = _e1149;
-                                    phi_747_ = _e1151;
-                                    phi_749_ = _e1153;
+                                    phi_732_ = _e1136;
+                                    phi_735_ = _e1138;
+                                    phi_737_ = _e1140;
+                                    phi_739_ = _e1142;
+                                    phi_741_ = _e1144;
+                                    phi_743_ = _e1146;
+                                    phi_745_ = _e1148;
+                                    phi_747_ = _e1150;
+                                    phi_749_ = _e1152;
                                     break if !(_e509);
                                 }
                             }
-                            let _e1156 = local_6;
-                            let _e1159 = local_7;
-                            let _e1162 = local_8;
-                            let _e1166 = params.member.member_5;
-                            let _e1171 = local_9;
-                            let _e1174 = local_10;
-                            let _e1177 = local_11;
-                            phi_324_ = vec3<f32>((_e204.x + ((_e1156.x + (_e1166.x * _e1171)) * _e228.w)), (_e204.y + ((_e1159.y + (_e1166.y * _e1174)) * _e228.w)), (_e204.z + ((_e1162.z + (_e1166.z * _e1177)) * _e228.w)));
+                            let _e1155 = local_6;
+                            let _e1158 = local_7;
+                            let _e1161 = local_8;
+                            let _e1165 = params.member.member_5;
+                            let _e1170 = local_9;
+                            let _e1173 = local_10;
+                            let _e1176 = local_11;
+                            phi_324_ = vec3<f32>((_e204.x + ((_e1155.x + (_e1165.x * _e1170)) * _e228.w)), (_e204.y + ((_e1158.y + (_e1165.y * _e1173)) * _e228.w)), (_e204.z + ((_e1161.z + (_e1165.z * _e1176)) * _e228.w)));
                         } else {
                             phi_324_ = vec3<f32>();
                         }
-                        let _e1194 = phi_324_;
+                        let _e1193 = phi_324_;
                         continue;
                         continuing {
                             phi_320_ = _e217;
-                            phi_323_ = _e1194;
-                            phi_1838_ = false;
+                            phi_323_ = _e1193;
+                            phi_1843_ = false;
                             break if !(_e223);
                         }
                     }
-                    let _e1197 = phi_1838_;
-                    if _e1197 {
+                    let _e1196 = phi_1843_;
+                    if _e1196 {
                         break;
                     }
-                    let _e1199 = local_12;
-                    let _e1203 = local_13;
-                    let _e1207 = local_14;
-                    phi_1782_ = vec4<f32>((_e1199.x * 3.1415927f), (_e1203.y * 3.1415927f), (_e1207.z * 3.1415927f), 0f);
+                    let _e1198 = local_12;
+                    let _e1202 = local_13;
+                    let _e1206 = local_14;
+                    phi_1787_ = vec4<f32>((_e1198.x * 3.1415927f), (_e1202.y * 3.1415927f), (_e1206.z * 3.1415927f), 0f);
                 }
-                let _e1212 = phi_1782_;
+                let _e1211 = phi_1787_;
                 if (_e94 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e94] = _e1212;
+                out.member[_e94] = _e1211;
             }
             break;
         }

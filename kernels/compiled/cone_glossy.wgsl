@@ -109,13 +109,11 @@ fn function_() {
     var phi_869_: f32;
     var phi_875_: vec4<f32>;
     var phi_878_: u32;
-    var phi_1223_: u32;
-    var phi_1235_: vec4<f32>;
+    var phi_1228_: u32;
+    var phi_1240_: vec4<f32>;
     var phi_1044_: vec4<f32>;
     var phi_1047_: vec4<f32>;
     var phi_1049_: u32;
-    var phi_1160_: vec4<f32>;
-    var phi_1161_: vec4<f32>;
     var phi_1045_: vec4<f32>;
     var phi_1048_: vec4<f32>;
     var local: vec4<f32>;
@@ -124,25 +122,25 @@ fn function_() {
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1189_: vec4<f32>;
-    var phi_1203_: vec4<f32>;
-    var phi_1236_: vec4<f32>;
+    var phi_1194_: vec4<f32>;
+    var phi_1208_: vec4<f32>;
+    var phi_1241_: vec4<f32>;
     var phi_876_: vec4<f32>;
-    var phi_1262_: vec4<f32>;
-    var phi_1302_: vec3<f32>;
-    var phi_1303_: f32;
-    var phi_1304_: f32;
-    var phi_1346_: i32;
-    var phi_1364_: bool;
-    var phi_1385_: u32;
-    var phi_1390_: i32;
-    var phi_1395_: f32;
-    var phi_1402_: u32;
-    var phi_1407_: i32;
-    var phi_1412_: f32;
-    var phi_1419_: u32;
-    var phi_1424_: i32;
-    var phi_1429_: f32;
+    var phi_1267_: vec4<f32>;
+    var phi_1307_: vec3<f32>;
+    var phi_1308_: f32;
+    var phi_1309_: f32;
+    var phi_1351_: i32;
+    var phi_1369_: bool;
+    var phi_1390_: u32;
+    var phi_1395_: i32;
+    var phi_1400_: f32;
+    var phi_1407_: u32;
+    var phi_1412_: i32;
+    var phi_1417_: f32;
+    var phi_1424_: u32;
+    var phi_1429_: i32;
+    var phi_1434_: f32;
     var phi_455_: vec3<f32>;
     var phi_458_: type_39;
     var phi_460_: u32;
@@ -159,7 +157,7 @@ fn function_() {
     var local_10: f32;
     var local_11: f32;
     var local_12: f32;
-    var phi_1485_: vec4<f32>;
+    var phi_1490_: vec4<f32>;
     var local_13: vec4<f32>;
     var local_14: vec4<f32>;
 
@@ -171,7 +169,7 @@ fn function_() {
             if _e65 {
                 let _e69 = surfels.member[_e64].member_1;
                 if (_e69 == 4294967295u) {
-                    phi_1485_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1490_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e74 = surfels.member[_e64].member;
                     let _e80 = params.member.member_6;
@@ -302,7 +300,7 @@ fn function_() {
                             let _e330 = ((_e171.y + _e324) >> bitcast<u32>(_e321));
                             let _e333 = ((_e171.z + _e324) >> bitcast<u32>(_e321));
                             if ((_e276.member_1 < 0i) || (_e276.member_1 >= bitcast<i32>(select(select(_e330, _e327, _e300), _e333, _e302)))) {
-                                phi_1262_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                phi_1267_ = vec4<f32>(0f, 0f, 0f, 0f);
                             } else {
                                 let _e341 = (1f / f32(_e323));
                                 let _e343 = (((_e149 + (_e120 * _e276.member_2)) * _e341) - 0.5f);
@@ -396,206 +394,200 @@ fn function_() {
                                                 let _e649 = (2u * _e642);
                                                 let _e651 = radiance.member[_e649];
                                                 let _e654 = radiance.member[(_e649 + 1u)];
-                                                let _e660 = -((((select(0f, _e632, _e300) * _e645[0]) + (select(0f, _e632, (_e278 == 1u)) * _e645[1])) + (select(0f, _e632, _e302) * _e645[2])));
+                                                let _e659 = (((select(0f, _e632, _e300) * _e645[0]) + (select(0f, _e632, (_e278 == 1u)) * _e645[1])) + (select(0f, _e632, _e302) * _e645[2]));
+                                                let _e660 = -(_e659);
                                                 if _e541 {
-                                                    let _e713 = sqrt((((_e645[0] * _e645[0]) + (_e645[1] * _e645[1])) + (_e645[2] * _e645[2])));
+                                                    let _e712 = sqrt((((_e645[0] * _e645[0]) + (_e645[1] * _e645[1])) + (_e645[2] * _e645[2])));
                                                     phi_1045_ = _e638;
-                                                    phi_1048_ = vec4<f32>((_e640.x + (select(_e654.x, _e651.x, (_e651.x > _e654.x)) * _e713)), (_e640.y + (select(_e654.y, _e651.y, (_e651.y > _e654.y)) * _e713)), (_e640.z + (select(_e654.z, _e651.z, (_e651.z > _e654.z)) * _e713)), (_e640.w + _e713));
+                                                    phi_1048_ = vec4<f32>((_e640.x + (select(_e654.x, _e651.x, (_e651.x > _e654.x)) * _e712)), (_e640.y + (select(_e654.y, _e651.y, (_e651.y > _e654.y)) * _e712)), (_e640.z + (select(_e654.z, _e651.z, (_e651.z > _e654.z)) * _e712)), (_e640.w + _e712));
                                                 } else {
-                                                    if (_e660 > 0f) {
-                                                        phi_1160_ = _e638;
-                                                        phi_1161_ = vec4<f32>((_e640.x + (_e651.x * _e660)), (_e640.y + (_e651.y * _e660)), (_e640.z + (_e651.z * _e660)), (_e640.w + _e660));
-                                                    } else {
-                                                        phi_1160_ = vec4<f32>((_e638.x - (_e654.x * _e660)), (_e638.y - (_e654.y * _e660)), (_e638.z - (_e654.z * _e660)), (_e638.w - _e660));
-                                                        phi_1161_ = _e640;
-                                                    }
-                                                    let _e693 = phi_1160_;
-                                                    let _e695 = phi_1161_;
-                                                    phi_1045_ = _e693;
-                                                    phi_1048_ = _e695;
+                                                    let _e665 = select(0f, _e660, (_e660 > 0f));
+                                                    let _e682 = select(0f, _e659, (_e659 > 0f));
+                                                    phi_1045_ = vec4<f32>((_e638.x + (_e654.x * _e682)), (_e638.y + (_e654.y * _e682)), (_e638.z + (_e654.z * _e682)), (_e638.w + _e682));
+                                                    phi_1048_ = vec4<f32>((_e640.x + (_e651.x * _e665)), (_e640.y + (_e651.y * _e665)), (_e640.z + (_e651.z * _e665)), (_e640.w + _e665));
                                                 }
-                                                let _e727 = phi_1045_;
-                                                let _e729 = phi_1048_;
-                                                let _e730 = (_e642 + 1u);
-                                                local = _e727;
-                                                local_1 = _e729;
-                                                local_2 = _e727;
-                                                local_3 = _e727;
-                                                local_4 = _e727;
-                                                local_5 = _e729;
-                                                local_13 = _e729;
+                                                let _e726 = phi_1045_;
+                                                let _e728 = phi_1048_;
+                                                let _e729 = (_e642 + 1u);
+                                                local = _e726;
+                                                local_1 = _e728;
+                                                local_2 = _e726;
+                                                local_3 = _e726;
+                                                local_4 = _e726;
+                                                local_5 = _e728;
+                                                local_13 = _e728;
                                                 continue;
                                                 continuing {
-                                                    phi_1044_ = _e727;
-                                                    phi_1047_ = _e729;
-                                                    phi_1049_ = _e730;
-                                                    break if !(select(true, false, (_e730 >= (_e627 + (((((((_e572 >> bitcast<u32>(_e532)) & 1u) + ((_e584 >> bitcast<u32>(_e532)) & 1u)) + ((_e594 >> bitcast<u32>(_e532)) & 1u)) + ((_e604 >> bitcast<u32>(_e532)) & 1u)) + ((_e614 >> bitcast<u32>(_e532)) & 1u)) + ((_e624 >> bitcast<u32>(_e532)) & 1u))))));
+                                                    phi_1044_ = _e726;
+                                                    phi_1047_ = _e728;
+                                                    phi_1049_ = _e729;
+                                                    break if !(select(true, false, (_e729 >= (_e627 + (((((((_e572 >> bitcast<u32>(_e532)) & 1u) + ((_e584 >> bitcast<u32>(_e532)) & 1u)) + ((_e594 >> bitcast<u32>(_e532)) & 1u)) + ((_e604 >> bitcast<u32>(_e532)) & 1u)) + ((_e614 >> bitcast<u32>(_e532)) & 1u)) + ((_e624 >> bitcast<u32>(_e532)) & 1u))))));
                                                 }
                                             }
-                                            let _e736 = local;
-                                            let _e739 = local_1;
-                                            if (_e736.w > _e739.w) {
-                                                let _e742 = (_e736.w - _e739.w);
-                                                let _e743 = (_e742 / _e736.w);
-                                                let _e745 = local_2;
-                                                let _e749 = local_3;
-                                                let _e753 = local_4;
-                                                let _e758 = local_5;
-                                                phi_1189_ = (_e758 + vec4<f32>((_e745.x * _e743), (_e749.y * _e743), (_e753.z * _e743), _e742));
+                                            let _e735 = local;
+                                            let _e738 = local_1;
+                                            if (_e735.w > _e738.w) {
+                                                let _e741 = (_e735.w - _e738.w);
+                                                let _e742 = (_e741 / _e735.w);
+                                                let _e744 = local_2;
+                                                let _e748 = local_3;
+                                                let _e752 = local_4;
+                                                let _e757 = local_5;
+                                                phi_1194_ = (_e757 + vec4<f32>((_e744.x * _e742), (_e748.y * _e742), (_e752.z * _e742), _e741));
                                             } else {
-                                                let _e1017 = local_13;
-                                                phi_1189_ = _e1017;
+                                                let _e1014 = local_13;
+                                                phi_1194_ = _e1014;
                                             }
-                                            let _e761 = phi_1189_;
-                                            if (_e761.w > 1f) {
-                                                phi_1203_ = vec4<f32>((_e761.x / _e761.w), (_e761.y / _e761.w), (_e761.z / _e761.w), 1f);
+                                            let _e760 = phi_1194_;
+                                            if (_e760.w > 1f) {
+                                                phi_1208_ = vec4<f32>((_e760.x / _e760.w), (_e760.y / _e760.w), (_e760.z / _e760.w), 1f);
                                             } else {
-                                                phi_1203_ = _e761;
+                                                phi_1208_ = _e760;
                                             }
-                                            let _e772 = phi_1203_;
-                                            phi_1236_ = _e772;
+                                            let _e771 = phi_1208_;
+                                            phi_1241_ = _e771;
                                         } else {
                                             let _e545 = cells.member[(_e528 + 1u)];
                                             let _e551 = (_e545 + countOneBits((_e530 & ((1u << bitcast<u32>(_e532)) - 1u))));
                                             if _e541 {
-                                                phi_1223_ = _e551;
+                                                phi_1228_ = _e551;
                                             } else {
-                                                phi_1223_ = (((6u * _e551) + (2u * _e278)) + select(0u, 1u, _e316));
+                                                phi_1228_ = (((6u * _e551) + (2u * _e278)) + select(0u, 1u, _e316));
                                             }
-                                            let _e558 = phi_1223_;
+                                            let _e558 = phi_1228_;
                                             if ((_e276.member & 1u) == 1u) {
                                                 let _e564 = odd.member[_e558];
-                                                phi_1235_ = _e564;
+                                                phi_1240_ = _e564;
                                             } else {
                                                 let _e562 = even.member[_e558];
-                                                phi_1235_ = _e562;
+                                                phi_1240_ = _e562;
                                             }
-                                            let _e566 = phi_1235_;
-                                            phi_1236_ = _e566;
+                                            let _e566 = phi_1240_;
+                                            phi_1241_ = _e566;
                                         }
-                                        let _e774 = phi_1236_;
-                                        phi_876_ = vec4<f32>((_e508.x + (_e774.x * _e517)), (_e508.y + (_e774.y * _e517)), (_e508.z + (_e774.z * _e517)), (_e508.w + (_e774.w * _e517)));
+                                        let _e773 = phi_1241_;
+                                        phi_876_ = vec4<f32>((_e508.x + (_e773.x * _e517)), (_e508.y + (_e773.y * _e517)), (_e508.z + (_e773.z * _e517)), (_e508.w + (_e773.w * _e517)));
                                     } else {
                                         phi_876_ = _e508;
                                     }
-                                    let _e793 = phi_876_;
-                                    let _e794 = (_e510 + 1u);
-                                    local_14 = _e793;
+                                    let _e792 = phi_876_;
+                                    let _e793 = (_e510 + 1u);
+                                    local_14 = _e792;
                                     continue;
                                     continuing {
-                                        phi_875_ = _e793;
-                                        phi_878_ = _e794;
-                                        break if !(select(true, false, (_e794 == 4u)));
+                                        phi_875_ = _e792;
+                                        phi_878_ = _e793;
+                                        break if !(select(true, false, (_e793 == 4u)));
                                     }
                                 }
-                                let _e1023 = local_14;
-                                phi_1262_ = _e1023;
+                                let _e1020 = local_14;
+                                phi_1267_ = _e1020;
                             }
-                            let _e799 = phi_1262_;
-                            if (_e799.w > 0f) {
-                                let _e806 = select(_e295, _e799.w, (_e799.w < _e295));
-                                let _e811 = ((_e284 * _e806) / _e799.w);
-                                phi_1302_ = vec3<f32>((_e274.x + (_e799.x * _e811)), (_e274.y + (_e799.y * _e811)), (_e274.z + (_e799.z * _e811)));
-                                phi_1303_ = (_e282 + _e806);
-                                phi_1304_ = _e284;
+                            let _e798 = phi_1267_;
+                            if (_e798.w > 0f) {
+                                let _e805 = select(_e295, _e798.w, (_e798.w < _e295));
+                                let _e810 = ((_e284 * _e805) / _e798.w);
+                                phi_1307_ = vec3<f32>((_e274.x + (_e798.x * _e810)), (_e274.y + (_e798.y * _e810)), (_e274.z + (_e798.z * _e810)));
+                                phi_1308_ = (_e282 + _e805);
+                                phi_1309_ = _e284;
                             } else {
-                                let _e802 = (_e278 == _e183);
-                                phi_1302_ = _e274;
-                                phi_1303_ = select(_e282, 0f, _e802);
-                                phi_1304_ = select(_e284, _e296, _e802);
+                                let _e801 = (_e278 == _e183);
+                                phi_1307_ = _e274;
+                                phi_1308_ = select(_e282, 0f, _e801);
+                                phi_1309_ = select(_e284, _e296, _e801);
                             }
-                            let _e824 = phi_1302_;
-                            let _e826 = phi_1303_;
-                            let _e828 = phi_1304_;
-                            let _e829 = ((2f * _e155) * _e276.member_2);
-                            let _e831 = ((_e159 * _e145) + ((_e159 * select(0f, _e165, (_e165 > 0f))) * _e276.member_2));
-                            let _e833 = select(_e831, _e829, (_e829 < _e831));
-                            let _e840 = ((bitcast<u32>((select(1f, _e833, (_e833 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
-                            let _e842 = (_e171.w - 1u);
-                            let _e850 = select(0u, 1u, ((((_e276.member_1 & 1i) == 0i) == _e316) && (select(_e840, _e842, (_e842 < _e840)) > _e276.member)));
+                            let _e823 = phi_1307_;
+                            let _e825 = phi_1308_;
+                            let _e827 = phi_1309_;
+                            let _e828 = ((2f * _e155) * _e276.member_2);
+                            let _e830 = ((_e159 * _e145) + ((_e159 * select(0f, _e165, (_e165 > 0f))) * _e276.member_2));
+                            let _e832 = select(_e830, _e828, (_e828 < _e830));
+                            let _e839 = ((bitcast<u32>((select(1f, _e832, (_e832 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
+                            let _e841 = (_e171.w - 1u);
+                            let _e849 = select(0u, 1u, ((((_e276.member_1 & 1i) == 0i) == _e316) && (select(_e839, _e841, (_e841 < _e839)) > _e276.member)));
                             if _e316 {
-                                phi_1346_ = (_e276.member_1 - 1i);
+                                phi_1351_ = (_e276.member_1 - 1i);
                             } else {
-                                phi_1346_ = (_e276.member_1 + 1i);
+                                phi_1351_ = (_e276.member_1 + 1i);
                             }
-                            let _e854 = phi_1346_;
-                            let _e855 = (_e276.member + _e850);
-                            let _e858 = (_e854 >> bitcast<u32>((_e850 & 31u)));
-                            let _e859 = (_e855 & 31u);
-                            let _e861 = (1u << bitcast<u32>(_e859));
+                            let _e853 = phi_1351_;
+                            let _e854 = (_e276.member + _e849);
+                            let _e857 = (_e853 >> bitcast<u32>((_e849 & 31u)));
+                            let _e858 = (_e854 & 31u);
+                            let _e860 = (1u << bitcast<u32>(_e858));
                             if _e316 {
-                                phi_1364_ = (_e858 < 0i);
+                                phi_1369_ = (_e857 < 0i);
                             } else {
-                                phi_1364_ = (_e858 >= bitcast<i32>((((select(select(_e171.y, _e171.x, _e300), _e171.z, _e302) + _e861) - 1u) >> bitcast<u32>(_e859))));
+                                phi_1369_ = (_e857 >= bitcast<i32>((((select(select(_e171.y, _e171.x, _e300), _e171.z, _e302) + _e860) - 1u) >> bitcast<u32>(_e858))));
                             }
-                            let _e870 = phi_1364_;
-                            let _e880 = select(((((f32(_e858) + 0.5f) * f32(_e861)) - select(select(_e150, _e149, _e300), _e151, _e302)) / _e305), 340282350000000000000000000000000000000f, (_e870 || (abs(_e305) < 0.000001f)));
+                            let _e869 = phi_1369_;
+                            let _e879 = select(((((f32(_e857) + 0.5f) * f32(_e860)) - select(select(_e150, _e149, _e300), _e151, _e302)) / _e305), 340282350000000000000000000000000000000f, (_e869 || (abs(_e305) < 0.000001f)));
                             if _e300 {
-                                phi_1385_ = _e855;
+                                phi_1390_ = _e854;
                             } else {
-                                phi_1385_ = _e290.member;
+                                phi_1390_ = _e290.member;
                             }
-                            let _e883 = phi_1385_;
+                            let _e882 = phi_1390_;
                             if _e300 {
-                                phi_1390_ = _e858;
+                                phi_1395_ = _e857;
                             } else {
-                                phi_1390_ = _e290.member_1;
+                                phi_1395_ = _e290.member_1;
                             }
-                            let _e886 = phi_1390_;
+                            let _e885 = phi_1395_;
                             if _e300 {
-                                phi_1395_ = _e880;
+                                phi_1400_ = _e879;
                             } else {
-                                phi_1395_ = _e290.member_2;
+                                phi_1400_ = _e290.member_2;
                             }
-                            let _e889 = phi_1395_;
-                            let _e891 = (_e278 == 1u);
-                            if _e891 {
-                                phi_1402_ = _e855;
+                            let _e888 = phi_1400_;
+                            let _e890 = (_e278 == 1u);
+                            if _e890 {
+                                phi_1407_ = _e854;
                             } else {
-                                phi_1402_ = _e288.member;
+                                phi_1407_ = _e288.member;
                             }
-                            let _e894 = phi_1402_;
-                            if _e891 {
-                                phi_1407_ = _e858;
+                            let _e893 = phi_1407_;
+                            if _e890 {
+                                phi_1412_ = _e857;
                             } else {
-                                phi_1407_ = _e288.member_1;
+                                phi_1412_ = _e288.member_1;
                             }
-                            let _e897 = phi_1407_;
-                            if _e891 {
-                                phi_1412_ = _e880;
+                            let _e896 = phi_1412_;
+                            if _e890 {
+                                phi_1417_ = _e879;
                             } else {
-                                phi_1412_ = _e288.member_2;
+                                phi_1417_ = _e288.member_2;
                             }
-                            let _e900 = phi_1412_;
+                            let _e899 = phi_1417_;
                             if _e302 {
-                                phi_1419_ = _e855;
+                                phi_1424_ = _e854;
                             } else {
-                                phi_1419_ = _e286.member;
+                                phi_1424_ = _e286.member;
                             }
-                            let _e904 = phi_1419_;
+                            let _e903 = phi_1424_;
                             if _e302 {
-                                phi_1424_ = _e858;
+                                phi_1429_ = _e857;
                             } else {
-                                phi_1424_ = _e286.member_1;
+                                phi_1429_ = _e286.member_1;
                             }
-                            let _e907 = phi_1424_;
+                            let _e906 = phi_1429_;
                             if _e302 {
-                                phi_1429_ = _e880;
+                                phi_1434_ = _e879;
                             } else {
-                                phi_1429_ = _e286.member_2;
+                                phi_1434_ = _e286.member_2;
                             }
-                            let _e910 = phi_1429_;
-                            let _e914 = ((_e889 <= _e900) && (_e889 <= _e910));
-                            let _e915 = (_e900 <= _e910);
-                            phi_455_ = _e824;
-                            phi_458_ = type_39(select(select(_e904, _e894, _e915), _e883, _e914), select(select(_e907, _e897, _e915), _e886, _e914), select(select(_e910, _e900, _e915), _e889, _e914));
-                            phi_460_ = select(select(2u, 1u, _e915), 0u, _e914);
+                            let _e909 = phi_1434_;
+                            let _e913 = ((_e888 <= _e899) && (_e888 <= _e909));
+                            let _e914 = (_e899 <= _e909);
+                            phi_455_ = _e823;
+                            phi_458_ = type_39(select(select(_e903, _e893, _e914), _e882, _e913), select(select(_e906, _e896, _e914), _e885, _e913), select(select(_e909, _e899, _e914), _e888, _e913));
+                            phi_460_ = select(select(2u, 1u, _e914), 0u, _e913);
                             phi_462_ = (_e280 + 1u);
-                            phi_464_ = _e826;
-                            phi_466_ = _e828;
-                            phi_468_ = type_39(_e904, _e907, _e910);
-                            phi_470_ = type_39(_e894, _e897, _e900);
-                            phi_472_ = type_39(_e883, _e886, _e889);
+                            phi_464_ = _e825;
+                            phi_466_ = _e827;
+                            phi_468_ = type_39(_e903, _e906, _e909);
+                            phi_470_ = type_39(_e893, _e896, _e899);
+                            phi_472_ = type_39(_e882, _e885, _e888);
                         } else {
                             phi_455_ = vec3<f32>();
                             phi_458_ = type_39();
@@ -607,45 +599,45 @@ fn function_() {
                             phi_470_ = type_39();
                             phi_472_ = type_39();
                         }
-                        let _e926 = phi_455_;
-                        let _e928 = phi_458_;
-                        let _e930 = phi_460_;
-                        let _e932 = phi_462_;
-                        let _e934 = phi_464_;
-                        let _e936 = phi_466_;
-                        let _e938 = phi_468_;
-                        let _e940 = phi_470_;
-                        let _e942 = phi_472_;
+                        let _e925 = phi_455_;
+                        let _e927 = phi_458_;
+                        let _e929 = phi_460_;
+                        let _e931 = phi_462_;
+                        let _e933 = phi_464_;
+                        let _e935 = phi_466_;
+                        let _e937 = phi_468_;
+                        let _e939 = phi_470_;
+                        let _e941 = phi_472_;
                         continue;
                         continuing {
-                            phi_454_ = _e926;
-                            phi_457_ = _e928;
-                            phi_459_ = _e930;
-                            phi_461_ = _e932;
-                            phi_463_ = _e934;
-                            phi_465_ = _e936;
-                            phi_467_ = _e938;
-                            phi_469_ = _e940;
-                            phi_471_ = _e942;
+                            phi_454_ = _e925;
+                            phi_457_ = _e927;
+                            phi_459_ = _e929;
+                            phi_461_ = _e931;
+                            phi_463_ = _e933;
+                            phi_465_ = _e935;
+                            phi_467_ = _e937;
+                            phi_469_ = _e939;
+                            phi_471_ = _e941;
                             break if !(_e298);
                         }
                     }
-                    let _e945 = local_6;
-                    let _e948 = local_7;
-                    let _e951 = local_8;
-                    let _e955 = params.member.member_5;
-                    let _e960 = local_9;
-                    let _e963 = local_10;
-                    let _e966 = local_11;
-                    let _e972 = local_12;
-                    phi_1485_ = vec4<f32>((_e945.x + (_e955.x * _e960)), (_e948.y + (_e955.y * _e963)), (_e951.z + (_e955.z * _e966)), _e972);
+                    let _e944 = local_6;
+                    let _e947 = local_7;
+                    let _e950 = local_8;
+                    let _e954 = params.member.member_5;
+                    let _e959 = local_9;
+                    let _e962 = local_10;
+                    let _e965 = local_11;
+                    let _e971 = local_12;
+                    phi_1490_ = vec4<f32>((_e944.x + (_e954.x * _e959)), (_e947.y + (_e954.y * _e962)), (_e950.z + (_e954.z * _e965)), _e971);
                 }
-                let _e975 = phi_1485_;
+                let _e974 = phi_1490_;
                 if _e65 {
                 } else {
                     break;
                 }
-                out.member[_e64] = _e975;
+                out.member[_e64] = _e974;
             }
             break;
         }

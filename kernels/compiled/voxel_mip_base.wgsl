@@ -2,12 +2,7 @@ struct type_7 {
     member: array<u32>,
 }
 
-struct type_10 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_14 {
+struct type_13 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
@@ -18,15 +13,15 @@ struct type_14 {
     member_7: u32,
 }
 
-struct type_16 {
-    member: array<type_14>,
+struct type_15 {
+    member: array<type_13>,
 }
 
-struct type_22 {
+struct type_21 {
     member: array<vec4<f32>>,
 }
 
-struct type_25 {
+struct type_24 {
     member: vec4<f32>,
     member_1: vec4<u32>,
     member_2: array<vec4<u32>, 10>,
@@ -47,8 +42,8 @@ struct type_25 {
     member_17: vec4<u32>,
 }
 
-struct type_26 {
-    member: type_25,
+struct type_25 {
+    member: type_24,
 }
 
 var<private> gid_1: vec3<u32>;
@@ -57,1029 +52,876 @@ var<storage> cells: type_7;
 @group(0) @binding(2) 
 var<storage> facet_bits: type_7;
 @group(0) @binding(3) 
-var<storage> facets: type_16;
+var<storage> facets: type_15;
 @group(0) @binding(4) 
-var<storage> radiance: type_22;
+var<storage> radiance: type_21;
 @group(0) @binding(0) 
-var<uniform> params: type_26;
+var<uniform> params: type_25;
 @group(0) @binding(5) 
 var<storage> children: type_7;
 @group(0) @binding(6) 
-var<storage, read_write> out: type_22;
+var<storage, read_write> out: type_21;
 
 fn function_() {
-    var phi_127_: type_10;
-    var phi_130_: u32;
-    var phi_128_: type_10;
-    var phi_153_: type_10;
-    var phi_131_: u32;
-    var phi_254_: vec4<f32>;
-    var phi_257_: vec4<f32>;
-    var phi_259_: u32;
-    var phi_370_: vec4<f32>;
-    var phi_371_: vec4<f32>;
-    var phi_255_: vec4<f32>;
-    var phi_258_: vec4<f32>;
-    var local: u32;
+    var phi_261_: vec4<f32>;
+    var phi_264_: vec4<f32>;
+    var phi_266_: u32;
+    var phi_262_: vec4<f32>;
+    var phi_265_: vec4<f32>;
+    var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
+    var phi_411_: vec4<f32>;
+    var phi_425_: vec4<f32>;
+    var phi_428_: array<vec4<f32>, 8>;
+    var phi_429_: u32;
+    var phi_449_: vec4<f32>;
+    var phi_452_: vec4<f32>;
+    var phi_454_: u32;
+    var phi_450_: vec4<f32>;
+    var phi_453_: vec4<f32>;
     var local_6: vec4<f32>;
-    var phi_399_: vec4<f32>;
-    var phi_413_: vec4<f32>;
-    var phi_416_: array<vec4<f32>, 8>;
-    var phi_417_: u32;
-    var phi_470_: vec4<f32>;
-    var phi_473_: vec4<f32>;
-    var phi_475_: u32;
-    var phi_586_: vec4<f32>;
-    var phi_587_: vec4<f32>;
-    var phi_471_: vec4<f32>;
-    var phi_474_: vec4<f32>;
     var local_7: vec4<f32>;
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
     var local_11: vec4<f32>;
+    var phi_599_: vec4<f32>;
+    var phi_613_: vec4<f32>;
+    var phi_616_: array<vec4<f32>, 8>;
+    var phi_617_: u32;
+    var phi_637_: vec4<f32>;
+    var phi_640_: vec4<f32>;
+    var phi_642_: u32;
+    var phi_638_: vec4<f32>;
+    var phi_641_: vec4<f32>;
     var local_12: vec4<f32>;
-    var phi_615_: vec4<f32>;
-    var phi_629_: vec4<f32>;
-    var phi_632_: array<vec4<f32>, 8>;
-    var phi_633_: u32;
-    var phi_686_: vec4<f32>;
-    var phi_689_: vec4<f32>;
-    var phi_691_: u32;
-    var phi_802_: vec4<f32>;
-    var phi_803_: vec4<f32>;
-    var phi_687_: vec4<f32>;
-    var phi_690_: vec4<f32>;
     var local_13: vec4<f32>;
     var local_14: vec4<f32>;
     var local_15: vec4<f32>;
     var local_16: vec4<f32>;
     var local_17: vec4<f32>;
+    var phi_787_: vec4<f32>;
+    var phi_801_: vec4<f32>;
+    var phi_804_: array<vec4<f32>, 8>;
+    var phi_805_: u32;
+    var phi_825_: vec4<f32>;
+    var phi_828_: vec4<f32>;
+    var phi_830_: u32;
+    var phi_826_: vec4<f32>;
+    var phi_829_: vec4<f32>;
     var local_18: vec4<f32>;
-    var phi_831_: vec4<f32>;
-    var phi_845_: vec4<f32>;
-    var phi_848_: array<vec4<f32>, 8>;
-    var phi_849_: u32;
-    var phi_902_: vec4<f32>;
-    var phi_905_: vec4<f32>;
-    var phi_907_: u32;
-    var phi_1018_: vec4<f32>;
-    var phi_1019_: vec4<f32>;
-    var phi_903_: vec4<f32>;
-    var phi_906_: vec4<f32>;
     var local_19: vec4<f32>;
     var local_20: vec4<f32>;
     var local_21: vec4<f32>;
     var local_22: vec4<f32>;
     var local_23: vec4<f32>;
+    var phi_975_: vec4<f32>;
+    var phi_989_: vec4<f32>;
+    var phi_992_: array<vec4<f32>, 8>;
+    var phi_993_: u32;
+    var phi_1013_: vec4<f32>;
+    var phi_1016_: vec4<f32>;
+    var phi_1018_: u32;
+    var phi_1014_: vec4<f32>;
+    var phi_1017_: vec4<f32>;
     var local_24: vec4<f32>;
-    var phi_1047_: vec4<f32>;
-    var phi_1061_: vec4<f32>;
-    var phi_1064_: array<vec4<f32>, 8>;
-    var phi_1065_: u32;
-    var phi_1118_: vec4<f32>;
-    var phi_1121_: vec4<f32>;
-    var phi_1123_: u32;
-    var phi_1234_: vec4<f32>;
-    var phi_1235_: vec4<f32>;
-    var phi_1119_: vec4<f32>;
-    var phi_1122_: vec4<f32>;
     var local_25: vec4<f32>;
     var local_26: vec4<f32>;
     var local_27: vec4<f32>;
     var local_28: vec4<f32>;
     var local_29: vec4<f32>;
+    var phi_1163_: vec4<f32>;
+    var phi_1177_: vec4<f32>;
+    var phi_1180_: array<vec4<f32>, 8>;
+    var phi_1181_: u32;
+    var phi_1201_: vec4<f32>;
+    var phi_1204_: vec4<f32>;
+    var phi_1206_: u32;
+    var phi_1202_: vec4<f32>;
+    var phi_1205_: vec4<f32>;
     var local_30: vec4<f32>;
-    var phi_1263_: vec4<f32>;
-    var phi_1277_: vec4<f32>;
-    var phi_1280_: array<vec4<f32>, 8>;
-    var phi_1281_: u32;
-    var phi_1334_: vec4<f32>;
-    var phi_1337_: vec4<f32>;
-    var phi_1339_: u32;
-    var phi_1450_: vec4<f32>;
-    var phi_1451_: vec4<f32>;
-    var phi_1335_: vec4<f32>;
-    var phi_1338_: vec4<f32>;
     var local_31: vec4<f32>;
     var local_32: vec4<f32>;
     var local_33: vec4<f32>;
     var local_34: vec4<f32>;
     var local_35: vec4<f32>;
+    var phi_1351_: vec4<f32>;
+    var phi_1365_: vec4<f32>;
+    var phi_1368_: array<vec4<f32>, 8>;
+    var phi_1369_: u32;
+    var phi_1389_: vec4<f32>;
+    var phi_1392_: vec4<f32>;
+    var phi_1394_: u32;
+    var phi_1390_: vec4<f32>;
+    var phi_1393_: vec4<f32>;
     var local_36: vec4<f32>;
-    var phi_1479_: vec4<f32>;
-    var phi_1493_: vec4<f32>;
-    var phi_1496_: array<vec4<f32>, 8>;
-    var phi_1497_: u32;
-    var phi_1550_: vec4<f32>;
-    var phi_1553_: vec4<f32>;
-    var phi_1555_: u32;
-    var phi_1666_: vec4<f32>;
-    var phi_1667_: vec4<f32>;
-    var phi_1551_: vec4<f32>;
-    var phi_1554_: vec4<f32>;
     var local_37: vec4<f32>;
     var local_38: vec4<f32>;
     var local_39: vec4<f32>;
     var local_40: vec4<f32>;
     var local_41: vec4<f32>;
+    var phi_1539_: vec4<f32>;
+    var phi_1553_: vec4<f32>;
+    var phi_1556_: array<vec4<f32>, 8>;
+    var phi_1557_: u32;
+    var phi_1577_: vec4<f32>;
+    var phi_1580_: vec4<f32>;
+    var phi_1582_: u32;
+    var phi_1578_: vec4<f32>;
+    var phi_1581_: vec4<f32>;
     var local_42: vec4<f32>;
-    var phi_1695_: vec4<f32>;
-    var phi_1709_: vec4<f32>;
-    var phi_1712_: array<vec4<f32>, 8>;
-    var phi_1713_: u32;
-    var phi_1766_: vec4<f32>;
-    var phi_1769_: vec4<f32>;
-    var phi_1771_: u32;
-    var phi_1882_: vec4<f32>;
-    var phi_1883_: vec4<f32>;
-    var phi_1767_: vec4<f32>;
-    var phi_1770_: vec4<f32>;
     var local_43: vec4<f32>;
     var local_44: vec4<f32>;
     var local_45: vec4<f32>;
     var local_46: vec4<f32>;
     var local_47: vec4<f32>;
+    var phi_1727_: vec4<f32>;
+    var phi_1741_: vec4<f32>;
+    var phi_1743_: array<vec4<f32>, 8>;
+    var phi_1849_: vec4<f32>;
+    var phi_1901_: vec4<f32>;
+    var phi_1927_: vec4<f32>;
+    var phi_1979_: vec4<f32>;
+    var phi_2004_: vec4<f32>;
+    var phi_2069_: vec4<f32>;
+    var phi_2090_: vec4<f32>;
+    var phi_2143_: vec4<f32>;
+    var phi_1832_: vec4<f32>;
+    var phi_2157_: vec4<f32>;
     var local_48: vec4<f32>;
-    var phi_1911_: vec4<f32>;
-    var phi_1925_: vec4<f32>;
-    var phi_1927_: array<vec4<f32>, 8>;
-    var phi_2033_: vec4<f32>;
-    var phi_2085_: vec4<f32>;
-    var phi_2111_: vec4<f32>;
-    var phi_2163_: vec4<f32>;
-    var phi_2188_: vec4<f32>;
-    var phi_2253_: vec4<f32>;
-    var phi_2274_: vec4<f32>;
-    var phi_2327_: vec4<f32>;
-    var phi_2016_: vec4<f32>;
-    var phi_2341_: vec4<f32>;
     var local_49: u32;
     var local_50: vec4<f32>;
     var local_51: u32;
-    var local_52: u32;
-    var local_53: vec4<f32>;
-    var local_54: u32;
-    var local_55: vec4<f32>;
-    var local_56: u32;
-    var local_57: vec4<f32>;
-    var local_58: u32;
-    var local_59: vec4<f32>;
-    var local_60: u32;
-    var local_61: vec4<f32>;
-    var local_62: u32;
-    var local_63: vec4<f32>;
-    var local_64: u32;
-    var local_65: vec4<f32>;
+    var local_52: vec4<f32>;
+    var local_53: u32;
+    var local_54: vec4<f32>;
+    var local_55: u32;
+    var local_56: vec4<f32>;
+    var local_57: u32;
+    var local_58: vec4<f32>;
+    var local_59: u32;
+    var local_60: vec4<f32>;
+    var local_61: u32;
+    var local_62: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e38 = gid_1;
-            let _e43 = params.member.member_12;
-            let _e46 = params.member.member_13;
-            let _e50 = (_e38.x + (_e38.y * 2097152u));
-            if (_e50 < _e46) {
-                let _e54 = params.member.member_6;
-                if (_e54 == 0u) {
+            let _e39 = gid_1;
+            let _e44 = params.member.member_12;
+            let _e47 = params.member.member_13;
+            let _e51 = (_e39.x + (_e39.y * 2097152u));
+            if (_e51 < _e47) {
+                let _e55 = params.member.member_6;
+                if (_e55 == 0u) {
                     break;
                 }
-                let _e56 = (_e50 / _e54);
-                let _e58 = (_e50 - (_e56 * _e54));
-                let _e61 = children.member[_e56];
-                let _e63 = (_e61 >> bitcast<u32>(2i));
-                let _e65 = (8u * (_e61 & 3u));
-                let _e66 = (2u * _e63);
-                let _e69 = cells.member[_e66];
-                let _e70 = (_e65 & 31u);
-                let _e72 = (_e69 >> bitcast<u32>(_e70));
-                let _e73 = (_e63 * 6u);
-                let _e77 = cells.member[(_e66 + 1u)];
-                phi_127_ = type_10(0u, 6u);
-                phi_130_ = _e77;
-                loop {
-                    let _e79 = phi_127_;
-                    let _e81 = phi_130_;
-                    local_49 = _e81;
-                    local = _e81;
-                    local_52 = _e81;
-                    if (_e79.member < _e79.member_1) {
-                        phi_128_ = type_10((_e79.member + 1u), _e79.member_1);
-                        phi_153_ = type_10(1u, _e79.member);
-                    } else {
-                        phi_128_ = _e79;
-                        phi_153_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e94 = phi_128_;
-                    let _e96 = phi_153_;
-                    let _e100 = (bitcast<i32>(_e96.member) != 0i);
-                    if _e100 {
-                        let _e104 = facet_bits.member[(_e73 + _e96.member_1)];
-                        phi_131_ = (_e81 + countOneBits((_e104 & ((1u << bitcast<u32>(_e70)) - 1u))));
-                    } else {
-                        phi_131_ = u32();
-                    }
-                    let _e112 = phi_131_;
-                    continue;
-                    continuing {
-                        phi_127_ = _e94;
-                        phi_130_ = _e112;
-                        break if !(_e100);
-                    }
-                }
-                let _e115 = (_e58 >> bitcast<u32>(1i));
-                let _e117 = ((_e58 & 1u) == 1u);
-                let _e118 = select(1f, -1f, _e117);
-                let _e119 = (_e115 == 0u);
-                let _e120 = select(0f, _e118, _e119);
-                let _e121 = (_e115 == 1u);
-                let _e122 = select(0f, _e118, _e121);
-                let _e124 = select(0f, _e118, (_e115 == 2u));
-                if ((_e72 & 1u) == 1u) {
-                    let _e129 = facet_bits.member[_e73];
-                    let _e136 = facet_bits.member[(_e73 + 1u)];
-                    let _e144 = facet_bits.member[(_e73 + 2u)];
-                    let _e152 = facet_bits.member[(_e73 + 3u)];
-                    let _e160 = facet_bits.member[(_e73 + 4u)];
-                    let _e168 = facet_bits.member[(_e73 + 5u)];
-                    phi_254_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_257_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    let _e2056 = local_49;
-                    phi_259_ = _e2056;
+                let _e57 = (_e51 / _e55);
+                let _e59 = (_e51 - (_e57 * _e55));
+                let _e62 = children.member[_e57];
+                let _e64 = (_e62 >> bitcast<u32>(2i));
+                let _e67 = (2u * _e64);
+                let _e70 = cells.member[_e67];
+                let _e71 = ((8u * (_e62 & 3u)) & 31u);
+                let _e73 = (_e70 >> bitcast<u32>(_e71));
+                let _e74 = (_e64 * 6u);
+                let _e78 = cells.member[(_e67 + 1u)];
+                let _e81 = facet_bits.member[_e74];
+                let _e84 = ((1u << bitcast<u32>(_e71)) - 1u);
+                let _e94 = facet_bits.member[(_e74 + 1u)];
+                let _e107 = facet_bits.member[(_e74 + 2u)];
+                let _e120 = facet_bits.member[(_e74 + 3u)];
+                let _e129 = (((((_e81 >> bitcast<u32>(_e71)) & 255u) | (((_e94 >> bitcast<u32>(_e71)) & 255u) << bitcast<u32>(8u))) | (((_e107 >> bitcast<u32>(_e71)) & 255u) << bitcast<u32>(16u))) | (((_e120 >> bitcast<u32>(_e71)) & 255u) << bitcast<u32>(24u)));
+                let _e133 = facet_bits.member[(_e74 + 4u)];
+                let _e143 = facet_bits.member[(_e74 + 5u)];
+                let _e146 = ((((((_e78 + countOneBits((_e81 & _e84))) + countOneBits((_e94 & _e84))) + countOneBits((_e107 & _e84))) + countOneBits((_e120 & _e84))) + countOneBits((_e133 & _e84))) + countOneBits((_e143 & _e84)));
+                let _e152 = (((_e133 >> bitcast<u32>(_e71)) & 255u) | (((_e143 >> bitcast<u32>(_e71)) & 255u) << bitcast<u32>(8u)));
+                let _e154 = (_e59 >> bitcast<u32>(1i));
+                let _e156 = ((_e59 & 1u) == 1u);
+                let _e157 = select(1f, -1f, _e156);
+                let _e158 = (_e154 == 0u);
+                let _e159 = select(0f, _e157, _e158);
+                let _e160 = (_e154 == 1u);
+                let _e161 = select(0f, _e157, _e160);
+                let _e163 = select(0f, _e157, (_e154 == 2u));
+                if ((_e73 & 1u) == 1u) {
+                    phi_261_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_264_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_266_ = _e146;
                     loop {
-                        let _e175 = phi_254_;
-                        let _e177 = phi_257_;
-                        let _e179 = phi_259_;
-                        let _e183 = facets.member[_e179].member_2;
-                        let _e187 = (2u * _e179);
-                        let _e190 = radiance.member[_e187];
-                        let _e194 = radiance.member[(_e187 + 1u)];
-                        let _e200 = -((((_e120 * _e183[0]) + (_e122 * _e183[1])) + (_e124 * _e183[2])));
-                        if (_e54 == 1u) {
-                            let _e253 = sqrt((((_e183[0] * _e183[0]) + (_e183[1] * _e183[1])) + (_e183[2] * _e183[2])));
-                            phi_255_ = _e175;
-                            phi_258_ = vec4<f32>((_e177.x + (select(_e194.x, _e190.x, (_e190.x > _e194.x)) * _e253)), (_e177.y + (select(_e194.y, _e190.y, (_e190.y > _e194.y)) * _e253)), (_e177.z + (select(_e194.z, _e190.z, (_e190.z > _e194.z)) * _e253)), (_e177.w + _e253));
+                        let _e173 = phi_261_;
+                        let _e175 = phi_264_;
+                        let _e177 = phi_266_;
+                        let _e181 = facets.member[_e177].member_2;
+                        let _e185 = (2u * _e177);
+                        let _e188 = radiance.member[_e185];
+                        let _e192 = radiance.member[(_e185 + 1u)];
+                        let _e197 = (((_e159 * _e181[0]) + (_e161 * _e181[1])) + (_e163 * _e181[2]));
+                        let _e198 = -(_e197);
+                        if (_e55 == 1u) {
+                            let _e250 = sqrt((((_e181[0] * _e181[0]) + (_e181[1] * _e181[1])) + (_e181[2] * _e181[2])));
+                            phi_262_ = _e173;
+                            phi_265_ = vec4<f32>((_e175.x + (select(_e192.x, _e188.x, (_e188.x > _e192.x)) * _e250)), (_e175.y + (select(_e192.y, _e188.y, (_e188.y > _e192.y)) * _e250)), (_e175.z + (select(_e192.z, _e188.z, (_e188.z > _e192.z)) * _e250)), (_e175.w + _e250));
                         } else {
-                            if (_e200 > 0f) {
-                                phi_370_ = _e175;
-                                phi_371_ = vec4<f32>((_e177.x + (_e190.x * _e200)), (_e177.y + (_e190.y * _e200)), (_e177.z + (_e190.z * _e200)), (_e177.w + _e200));
-                            } else {
-                                phi_370_ = vec4<f32>((_e175.x - (_e194.x * _e200)), (_e175.y - (_e194.y * _e200)), (_e175.z - (_e194.z * _e200)), (_e175.w - _e200));
-                                phi_371_ = _e177;
-                            }
-                            let _e233 = phi_370_;
-                            let _e235 = phi_371_;
-                            phi_255_ = _e233;
-                            phi_258_ = _e235;
+                            let _e203 = select(0f, _e198, (_e198 > 0f));
+                            let _e220 = select(0f, _e197, (_e197 > 0f));
+                            phi_262_ = vec4<f32>((_e173.x + (_e192.x * _e220)), (_e173.y + (_e192.y * _e220)), (_e173.z + (_e192.z * _e220)), (_e173.w + _e220));
+                            phi_265_ = vec4<f32>((_e175.x + (_e188.x * _e203)), (_e175.y + (_e188.y * _e203)), (_e175.z + (_e188.z * _e203)), (_e175.w + _e203));
                         }
-                        let _e267 = phi_255_;
-                        let _e269 = phi_258_;
-                        let _e270 = (_e179 + 1u);
-                        let _e272 = local;
-                        let _e273 = (_e272 + (((((((_e129 >> bitcast<u32>(_e70)) & 1u) + ((_e136 >> bitcast<u32>(_e70)) & 1u)) + ((_e144 >> bitcast<u32>(_e70)) & 1u)) + ((_e152 >> bitcast<u32>(_e70)) & 1u)) + ((_e160 >> bitcast<u32>(_e70)) & 1u)) + ((_e168 >> bitcast<u32>(_e70)) & 1u)));
-                        local_1 = _e267;
-                        local_2 = _e269;
-                        local_3 = _e267;
-                        local_4 = _e267;
-                        local_5 = _e267;
-                        local_6 = _e269;
-                        local_50 = _e269;
-                        local_51 = _e273;
+                        let _e264 = phi_262_;
+                        let _e266 = phi_265_;
+                        let _e267 = (_e177 + 1u);
+                        let _e268 = (_e146 + (countOneBits((_e129 & 16843009u)) + countOneBits((_e152 & 257u))));
+                        local = _e264;
+                        local_1 = _e266;
+                        local_2 = _e264;
+                        local_3 = _e264;
+                        local_4 = _e264;
+                        local_5 = _e266;
+                        local_48 = _e266;
+                        local_49 = _e268;
                         continue;
                         continuing {
-                            phi_254_ = _e267;
-                            phi_257_ = _e269;
-                            phi_259_ = _e270;
-                            break if !(select(true, false, (_e270 >= _e273)));
+                            phi_261_ = _e264;
+                            phi_264_ = _e266;
+                            phi_266_ = _e267;
+                            break if !(select(true, false, (_e267 >= _e268)));
                         }
                     }
-                    let _e278 = local_1;
-                    let _e281 = local_2;
-                    if (_e278.w > _e281.w) {
-                        let _e284 = (_e278.w - _e281.w);
-                        let _e285 = (_e284 / _e278.w);
-                        let _e287 = local_3;
-                        let _e291 = local_4;
+                    let _e273 = local;
+                    let _e276 = local_1;
+                    if (_e273.w > _e276.w) {
+                        let _e279 = (_e273.w - _e276.w);
+                        let _e280 = (_e279 / _e273.w);
+                        let _e282 = local_2;
+                        let _e286 = local_3;
+                        let _e290 = local_4;
                         let _e295 = local_5;
-                        let _e300 = local_6;
-                        phi_399_ = (_e300 + vec4<f32>((_e287.x * _e285), (_e291.y * _e285), (_e295.z * _e285), _e284));
+                        phi_411_ = (_e295 + vec4<f32>((_e282.x * _e280), (_e286.y * _e280), (_e290.z * _e280), _e279));
                     } else {
-                        let _e2070 = local_50;
-                        phi_399_ = _e2070;
+                        let _e1775 = local_48;
+                        phi_411_ = _e1775;
                     }
-                    let _e303 = phi_399_;
-                    if (_e303.w > 1f) {
-                        phi_413_ = vec4<f32>((_e303.x / _e303.w), (_e303.y / _e303.w), (_e303.z / _e303.w), 1f);
+                    let _e298 = phi_411_;
+                    if (_e298.w > 1f) {
+                        phi_425_ = vec4<f32>((_e298.x / _e298.w), (_e298.y / _e298.w), (_e298.z / _e298.w), 1f);
                     } else {
-                        phi_413_ = _e303;
+                        phi_425_ = _e298;
                     }
-                    let _e314 = phi_413_;
-                    phi_416_ = array<vec4<f32>, 8>(_e314, vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
-                    let _e2075 = local_51;
-                    phi_417_ = _e2075;
+                    let _e309 = phi_425_;
+                    phi_428_ = array<vec4<f32>, 8>(_e309, vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    let _e1780 = local_49;
+                    phi_429_ = _e1780;
                 } else {
-                    phi_416_ = array<vec4<f32>, 8>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
-                    let _e2077 = local_52;
-                    phi_417_ = _e2077;
+                    phi_428_ = array<vec4<f32>, 8>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    phi_429_ = _e146;
                 }
-                let _e317 = phi_416_;
-                let _e319 = phi_417_;
-                if (((_e72 >> bitcast<u32>(1u)) & 1u) == 1u) {
-                    let _e327 = facet_bits.member[_e73];
-                    let _e328 = ((_e65 + 1u) & 31u);
-                    let _e335 = facet_bits.member[(_e73 + 1u)];
-                    let _e343 = facet_bits.member[(_e73 + 2u)];
-                    let _e351 = facet_bits.member[(_e73 + 3u)];
-                    let _e359 = facet_bits.member[(_e73 + 4u)];
-                    let _e367 = facet_bits.member[(_e73 + 5u)];
-                    phi_470_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_473_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_475_ = _e319;
+                let _e312 = phi_428_;
+                let _e314 = phi_429_;
+                if (((_e73 >> bitcast<u32>(1u)) & 1u) == 1u) {
+                    phi_449_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_452_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_454_ = _e314;
                     loop {
-                        let _e374 = phi_470_;
-                        let _e376 = phi_473_;
-                        let _e378 = phi_475_;
-                        let _e382 = facets.member[_e378].member_2;
-                        let _e386 = (2u * _e378);
-                        let _e389 = radiance.member[_e386];
-                        let _e393 = radiance.member[(_e386 + 1u)];
-                        let _e399 = -((((_e120 * _e382[0]) + (_e122 * _e382[1])) + (_e124 * _e382[2])));
-                        if (_e54 == 1u) {
-                            let _e452 = sqrt((((_e382[0] * _e382[0]) + (_e382[1] * _e382[1])) + (_e382[2] * _e382[2])));
-                            phi_471_ = _e374;
-                            phi_474_ = vec4<f32>((_e376.x + (select(_e393.x, _e389.x, (_e389.x > _e393.x)) * _e452)), (_e376.y + (select(_e393.y, _e389.y, (_e389.y > _e393.y)) * _e452)), (_e376.z + (select(_e393.z, _e389.z, (_e389.z > _e393.z)) * _e452)), (_e376.w + _e452));
+                        let _e330 = phi_449_;
+                        let _e332 = phi_452_;
+                        let _e334 = phi_454_;
+                        let _e338 = facets.member[_e334].member_2;
+                        let _e342 = (2u * _e334);
+                        let _e345 = radiance.member[_e342];
+                        let _e349 = radiance.member[(_e342 + 1u)];
+                        let _e354 = (((_e159 * _e338[0]) + (_e161 * _e338[1])) + (_e163 * _e338[2]));
+                        let _e355 = -(_e354);
+                        if (_e55 == 1u) {
+                            let _e407 = sqrt((((_e338[0] * _e338[0]) + (_e338[1] * _e338[1])) + (_e338[2] * _e338[2])));
+                            phi_450_ = _e330;
+                            phi_453_ = vec4<f32>((_e332.x + (select(_e349.x, _e345.x, (_e345.x > _e349.x)) * _e407)), (_e332.y + (select(_e349.y, _e345.y, (_e345.y > _e349.y)) * _e407)), (_e332.z + (select(_e349.z, _e345.z, (_e345.z > _e349.z)) * _e407)), (_e332.w + _e407));
                         } else {
-                            if (_e399 > 0f) {
-                                phi_586_ = _e374;
-                                phi_587_ = vec4<f32>((_e376.x + (_e389.x * _e399)), (_e376.y + (_e389.y * _e399)), (_e376.z + (_e389.z * _e399)), (_e376.w + _e399));
-                            } else {
-                                phi_586_ = vec4<f32>((_e374.x - (_e393.x * _e399)), (_e374.y - (_e393.y * _e399)), (_e374.z - (_e393.z * _e399)), (_e374.w - _e399));
-                                phi_587_ = _e376;
-                            }
-                            let _e432 = phi_586_;
-                            let _e434 = phi_587_;
-                            phi_471_ = _e432;
-                            phi_474_ = _e434;
+                            let _e360 = select(0f, _e355, (_e355 > 0f));
+                            let _e377 = select(0f, _e354, (_e354 > 0f));
+                            phi_450_ = vec4<f32>((_e330.x + (_e349.x * _e377)), (_e330.y + (_e349.y * _e377)), (_e330.z + (_e349.z * _e377)), (_e330.w + _e377));
+                            phi_453_ = vec4<f32>((_e332.x + (_e345.x * _e360)), (_e332.y + (_e345.y * _e360)), (_e332.z + (_e345.z * _e360)), (_e332.w + _e360));
                         }
-                        let _e466 = phi_471_;
-                        let _e468 = phi_474_;
-                        let _e469 = (_e378 + 1u);
-                        let _e470 = (_e319 + (((((((_e327 >> bitcast<u32>(_e328)) & 1u) + ((_e335 >> bitcast<u32>(_e328)) & 1u)) + ((_e343 >> bitcast<u32>(_e328)) & 1u)) + ((_e351 >> bitcast<u32>(_e328)) & 1u)) + ((_e359 >> bitcast<u32>(_e328)) & 1u)) + ((_e367 >> bitcast<u32>(_e328)) & 1u)));
-                        local_7 = _e466;
-                        local_8 = _e468;
-                        local_9 = _e466;
-                        local_10 = _e466;
-                        local_11 = _e466;
-                        local_12 = _e468;
-                        local_53 = _e468;
-                        local_54 = _e470;
+                        let _e421 = phi_450_;
+                        let _e423 = phi_453_;
+                        let _e424 = (_e334 + 1u);
+                        let _e425 = (_e314 + (countOneBits(((_e129 >> bitcast<u32>(1u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(1u)) & 257u))));
+                        local_6 = _e421;
+                        local_7 = _e423;
+                        local_8 = _e421;
+                        local_9 = _e421;
+                        local_10 = _e421;
+                        local_11 = _e423;
+                        local_50 = _e423;
+                        local_51 = _e425;
                         continue;
                         continuing {
-                            phi_470_ = _e466;
-                            phi_473_ = _e468;
-                            phi_475_ = _e469;
-                            break if !(select(true, false, (_e469 >= _e470)));
+                            phi_449_ = _e421;
+                            phi_452_ = _e423;
+                            phi_454_ = _e424;
+                            break if !(select(true, false, (_e424 >= _e425)));
                         }
                     }
-                    let _e475 = local_7;
-                    let _e478 = local_8;
-                    if (_e475.w > _e478.w) {
-                        let _e481 = (_e475.w - _e478.w);
-                        let _e482 = (_e481 / _e475.w);
-                        let _e484 = local_9;
-                        let _e488 = local_10;
-                        let _e492 = local_11;
-                        let _e497 = local_12;
-                        phi_615_ = (_e497 + vec4<f32>((_e484.x * _e482), (_e488.y * _e482), (_e492.z * _e482), _e481));
+                    let _e430 = local_6;
+                    let _e433 = local_7;
+                    if (_e430.w > _e433.w) {
+                        let _e436 = (_e430.w - _e433.w);
+                        let _e437 = (_e436 / _e430.w);
+                        let _e439 = local_8;
+                        let _e443 = local_9;
+                        let _e447 = local_10;
+                        let _e452 = local_11;
+                        phi_599_ = (_e452 + vec4<f32>((_e439.x * _e437), (_e443.y * _e437), (_e447.z * _e437), _e436));
                     } else {
-                        let _e2093 = local_53;
-                        phi_615_ = _e2093;
+                        let _e1794 = local_50;
+                        phi_599_ = _e1794;
                     }
-                    let _e500 = phi_615_;
-                    if (_e500.w > 1f) {
-                        phi_629_ = vec4<f32>((_e500.x / _e500.w), (_e500.y / _e500.w), (_e500.z / _e500.w), 1f);
+                    let _e455 = phi_599_;
+                    if (_e455.w > 1f) {
+                        phi_613_ = vec4<f32>((_e455.x / _e455.w), (_e455.y / _e455.w), (_e455.z / _e455.w), 1f);
                     } else {
-                        phi_629_ = _e500;
+                        phi_613_ = _e455;
                     }
-                    let _e511 = phi_629_;
-                    phi_632_ = array<vec4<f32>, 8>(_e317[0], _e511, _e317[2], _e317[3], _e317[4], _e317[5], _e317[6], _e317[7]);
-                    let _e2098 = local_54;
-                    phi_633_ = _e2098;
+                    let _e466 = phi_613_;
+                    phi_616_ = array<vec4<f32>, 8>(_e312[0], _e466, _e312[2], _e312[3], _e312[4], _e312[5], _e312[6], _e312[7]);
+                    let _e1799 = local_51;
+                    phi_617_ = _e1799;
                 } else {
-                    phi_632_ = _e317;
-                    phi_633_ = _e319;
+                    phi_616_ = _e312;
+                    phi_617_ = _e314;
                 }
-                let _e522 = phi_632_;
-                let _e524 = phi_633_;
-                if (((_e72 >> bitcast<u32>(2u)) & 1u) == 1u) {
-                    let _e532 = facet_bits.member[_e73];
-                    let _e533 = ((_e65 + 2u) & 31u);
-                    let _e540 = facet_bits.member[(_e73 + 1u)];
-                    let _e548 = facet_bits.member[(_e73 + 2u)];
-                    let _e556 = facet_bits.member[(_e73 + 3u)];
-                    let _e564 = facet_bits.member[(_e73 + 4u)];
-                    let _e572 = facet_bits.member[(_e73 + 5u)];
-                    phi_686_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_689_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_691_ = _e524;
+                let _e477 = phi_616_;
+                let _e479 = phi_617_;
+                if (((_e73 >> bitcast<u32>(2u)) & 1u) == 1u) {
+                    phi_637_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_640_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_642_ = _e479;
                     loop {
-                        let _e579 = phi_686_;
-                        let _e581 = phi_689_;
-                        let _e583 = phi_691_;
-                        let _e587 = facets.member[_e583].member_2;
-                        let _e591 = (2u * _e583);
-                        let _e594 = radiance.member[_e591];
-                        let _e598 = radiance.member[(_e591 + 1u)];
-                        let _e604 = -((((_e120 * _e587[0]) + (_e122 * _e587[1])) + (_e124 * _e587[2])));
-                        if (_e54 == 1u) {
-                            let _e657 = sqrt((((_e587[0] * _e587[0]) + (_e587[1] * _e587[1])) + (_e587[2] * _e587[2])));
-                            phi_687_ = _e579;
-                            phi_690_ = vec4<f32>((_e581.x + (select(_e598.x, _e594.x, (_e594.x > _e598.x)) * _e657)), (_e581.y + (select(_e598.y, _e594.y, (_e594.y > _e598.y)) * _e657)), (_e581.z + (select(_e598.z, _e594.z, (_e594.z > _e598.z)) * _e657)), (_e581.w + _e657));
+                        let _e495 = phi_637_;
+                        let _e497 = phi_640_;
+                        let _e499 = phi_642_;
+                        let _e503 = facets.member[_e499].member_2;
+                        let _e507 = (2u * _e499);
+                        let _e510 = radiance.member[_e507];
+                        let _e514 = radiance.member[(_e507 + 1u)];
+                        let _e519 = (((_e159 * _e503[0]) + (_e161 * _e503[1])) + (_e163 * _e503[2]));
+                        let _e520 = -(_e519);
+                        if (_e55 == 1u) {
+                            let _e572 = sqrt((((_e503[0] * _e503[0]) + (_e503[1] * _e503[1])) + (_e503[2] * _e503[2])));
+                            phi_638_ = _e495;
+                            phi_641_ = vec4<f32>((_e497.x + (select(_e514.x, _e510.x, (_e510.x > _e514.x)) * _e572)), (_e497.y + (select(_e514.y, _e510.y, (_e510.y > _e514.y)) * _e572)), (_e497.z + (select(_e514.z, _e510.z, (_e510.z > _e514.z)) * _e572)), (_e497.w + _e572));
                         } else {
-                            if (_e604 > 0f) {
-                                phi_802_ = _e579;
-                                phi_803_ = vec4<f32>((_e581.x + (_e594.x * _e604)), (_e581.y + (_e594.y * _e604)), (_e581.z + (_e594.z * _e604)), (_e581.w + _e604));
-                            } else {
-                                phi_802_ = vec4<f32>((_e579.x - (_e598.x * _e604)), (_e579.y - (_e598.y * _e604)), (_e579.z - (_e598.z * _e604)), (_e579.w - _e604));
-                                phi_803_ = _e581;
-                            }
-                            let _e637 = phi_802_;
-                            let _e639 = phi_803_;
-                            phi_687_ = _e637;
-                            phi_690_ = _e639;
+                            let _e525 = select(0f, _e520, (_e520 > 0f));
+                            let _e542 = select(0f, _e519, (_e519 > 0f));
+                            phi_638_ = vec4<f32>((_e495.x + (_e514.x * _e542)), (_e495.y + (_e514.y * _e542)), (_e495.z + (_e514.z * _e542)), (_e495.w + _e542));
+                            phi_641_ = vec4<f32>((_e497.x + (_e510.x * _e525)), (_e497.y + (_e510.y * _e525)), (_e497.z + (_e510.z * _e525)), (_e497.w + _e525));
                         }
-                        let _e671 = phi_687_;
-                        let _e673 = phi_690_;
-                        let _e674 = (_e583 + 1u);
-                        let _e675 = (_e524 + (((((((_e532 >> bitcast<u32>(_e533)) & 1u) + ((_e540 >> bitcast<u32>(_e533)) & 1u)) + ((_e548 >> bitcast<u32>(_e533)) & 1u)) + ((_e556 >> bitcast<u32>(_e533)) & 1u)) + ((_e564 >> bitcast<u32>(_e533)) & 1u)) + ((_e572 >> bitcast<u32>(_e533)) & 1u)));
-                        local_13 = _e671;
-                        local_14 = _e673;
-                        local_15 = _e671;
-                        local_16 = _e671;
-                        local_17 = _e671;
-                        local_18 = _e673;
-                        local_55 = _e673;
-                        local_56 = _e675;
+                        let _e586 = phi_638_;
+                        let _e588 = phi_641_;
+                        let _e589 = (_e499 + 1u);
+                        let _e590 = (_e479 + (countOneBits(((_e129 >> bitcast<u32>(2u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(2u)) & 257u))));
+                        local_12 = _e586;
+                        local_13 = _e588;
+                        local_14 = _e586;
+                        local_15 = _e586;
+                        local_16 = _e586;
+                        local_17 = _e588;
+                        local_52 = _e588;
+                        local_53 = _e590;
                         continue;
                         continuing {
-                            phi_686_ = _e671;
-                            phi_689_ = _e673;
-                            phi_691_ = _e674;
-                            break if !(select(true, false, (_e674 >= _e675)));
+                            phi_637_ = _e586;
+                            phi_640_ = _e588;
+                            phi_642_ = _e589;
+                            break if !(select(true, false, (_e589 >= _e590)));
                         }
                     }
-                    let _e680 = local_13;
-                    let _e683 = local_14;
-                    if (_e680.w > _e683.w) {
-                        let _e686 = (_e680.w - _e683.w);
-                        let _e687 = (_e686 / _e680.w);
-                        let _e689 = local_15;
-                        let _e693 = local_16;
-                        let _e697 = local_17;
-                        let _e702 = local_18;
-                        phi_831_ = (_e702 + vec4<f32>((_e689.x * _e687), (_e693.y * _e687), (_e697.z * _e687), _e686));
+                    let _e595 = local_12;
+                    let _e598 = local_13;
+                    if (_e595.w > _e598.w) {
+                        let _e601 = (_e595.w - _e598.w);
+                        let _e602 = (_e601 / _e595.w);
+                        let _e604 = local_14;
+                        let _e608 = local_15;
+                        let _e612 = local_16;
+                        let _e617 = local_17;
+                        phi_787_ = (_e617 + vec4<f32>((_e604.x * _e602), (_e608.y * _e602), (_e612.z * _e602), _e601));
                     } else {
-                        let _e2114 = local_55;
-                        phi_831_ = _e2114;
+                        let _e1813 = local_52;
+                        phi_787_ = _e1813;
                     }
-                    let _e705 = phi_831_;
-                    if (_e705.w > 1f) {
-                        phi_845_ = vec4<f32>((_e705.x / _e705.w), (_e705.y / _e705.w), (_e705.z / _e705.w), 1f);
+                    let _e620 = phi_787_;
+                    if (_e620.w > 1f) {
+                        phi_801_ = vec4<f32>((_e620.x / _e620.w), (_e620.y / _e620.w), (_e620.z / _e620.w), 1f);
                     } else {
-                        phi_845_ = _e705;
+                        phi_801_ = _e620;
                     }
-                    let _e716 = phi_845_;
-                    phi_848_ = array<vec4<f32>, 8>(_e522[0], _e522[1], _e716, _e522[3], _e522[4], _e522[5], _e522[6], _e522[7]);
-                    let _e2119 = local_56;
-                    phi_849_ = _e2119;
+                    let _e631 = phi_801_;
+                    phi_804_ = array<vec4<f32>, 8>(_e477[0], _e477[1], _e631, _e477[3], _e477[4], _e477[5], _e477[6], _e477[7]);
+                    let _e1818 = local_53;
+                    phi_805_ = _e1818;
                 } else {
-                    phi_848_ = _e522;
-                    phi_849_ = _e524;
+                    phi_804_ = _e477;
+                    phi_805_ = _e479;
                 }
-                let _e727 = phi_848_;
-                let _e729 = phi_849_;
-                if (((_e72 >> bitcast<u32>(3u)) & 1u) == 1u) {
-                    let _e737 = facet_bits.member[_e73];
-                    let _e738 = ((_e65 + 3u) & 31u);
-                    let _e745 = facet_bits.member[(_e73 + 1u)];
-                    let _e753 = facet_bits.member[(_e73 + 2u)];
-                    let _e761 = facet_bits.member[(_e73 + 3u)];
-                    let _e769 = facet_bits.member[(_e73 + 4u)];
-                    let _e777 = facet_bits.member[(_e73 + 5u)];
-                    phi_902_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_905_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_907_ = _e729;
+                let _e642 = phi_804_;
+                let _e644 = phi_805_;
+                if (((_e73 >> bitcast<u32>(3u)) & 1u) == 1u) {
+                    phi_825_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_828_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_830_ = _e644;
                     loop {
-                        let _e784 = phi_902_;
-                        let _e786 = phi_905_;
-                        let _e788 = phi_907_;
-                        let _e792 = facets.member[_e788].member_2;
-                        let _e796 = (2u * _e788);
-                        let _e799 = radiance.member[_e796];
-                        let _e803 = radiance.member[(_e796 + 1u)];
-                        let _e809 = -((((_e120 * _e792[0]) + (_e122 * _e792[1])) + (_e124 * _e792[2])));
-                        if (_e54 == 1u) {
-                            let _e862 = sqrt((((_e792[0] * _e792[0]) + (_e792[1] * _e792[1])) + (_e792[2] * _e792[2])));
-                            phi_903_ = _e784;
-                            phi_906_ = vec4<f32>((_e786.x + (select(_e803.x, _e799.x, (_e799.x > _e803.x)) * _e862)), (_e786.y + (select(_e803.y, _e799.y, (_e799.y > _e803.y)) * _e862)), (_e786.z + (select(_e803.z, _e799.z, (_e799.z > _e803.z)) * _e862)), (_e786.w + _e862));
+                        let _e660 = phi_825_;
+                        let _e662 = phi_828_;
+                        let _e664 = phi_830_;
+                        let _e668 = facets.member[_e664].member_2;
+                        let _e672 = (2u * _e664);
+                        let _e675 = radiance.member[_e672];
+                        let _e679 = radiance.member[(_e672 + 1u)];
+                        let _e684 = (((_e159 * _e668[0]) + (_e161 * _e668[1])) + (_e163 * _e668[2]));
+                        let _e685 = -(_e684);
+                        if (_e55 == 1u) {
+                            let _e737 = sqrt((((_e668[0] * _e668[0]) + (_e668[1] * _e668[1])) + (_e668[2] * _e668[2])));
+                            phi_826_ = _e660;
+                            phi_829_ = vec4<f32>((_e662.x + (select(_e679.x, _e675.x, (_e675.x > _e679.x)) * _e737)), (_e662.y + (select(_e679.y, _e675.y, (_e675.y > _e679.y)) * _e737)), (_e662.z + (select(_e679.z, _e675.z, (_e675.z > _e679.z)) * _e737)), (_e662.w + _e737));
                         } else {
-                            if (_e809 > 0f) {
-                                phi_1018_ = _e784;
-                                phi_1019_ = vec4<f32>((_e786.x + (_e799.x * _e809)), (_e786.y + (_e799.y * _e809)), (_e786.z + (_e799.z * _e809)), (_e786.w + _e809));
-                            } else {
-                                phi_1018_ = vec4<f32>((_e784.x - (_e803.x * _e809)), (_e784.y - (_e803.y * _e809)), (_e784.z - (_e803.z * _e809)), (_e784.w - _e809));
-                                phi_1019_ = _e786;
-                            }
-                            let _e842 = phi_1018_;
-                            let _e844 = phi_1019_;
-                            phi_903_ = _e842;
-                            phi_906_ = _e844;
+                            let _e690 = select(0f, _e685, (_e685 > 0f));
+                            let _e707 = select(0f, _e684, (_e684 > 0f));
+                            phi_826_ = vec4<f32>((_e660.x + (_e679.x * _e707)), (_e660.y + (_e679.y * _e707)), (_e660.z + (_e679.z * _e707)), (_e660.w + _e707));
+                            phi_829_ = vec4<f32>((_e662.x + (_e675.x * _e690)), (_e662.y + (_e675.y * _e690)), (_e662.z + (_e675.z * _e690)), (_e662.w + _e690));
                         }
-                        let _e876 = phi_903_;
-                        let _e878 = phi_906_;
-                        let _e879 = (_e788 + 1u);
-                        let _e880 = (_e729 + (((((((_e737 >> bitcast<u32>(_e738)) & 1u) + ((_e745 >> bitcast<u32>(_e738)) & 1u)) + ((_e753 >> bitcast<u32>(_e738)) & 1u)) + ((_e761 >> bitcast<u32>(_e738)) & 1u)) + ((_e769 >> bitcast<u32>(_e738)) & 1u)) + ((_e777 >> bitcast<u32>(_e738)) & 1u)));
-                        local_19 = _e876;
-                        local_20 = _e878;
-                        local_21 = _e876;
-                        local_22 = _e876;
-                        local_23 = _e876;
-                        local_24 = _e878;
-                        local_57 = _e878;
-                        local_58 = _e880;
+                        let _e751 = phi_826_;
+                        let _e753 = phi_829_;
+                        let _e754 = (_e664 + 1u);
+                        let _e755 = (_e644 + (countOneBits(((_e129 >> bitcast<u32>(3u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(3u)) & 257u))));
+                        local_18 = _e751;
+                        local_19 = _e753;
+                        local_20 = _e751;
+                        local_21 = _e751;
+                        local_22 = _e751;
+                        local_23 = _e753;
+                        local_54 = _e753;
+                        local_55 = _e755;
                         continue;
                         continuing {
-                            phi_902_ = _e876;
-                            phi_905_ = _e878;
-                            phi_907_ = _e879;
-                            break if !(select(true, false, (_e879 >= _e880)));
+                            phi_825_ = _e751;
+                            phi_828_ = _e753;
+                            phi_830_ = _e754;
+                            break if !(select(true, false, (_e754 >= _e755)));
                         }
                     }
-                    let _e885 = local_19;
-                    let _e888 = local_20;
-                    if (_e885.w > _e888.w) {
-                        let _e891 = (_e885.w - _e888.w);
-                        let _e892 = (_e891 / _e885.w);
-                        let _e894 = local_21;
-                        let _e898 = local_22;
-                        let _e902 = local_23;
-                        let _e907 = local_24;
-                        phi_1047_ = (_e907 + vec4<f32>((_e894.x * _e892), (_e898.y * _e892), (_e902.z * _e892), _e891));
+                    let _e760 = local_18;
+                    let _e763 = local_19;
+                    if (_e760.w > _e763.w) {
+                        let _e766 = (_e760.w - _e763.w);
+                        let _e767 = (_e766 / _e760.w);
+                        let _e769 = local_20;
+                        let _e773 = local_21;
+                        let _e777 = local_22;
+                        let _e782 = local_23;
+                        phi_975_ = (_e782 + vec4<f32>((_e769.x * _e767), (_e773.y * _e767), (_e777.z * _e767), _e766));
                     } else {
-                        let _e2135 = local_57;
-                        phi_1047_ = _e2135;
+                        let _e1832 = local_54;
+                        phi_975_ = _e1832;
                     }
-                    let _e910 = phi_1047_;
-                    if (_e910.w > 1f) {
-                        phi_1061_ = vec4<f32>((_e910.x / _e910.w), (_e910.y / _e910.w), (_e910.z / _e910.w), 1f);
+                    let _e785 = phi_975_;
+                    if (_e785.w > 1f) {
+                        phi_989_ = vec4<f32>((_e785.x / _e785.w), (_e785.y / _e785.w), (_e785.z / _e785.w), 1f);
                     } else {
-                        phi_1061_ = _e910;
+                        phi_989_ = _e785;
                     }
-                    let _e921 = phi_1061_;
-                    phi_1064_ = array<vec4<f32>, 8>(_e727[0], _e727[1], _e727[2], _e921, _e727[4], _e727[5], _e727[6], _e727[7]);
-                    let _e2140 = local_58;
-                    phi_1065_ = _e2140;
+                    let _e796 = phi_989_;
+                    phi_992_ = array<vec4<f32>, 8>(_e642[0], _e642[1], _e642[2], _e796, _e642[4], _e642[5], _e642[6], _e642[7]);
+                    let _e1837 = local_55;
+                    phi_993_ = _e1837;
                 } else {
-                    phi_1064_ = _e727;
-                    phi_1065_ = _e729;
+                    phi_992_ = _e642;
+                    phi_993_ = _e644;
                 }
-                let _e932 = phi_1064_;
-                let _e934 = phi_1065_;
-                if (((_e72 >> bitcast<u32>(4u)) & 1u) == 1u) {
-                    let _e942 = facet_bits.member[_e73];
-                    let _e943 = ((_e65 + 4u) & 31u);
-                    let _e950 = facet_bits.member[(_e73 + 1u)];
-                    let _e958 = facet_bits.member[(_e73 + 2u)];
-                    let _e966 = facet_bits.member[(_e73 + 3u)];
-                    let _e974 = facet_bits.member[(_e73 + 4u)];
-                    let _e982 = facet_bits.member[(_e73 + 5u)];
-                    phi_1118_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1121_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1123_ = _e934;
+                let _e807 = phi_992_;
+                let _e809 = phi_993_;
+                if (((_e73 >> bitcast<u32>(4u)) & 1u) == 1u) {
+                    phi_1013_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1016_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1018_ = _e809;
                     loop {
-                        let _e989 = phi_1118_;
-                        let _e991 = phi_1121_;
-                        let _e993 = phi_1123_;
-                        let _e997 = facets.member[_e993].member_2;
-                        let _e1001 = (2u * _e993);
-                        let _e1004 = radiance.member[_e1001];
-                        let _e1008 = radiance.member[(_e1001 + 1u)];
-                        let _e1014 = -((((_e120 * _e997[0]) + (_e122 * _e997[1])) + (_e124 * _e997[2])));
-                        if (_e54 == 1u) {
-                            let _e1067 = sqrt((((_e997[0] * _e997[0]) + (_e997[1] * _e997[1])) + (_e997[2] * _e997[2])));
-                            phi_1119_ = _e989;
-                            phi_1122_ = vec4<f32>((_e991.x + (select(_e1008.x, _e1004.x, (_e1004.x > _e1008.x)) * _e1067)), (_e991.y + (select(_e1008.y, _e1004.y, (_e1004.y > _e1008.y)) * _e1067)), (_e991.z + (select(_e1008.z, _e1004.z, (_e1004.z > _e1008.z)) * _e1067)), (_e991.w + _e1067));
+                        let _e825 = phi_1013_;
+                        let _e827 = phi_1016_;
+                        let _e829 = phi_1018_;
+                        let _e833 = facets.member[_e829].member_2;
+                        let _e837 = (2u * _e829);
+                        let _e840 = radiance.member[_e837];
+                        let _e844 = radiance.member[(_e837 + 1u)];
+                        let _e849 = (((_e159 * _e833[0]) + (_e161 * _e833[1])) + (_e163 * _e833[2]));
+                        let _e850 = -(_e849);
+                        if (_e55 == 1u) {
+                            let _e902 = sqrt((((_e833[0] * _e833[0]) + (_e833[1] * _e833[1])) + (_e833[2] * _e833[2])));
+                            phi_1014_ = _e825;
+                            phi_1017_ = vec4<f32>((_e827.x + (select(_e844.x, _e840.x, (_e840.x > _e844.x)) * _e902)), (_e827.y + (select(_e844.y, _e840.y, (_e840.y > _e844.y)) * _e902)), (_e827.z + (select(_e844.z, _e840.z, (_e840.z > _e844.z)) * _e902)), (_e827.w + _e902));
                         } else {
-                            if (_e1014 > 0f) {
-                                phi_1234_ = _e989;
-                                phi_1235_ = vec4<f32>((_e991.x + (_e1004.x * _e1014)), (_e991.y + (_e1004.y * _e1014)), (_e991.z + (_e1004.z * _e1014)), (_e991.w + _e1014));
-                            } else {
-                                phi_1234_ = vec4<f32>((_e989.x - (_e1008.x * _e1014)), (_e989.y - (_e1008.y * _e1014)), (_e989.z - (_e1008.z * _e1014)), (_e989.w - _e1014));
-                                phi_1235_ = _e991;
-                            }
-                            let _e1047 = phi_1234_;
-                            let _e1049 = phi_1235_;
-                            phi_1119_ = _e1047;
-                            phi_1122_ = _e1049;
+                            let _e855 = select(0f, _e850, (_e850 > 0f));
+                            let _e872 = select(0f, _e849, (_e849 > 0f));
+                            phi_1014_ = vec4<f32>((_e825.x + (_e844.x * _e872)), (_e825.y + (_e844.y * _e872)), (_e825.z + (_e844.z * _e872)), (_e825.w + _e872));
+                            phi_1017_ = vec4<f32>((_e827.x + (_e840.x * _e855)), (_e827.y + (_e840.y * _e855)), (_e827.z + (_e840.z * _e855)), (_e827.w + _e855));
                         }
-                        let _e1081 = phi_1119_;
-                        let _e1083 = phi_1122_;
-                        let _e1084 = (_e993 + 1u);
-                        let _e1085 = (_e934 + (((((((_e942 >> bitcast<u32>(_e943)) & 1u) + ((_e950 >> bitcast<u32>(_e943)) & 1u)) + ((_e958 >> bitcast<u32>(_e943)) & 1u)) + ((_e966 >> bitcast<u32>(_e943)) & 1u)) + ((_e974 >> bitcast<u32>(_e943)) & 1u)) + ((_e982 >> bitcast<u32>(_e943)) & 1u)));
-                        local_25 = _e1081;
-                        local_26 = _e1083;
-                        local_27 = _e1081;
-                        local_28 = _e1081;
-                        local_29 = _e1081;
-                        local_30 = _e1083;
-                        local_59 = _e1083;
-                        local_60 = _e1085;
+                        let _e916 = phi_1014_;
+                        let _e918 = phi_1017_;
+                        let _e919 = (_e829 + 1u);
+                        let _e920 = (_e809 + (countOneBits(((_e129 >> bitcast<u32>(4u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(4u)) & 257u))));
+                        local_24 = _e916;
+                        local_25 = _e918;
+                        local_26 = _e916;
+                        local_27 = _e916;
+                        local_28 = _e916;
+                        local_29 = _e918;
+                        local_56 = _e918;
+                        local_57 = _e920;
                         continue;
                         continuing {
-                            phi_1118_ = _e1081;
-                            phi_1121_ = _e1083;
-                            phi_1123_ = _e1084;
+                            phi_1013_ = _e916;
+                            phi_1016_ = _e918;
+                            phi_1018_ = _e919;
+                            break if !(select(true, false, (_e919 >= _e920)));
+                        }
+                    }
+                    let _e925 = local_24;
+                    let _e928 = local_25;
+                    if (_e925.w > _e928.w) {
+                        let _e931 = (_e925.w - _e928.w);
+                        let _e932 = (_e931 / _e925.w);
+                        let _e934 = local_26;
+                        let _e938 = local_27;
+                        let _e942 = local_28;
+                        let _e947 = local_29;
+                        phi_1163_ = (_e947 + vec4<f32>((_e934.x * _e932), (_e938.y * _e932), (_e942.z * _e932), _e931));
+                    } else {
+                        let _e1851 = local_56;
+                        phi_1163_ = _e1851;
+                    }
+                    let _e950 = phi_1163_;
+                    if (_e950.w > 1f) {
+                        phi_1177_ = vec4<f32>((_e950.x / _e950.w), (_e950.y / _e950.w), (_e950.z / _e950.w), 1f);
+                    } else {
+                        phi_1177_ = _e950;
+                    }
+                    let _e961 = phi_1177_;
+                    phi_1180_ = array<vec4<f32>, 8>(_e807[0], _e807[1], _e807[2], _e807[3], _e961, _e807[5], _e807[6], _e807[7]);
+                    let _e1856 = local_57;
+                    phi_1181_ = _e1856;
+                } else {
+                    phi_1180_ = _e807;
+                    phi_1181_ = _e809;
+                }
+                let _e972 = phi_1180_;
+                let _e974 = phi_1181_;
+                if (((_e73 >> bitcast<u32>(5u)) & 1u) == 1u) {
+                    phi_1201_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1204_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1206_ = _e974;
+                    loop {
+                        let _e990 = phi_1201_;
+                        let _e992 = phi_1204_;
+                        let _e994 = phi_1206_;
+                        let _e998 = facets.member[_e994].member_2;
+                        let _e1002 = (2u * _e994);
+                        let _e1005 = radiance.member[_e1002];
+                        let _e1009 = radiance.member[(_e1002 + 1u)];
+                        let _e1014 = (((_e159 * _e998[0]) + (_e161 * _e998[1])) + (_e163 * _e998[2]));
+                        let _e1015 = -(_e1014);
+                        if (_e55 == 1u) {
+                            let _e1067 = sqrt((((_e998[0] * _e998[0]) + (_e998[1] * _e998[1])) + (_e998[2] * _e998[2])));
+                            phi_1202_ = _e990;
+                            phi_1205_ = vec4<f32>((_e992.x + (select(_e1009.x, _e1005.x, (_e1005.x > _e1009.x)) * _e1067)), (_e992.y + (select(_e1009.y, _e1005.y, (_e1005.y > _e1009.y)) * _e1067)), (_e992.z + (select(_e1009.z, _e1005.z, (_e1005.z > _e1009.z)) * _e1067)), (_e992.w + _e1067));
+                        } else {
+                            let _e1020 = select(0f, _e1015, (_e1015 > 0f));
+                            let _e1037 = select(0f, _e1014, (_e1014 > 0f));
+                            phi_1202_ = vec4<f32>((_e990.x + (_e1009.x * _e1037)), (_e990.y + (_e1009.y * _e1037)), (_e990.z + (_e1009.z * _e1037)), (_e990.w + _e1037));
+                            phi_1205_ = vec4<f32>((_e992.x + (_e1005.x * _e1020)), (_e992.y + (_e1005.y * _e1020)), (_e992.z + (_e1005.z * _e1020)), (_e992.w + _e1020));
+                        }
+                        let _e1081 = phi_1202_;
+                        let _e1083 = phi_1205_;
+                        let _e1084 = (_e994 + 1u);
+                        let _e1085 = (_e974 + (countOneBits(((_e129 >> bitcast<u32>(5u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(5u)) & 257u))));
+                        local_30 = _e1081;
+                        local_31 = _e1083;
+                        local_32 = _e1081;
+                        local_33 = _e1081;
+                        local_34 = _e1081;
+                        local_35 = _e1083;
+                        local_58 = _e1083;
+                        local_59 = _e1085;
+                        continue;
+                        continuing {
+                            phi_1201_ = _e1081;
+                            phi_1204_ = _e1083;
+                            phi_1206_ = _e1084;
                             break if !(select(true, false, (_e1084 >= _e1085)));
                         }
                     }
-                    let _e1090 = local_25;
-                    let _e1093 = local_26;
+                    let _e1090 = local_30;
+                    let _e1093 = local_31;
                     if (_e1090.w > _e1093.w) {
                         let _e1096 = (_e1090.w - _e1093.w);
                         let _e1097 = (_e1096 / _e1090.w);
-                        let _e1099 = local_27;
-                        let _e1103 = local_28;
-                        let _e1107 = local_29;
-                        let _e1112 = local_30;
-                        phi_1263_ = (_e1112 + vec4<f32>((_e1099.x * _e1097), (_e1103.y * _e1097), (_e1107.z * _e1097), _e1096));
+                        let _e1099 = local_32;
+                        let _e1103 = local_33;
+                        let _e1107 = local_34;
+                        let _e1112 = local_35;
+                        phi_1351_ = (_e1112 + vec4<f32>((_e1099.x * _e1097), (_e1103.y * _e1097), (_e1107.z * _e1097), _e1096));
                     } else {
-                        let _e2156 = local_59;
-                        phi_1263_ = _e2156;
+                        let _e1870 = local_58;
+                        phi_1351_ = _e1870;
                     }
-                    let _e1115 = phi_1263_;
+                    let _e1115 = phi_1351_;
                     if (_e1115.w > 1f) {
-                        phi_1277_ = vec4<f32>((_e1115.x / _e1115.w), (_e1115.y / _e1115.w), (_e1115.z / _e1115.w), 1f);
+                        phi_1365_ = vec4<f32>((_e1115.x / _e1115.w), (_e1115.y / _e1115.w), (_e1115.z / _e1115.w), 1f);
                     } else {
-                        phi_1277_ = _e1115;
+                        phi_1365_ = _e1115;
                     }
-                    let _e1126 = phi_1277_;
-                    phi_1280_ = array<vec4<f32>, 8>(_e932[0], _e932[1], _e932[2], _e932[3], _e1126, _e932[5], _e932[6], _e932[7]);
-                    let _e2161 = local_60;
-                    phi_1281_ = _e2161;
+                    let _e1126 = phi_1365_;
+                    phi_1368_ = array<vec4<f32>, 8>(_e972[0], _e972[1], _e972[2], _e972[3], _e972[4], _e1126, _e972[6], _e972[7]);
+                    let _e1875 = local_59;
+                    phi_1369_ = _e1875;
                 } else {
-                    phi_1280_ = _e932;
-                    phi_1281_ = _e934;
+                    phi_1368_ = _e972;
+                    phi_1369_ = _e974;
                 }
-                let _e1137 = phi_1280_;
-                let _e1139 = phi_1281_;
-                if (((_e72 >> bitcast<u32>(5u)) & 1u) == 1u) {
-                    let _e1147 = facet_bits.member[_e73];
-                    let _e1148 = ((_e65 + 5u) & 31u);
-                    let _e1155 = facet_bits.member[(_e73 + 1u)];
-                    let _e1163 = facet_bits.member[(_e73 + 2u)];
-                    let _e1171 = facet_bits.member[(_e73 + 3u)];
-                    let _e1179 = facet_bits.member[(_e73 + 4u)];
-                    let _e1187 = facet_bits.member[(_e73 + 5u)];
-                    phi_1334_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1337_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1339_ = _e1139;
+                let _e1137 = phi_1368_;
+                let _e1139 = phi_1369_;
+                if (((_e73 >> bitcast<u32>(6u)) & 1u) == 1u) {
+                    phi_1389_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1392_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1394_ = _e1139;
                     loop {
-                        let _e1194 = phi_1334_;
-                        let _e1196 = phi_1337_;
-                        let _e1198 = phi_1339_;
-                        let _e1202 = facets.member[_e1198].member_2;
-                        let _e1206 = (2u * _e1198);
-                        let _e1209 = radiance.member[_e1206];
-                        let _e1213 = radiance.member[(_e1206 + 1u)];
-                        let _e1219 = -((((_e120 * _e1202[0]) + (_e122 * _e1202[1])) + (_e124 * _e1202[2])));
-                        if (_e54 == 1u) {
-                            let _e1272 = sqrt((((_e1202[0] * _e1202[0]) + (_e1202[1] * _e1202[1])) + (_e1202[2] * _e1202[2])));
-                            phi_1335_ = _e1194;
-                            phi_1338_ = vec4<f32>((_e1196.x + (select(_e1213.x, _e1209.x, (_e1209.x > _e1213.x)) * _e1272)), (_e1196.y + (select(_e1213.y, _e1209.y, (_e1209.y > _e1213.y)) * _e1272)), (_e1196.z + (select(_e1213.z, _e1209.z, (_e1209.z > _e1213.z)) * _e1272)), (_e1196.w + _e1272));
+                        let _e1155 = phi_1389_;
+                        let _e1157 = phi_1392_;
+                        let _e1159 = phi_1394_;
+                        let _e1163 = facets.member[_e1159].member_2;
+                        let _e1167 = (2u * _e1159);
+                        let _e1170 = radiance.member[_e1167];
+                        let _e1174 = radiance.member[(_e1167 + 1u)];
+                        let _e1179 = (((_e159 * _e1163[0]) + (_e161 * _e1163[1])) + (_e163 * _e1163[2]));
+                        let _e1180 = -(_e1179);
+                        if (_e55 == 1u) {
+                            let _e1232 = sqrt((((_e1163[0] * _e1163[0]) + (_e1163[1] * _e1163[1])) + (_e1163[2] * _e1163[2])));
+                            phi_1390_ = _e1155;
+                            phi_1393_ = vec4<f32>((_e1157.x + (select(_e1174.x, _e1170.x, (_e1170.x > _e1174.x)) * _e1232)), (_e1157.y + (select(_e1174.y, _e1170.y, (_e1170.y > _e1174.y)) * _e1232)), (_e1157.z + (select(_e1174.z, _e1170.z, (_e1170.z > _e1174.z)) * _e1232)), (_e1157.w + _e1232));
                         } else {
-                            if (_e1219 > 0f) {
-                                phi_1450_ = _e1194;
-                                phi_1451_ = vec4<f32>((_e1196.x + (_e1209.x * _e1219)), (_e1196.y + (_e1209.y * _e1219)), (_e1196.z + (_e1209.z * _e1219)), (_e1196.w + _e1219));
-                            } else {
-                                phi_1450_ = vec4<f32>((_e1194.x - (_e1213.x * _e1219)), (_e1194.y - (_e1213.y * _e1219)), (_e1194.z - (_e1213.z * _e1219)), (_e1194.w - _e1219));
-                                phi_1451_ = _e1196;
-                            }
-                            let _e1252 = phi_1450_;
-                            let _e1254 = phi_1451_;
-                            phi_1335_ = _e1252;
-                            phi_1338_ = _e1254;
+                            let _e1185 = select(0f, _e1180, (_e1180 > 0f));
+                            let _e1202 = select(0f, _e1179, (_e1179 > 0f));
+                            phi_1390_ = vec4<f32>((_e1155.x + (_e1174.x * _e1202)), (_e1155.y + (_e1174.y * _e1202)), (_e1155.z + (_e1174.z * _e1202)), (_e1155.w + _e1202));
+                            phi_1393_ = vec4<f32>((_e1157.x + (_e1170.x * _e1185)), (_e1157.y + (_e1170.y * _e1185)), (_e1157.z + (_e1170.z * _e1185)), (_e1157.w + _e1185));
                         }
-                        let _e1286 = phi_1335_;
-                        let _e1288 = phi_1338_;
-                        let _e1289 = (_e1198 + 1u);
-                        let _e1290 = (_e1139 + (((((((_e1147 >> bitcast<u32>(_e1148)) & 1u) + ((_e1155 >> bitcast<u32>(_e1148)) & 1u)) + ((_e1163 >> bitcast<u32>(_e1148)) & 1u)) + ((_e1171 >> bitcast<u32>(_e1148)) & 1u)) + ((_e1179 >> bitcast<u32>(_e1148)) & 1u)) + ((_e1187 >> bitcast<u32>(_e1148)) & 1u)));
-                        local_31 = _e1286;
-                        local_32 = _e1288;
-                        local_33 = _e1286;
-                        local_34 = _e1286;
-                        local_35 = _e1286;
-                        local_36 = _e1288;
-                        local_61 = _e1288;
-                        local_62 = _e1290;
+                        let _e1246 = phi_1390_;
+                        let _e1248 = phi_1393_;
+                        let _e1249 = (_e1159 + 1u);
+                        let _e1250 = (_e1139 + (countOneBits(((_e129 >> bitcast<u32>(6u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(6u)) & 257u))));
+                        local_36 = _e1246;
+                        local_37 = _e1248;
+                        local_38 = _e1246;
+                        local_39 = _e1246;
+                        local_40 = _e1246;
+                        local_41 = _e1248;
+                        local_60 = _e1248;
+                        local_61 = _e1250;
                         continue;
                         continuing {
-                            phi_1334_ = _e1286;
-                            phi_1337_ = _e1288;
-                            phi_1339_ = _e1289;
-                            break if !(select(true, false, (_e1289 >= _e1290)));
+                            phi_1389_ = _e1246;
+                            phi_1392_ = _e1248;
+                            phi_1394_ = _e1249;
+                            break if !(select(true, false, (_e1249 >= _e1250)));
                         }
                     }
-                    let _e1295 = local_31;
-                    let _e1298 = local_32;
-                    if (_e1295.w > _e1298.w) {
-                        let _e1301 = (_e1295.w - _e1298.w);
-                        let _e1302 = (_e1301 / _e1295.w);
-                        let _e1304 = local_33;
-                        let _e1308 = local_34;
-                        let _e1312 = local_35;
-                        let _e1317 = local_36;
-                        phi_1479_ = (_e1317 + vec4<f32>((_e1304.x * _e1302), (_e1308.y * _e1302), (_e1312.z * _e1302), _e1301));
+                    let _e1255 = local_36;
+                    let _e1258 = local_37;
+                    if (_e1255.w > _e1258.w) {
+                        let _e1261 = (_e1255.w - _e1258.w);
+                        let _e1262 = (_e1261 / _e1255.w);
+                        let _e1264 = local_38;
+                        let _e1268 = local_39;
+                        let _e1272 = local_40;
+                        let _e1277 = local_41;
+                        phi_1539_ = (_e1277 + vec4<f32>((_e1264.x * _e1262), (_e1268.y * _e1262), (_e1272.z * _e1262), _e1261));
                     } else {
-                        let _e2177 = local_61;
-                        phi_1479_ = _e2177;
+                        let _e1889 = local_60;
+                        phi_1539_ = _e1889;
                     }
-                    let _e1320 = phi_1479_;
-                    if (_e1320.w > 1f) {
-                        phi_1493_ = vec4<f32>((_e1320.x / _e1320.w), (_e1320.y / _e1320.w), (_e1320.z / _e1320.w), 1f);
+                    let _e1280 = phi_1539_;
+                    if (_e1280.w > 1f) {
+                        phi_1553_ = vec4<f32>((_e1280.x / _e1280.w), (_e1280.y / _e1280.w), (_e1280.z / _e1280.w), 1f);
                     } else {
-                        phi_1493_ = _e1320;
+                        phi_1553_ = _e1280;
                     }
-                    let _e1331 = phi_1493_;
-                    phi_1496_ = array<vec4<f32>, 8>(_e1137[0], _e1137[1], _e1137[2], _e1137[3], _e1137[4], _e1331, _e1137[6], _e1137[7]);
-                    let _e2182 = local_62;
-                    phi_1497_ = _e2182;
+                    let _e1291 = phi_1553_;
+                    phi_1556_ = array<vec4<f32>, 8>(_e1137[0], _e1137[1], _e1137[2], _e1137[3], _e1137[4], _e1137[5], _e1291, _e1137[7]);
+                    let _e1894 = local_61;
+                    phi_1557_ = _e1894;
                 } else {
-                    phi_1496_ = _e1137;
-                    phi_1497_ = _e1139;
+                    phi_1556_ = _e1137;
+                    phi_1557_ = _e1139;
                 }
-                let _e1342 = phi_1496_;
-                let _e1344 = phi_1497_;
-                if (((_e72 >> bitcast<u32>(6u)) & 1u) == 1u) {
-                    let _e1352 = facet_bits.member[_e73];
-                    let _e1353 = ((_e65 + 6u) & 31u);
-                    let _e1360 = facet_bits.member[(_e73 + 1u)];
-                    let _e1368 = facet_bits.member[(_e73 + 2u)];
-                    let _e1376 = facet_bits.member[(_e73 + 3u)];
-                    let _e1384 = facet_bits.member[(_e73 + 4u)];
-                    let _e1392 = facet_bits.member[(_e73 + 5u)];
-                    phi_1550_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1553_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1555_ = _e1344;
+                let _e1302 = phi_1556_;
+                let _e1304 = phi_1557_;
+                if (((_e73 >> bitcast<u32>(7u)) & 1u) == 1u) {
+                    phi_1577_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1580_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1582_ = _e1304;
                     loop {
-                        let _e1399 = phi_1550_;
-                        let _e1401 = phi_1553_;
-                        let _e1403 = phi_1555_;
-                        let _e1407 = facets.member[_e1403].member_2;
-                        let _e1411 = (2u * _e1403);
-                        let _e1414 = radiance.member[_e1411];
-                        let _e1418 = radiance.member[(_e1411 + 1u)];
-                        let _e1424 = -((((_e120 * _e1407[0]) + (_e122 * _e1407[1])) + (_e124 * _e1407[2])));
-                        if (_e54 == 1u) {
-                            let _e1477 = sqrt((((_e1407[0] * _e1407[0]) + (_e1407[1] * _e1407[1])) + (_e1407[2] * _e1407[2])));
-                            phi_1551_ = _e1399;
-                            phi_1554_ = vec4<f32>((_e1401.x + (select(_e1418.x, _e1414.x, (_e1414.x > _e1418.x)) * _e1477)), (_e1401.y + (select(_e1418.y, _e1414.y, (_e1414.y > _e1418.y)) * _e1477)), (_e1401.z + (select(_e1418.z, _e1414.z, (_e1414.z > _e1418.z)) * _e1477)), (_e1401.w + _e1477));
+                        let _e1320 = phi_1577_;
+                        let _e1322 = phi_1580_;
+                        let _e1324 = phi_1582_;
+                        let _e1328 = facets.member[_e1324].member_2;
+                        let _e1332 = (2u * _e1324);
+                        let _e1335 = radiance.member[_e1332];
+                        let _e1339 = radiance.member[(_e1332 + 1u)];
+                        let _e1344 = (((_e159 * _e1328[0]) + (_e161 * _e1328[1])) + (_e163 * _e1328[2]));
+                        let _e1345 = -(_e1344);
+                        if (_e55 == 1u) {
+                            let _e1397 = sqrt((((_e1328[0] * _e1328[0]) + (_e1328[1] * _e1328[1])) + (_e1328[2] * _e1328[2])));
+                            phi_1578_ = _e1320;
+                            phi_1581_ = vec4<f32>((_e1322.x + (select(_e1339.x, _e1335.x, (_e1335.x > _e1339.x)) * _e1397)), (_e1322.y + (select(_e1339.y, _e1335.y, (_e1335.y > _e1339.y)) * _e1397)), (_e1322.z + (select(_e1339.z, _e1335.z, (_e1335.z > _e1339.z)) * _e1397)), (_e1322.w + _e1397));
                         } else {
-                            if (_e1424 > 0f) {
-                                phi_1666_ = _e1399;
-                                phi_1667_ = vec4<f32>((_e1401.x + (_e1414.x * _e1424)), (_e1401.y + (_e1414.y * _e1424)), (_e1401.z + (_e1414.z * _e1424)), (_e1401.w + _e1424));
-                            } else {
-                                phi_1666_ = vec4<f32>((_e1399.x - (_e1418.x * _e1424)), (_e1399.y - (_e1418.y * _e1424)), (_e1399.z - (_e1418.z * _e1424)), (_e1399.w - _e1424));
-                                phi_1667_ = _e1401;
-                            }
-                            let _e1457 = phi_1666_;
-                            let _e1459 = phi_1667_;
-                            phi_1551_ = _e1457;
-                            phi_1554_ = _e1459;
+                            let _e1350 = select(0f, _e1345, (_e1345 > 0f));
+                            let _e1367 = select(0f, _e1344, (_e1344 > 0f));
+                            phi_1578_ = vec4<f32>((_e1320.x + (_e1339.x * _e1367)), (_e1320.y + (_e1339.y * _e1367)), (_e1320.z + (_e1339.z * _e1367)), (_e1320.w + _e1367));
+                            phi_1581_ = vec4<f32>((_e1322.x + (_e1335.x * _e1350)), (_e1322.y + (_e1335.y * _e1350)), (_e1322.z + (_e1335.z * _e1350)), (_e1322.w + _e1350));
                         }
-                        let _e1491 = phi_1551_;
-                        let _e1493 = phi_1554_;
-                        let _e1494 = (_e1403 + 1u);
-                        let _e1495 = (_e1344 + (((((((_e1352 >> bitcast<u32>(_e1353)) & 1u) + ((_e1360 >> bitcast<u32>(_e1353)) & 1u)) + ((_e1368 >> bitcast<u32>(_e1353)) & 1u)) + ((_e1376 >> bitcast<u32>(_e1353)) & 1u)) + ((_e1384 >> bitcast<u32>(_e1353)) & 1u)) + ((_e1392 >> bitcast<u32>(_e1353)) & 1u)));
-                        local_37 = _e1491;
-                        local_38 = _e1493;
-                        local_39 = _e1491;
-                        local_40 = _e1491;
-                        local_41 = _e1491;
-                        local_42 = _e1493;
-                        local_63 = _e1493;
-                        local_64 = _e1495;
+                        let _e1411 = phi_1578_;
+                        let _e1413 = phi_1581_;
+                        let _e1414 = (_e1324 + 1u);
+                        local_42 = _e1411;
+                        local_43 = _e1413;
+                        local_44 = _e1411;
+                        local_45 = _e1411;
+                        local_46 = _e1411;
+                        local_47 = _e1413;
+                        local_62 = _e1413;
                         continue;
                         continuing {
-                            phi_1550_ = _e1491;
-                            phi_1553_ = _e1493;
-                            phi_1555_ = _e1494;
-                            break if !(select(true, false, (_e1494 >= _e1495)));
+                            phi_1577_ = _e1411;
+                            phi_1580_ = _e1413;
+                            phi_1582_ = _e1414;
+                            break if !(select(true, false, (_e1414 >= (_e1304 + (countOneBits(((_e129 >> bitcast<u32>(7u)) & 16843009u)) + countOneBits(((_e152 >> bitcast<u32>(7u)) & 257u)))))));
                         }
                     }
-                    let _e1500 = local_37;
-                    let _e1503 = local_38;
-                    if (_e1500.w > _e1503.w) {
-                        let _e1506 = (_e1500.w - _e1503.w);
-                        let _e1507 = (_e1506 / _e1500.w);
-                        let _e1509 = local_39;
-                        let _e1513 = local_40;
-                        let _e1517 = local_41;
-                        let _e1522 = local_42;
-                        phi_1695_ = (_e1522 + vec4<f32>((_e1509.x * _e1507), (_e1513.y * _e1507), (_e1517.z * _e1507), _e1506));
+                    let _e1420 = local_42;
+                    let _e1423 = local_43;
+                    if (_e1420.w > _e1423.w) {
+                        let _e1426 = (_e1420.w - _e1423.w);
+                        let _e1427 = (_e1426 / _e1420.w);
+                        let _e1429 = local_44;
+                        let _e1433 = local_45;
+                        let _e1437 = local_46;
+                        let _e1442 = local_47;
+                        phi_1727_ = (_e1442 + vec4<f32>((_e1429.x * _e1427), (_e1433.y * _e1427), (_e1437.z * _e1427), _e1426));
                     } else {
-                        let _e2198 = local_63;
-                        phi_1695_ = _e2198;
+                        let _e1908 = local_62;
+                        phi_1727_ = _e1908;
                     }
-                    let _e1525 = phi_1695_;
-                    if (_e1525.w > 1f) {
-                        phi_1709_ = vec4<f32>((_e1525.x / _e1525.w), (_e1525.y / _e1525.w), (_e1525.z / _e1525.w), 1f);
+                    let _e1445 = phi_1727_;
+                    if (_e1445.w > 1f) {
+                        phi_1741_ = vec4<f32>((_e1445.x / _e1445.w), (_e1445.y / _e1445.w), (_e1445.z / _e1445.w), 1f);
                     } else {
-                        phi_1709_ = _e1525;
+                        phi_1741_ = _e1445;
                     }
-                    let _e1536 = phi_1709_;
-                    phi_1712_ = array<vec4<f32>, 8>(_e1342[0], _e1342[1], _e1342[2], _e1342[3], _e1342[4], _e1342[5], _e1536, _e1342[7]);
-                    let _e2203 = local_64;
-                    phi_1713_ = _e2203;
+                    let _e1456 = phi_1741_;
+                    phi_1743_ = array<vec4<f32>, 8>(_e1302[0], _e1302[1], _e1302[2], _e1302[3], _e1302[4], _e1302[5], _e1302[6], _e1456);
                 } else {
-                    phi_1712_ = _e1342;
-                    phi_1713_ = _e1344;
+                    phi_1743_ = _e1302;
                 }
-                let _e1547 = phi_1712_;
-                let _e1549 = phi_1713_;
-                if (((_e72 >> bitcast<u32>(7u)) & 1u) == 1u) {
-                    let _e1557 = facet_bits.member[_e73];
-                    let _e1558 = ((_e65 + 7u) & 31u);
-                    let _e1565 = facet_bits.member[(_e73 + 1u)];
-                    let _e1573 = facet_bits.member[(_e73 + 2u)];
-                    let _e1581 = facet_bits.member[(_e73 + 3u)];
-                    let _e1589 = facet_bits.member[(_e73 + 4u)];
-                    let _e1597 = facet_bits.member[(_e73 + 5u)];
-                    phi_1766_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1769_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_1771_ = _e1549;
-                    loop {
-                        let _e1604 = phi_1766_;
-                        let _e1606 = phi_1769_;
-                        let _e1608 = phi_1771_;
-                        let _e1612 = facets.member[_e1608].member_2;
-                        let _e1616 = (2u * _e1608);
-                        let _e1619 = radiance.member[_e1616];
-                        let _e1623 = radiance.member[(_e1616 + 1u)];
-                        let _e1629 = -((((_e120 * _e1612[0]) + (_e122 * _e1612[1])) + (_e124 * _e1612[2])));
-                        if (_e54 == 1u) {
-                            let _e1682 = sqrt((((_e1612[0] * _e1612[0]) + (_e1612[1] * _e1612[1])) + (_e1612[2] * _e1612[2])));
-                            phi_1767_ = _e1604;
-                            phi_1770_ = vec4<f32>((_e1606.x + (select(_e1623.x, _e1619.x, (_e1619.x > _e1623.x)) * _e1682)), (_e1606.y + (select(_e1623.y, _e1619.y, (_e1619.y > _e1623.y)) * _e1682)), (_e1606.z + (select(_e1623.z, _e1619.z, (_e1619.z > _e1623.z)) * _e1682)), (_e1606.w + _e1682));
-                        } else {
-                            if (_e1629 > 0f) {
-                                phi_1882_ = _e1604;
-                                phi_1883_ = vec4<f32>((_e1606.x + (_e1619.x * _e1629)), (_e1606.y + (_e1619.y * _e1629)), (_e1606.z + (_e1619.z * _e1629)), (_e1606.w + _e1629));
-                            } else {
-                                phi_1882_ = vec4<f32>((_e1604.x - (_e1623.x * _e1629)), (_e1604.y - (_e1623.y * _e1629)), (_e1604.z - (_e1623.z * _e1629)), (_e1604.w - _e1629));
-                                phi_1883_ = _e1606;
-                            }
-                            let _e1662 = phi_1882_;
-                            let _e1664 = phi_1883_;
-                            phi_1767_ = _e1662;
-                            phi_1770_ = _e1664;
-                        }
-                        let _e1696 = phi_1767_;
-                        let _e1698 = phi_1770_;
-                        let _e1699 = (_e1608 + 1u);
-                        local_43 = _e1696;
-                        local_44 = _e1698;
-                        local_45 = _e1696;
-                        local_46 = _e1696;
-                        local_47 = _e1696;
-                        local_48 = _e1698;
-                        local_65 = _e1698;
-                        continue;
-                        continuing {
-                            phi_1766_ = _e1696;
-                            phi_1769_ = _e1698;
-                            phi_1771_ = _e1699;
-                            break if !(select(true, false, (_e1699 >= (_e1549 + (((((((_e1557 >> bitcast<u32>(_e1558)) & 1u) + ((_e1565 >> bitcast<u32>(_e1558)) & 1u)) + ((_e1573 >> bitcast<u32>(_e1558)) & 1u)) + ((_e1581 >> bitcast<u32>(_e1558)) & 1u)) + ((_e1589 >> bitcast<u32>(_e1558)) & 1u)) + ((_e1597 >> bitcast<u32>(_e1558)) & 1u))))));
-                        }
-                    }
-                    let _e1705 = local_43;
-                    let _e1708 = local_44;
-                    if (_e1705.w > _e1708.w) {
-                        let _e1711 = (_e1705.w - _e1708.w);
-                        let _e1712 = (_e1711 / _e1705.w);
-                        let _e1714 = local_45;
-                        let _e1718 = local_46;
-                        let _e1722 = local_47;
-                        let _e1727 = local_48;
-                        phi_1911_ = (_e1727 + vec4<f32>((_e1714.x * _e1712), (_e1718.y * _e1712), (_e1722.z * _e1712), _e1711));
+                let _e1467 = phi_1743_;
+                if (_e55 == 1u) {
+                    let _e1741 = ((((_e1467[0].x + _e1467[1].x) + (_e1467[2].x + _e1467[3].x)) + ((_e1467[4].x + _e1467[5].x) + (_e1467[6].x + _e1467[7].x))) * 0.25f);
+                    let _e1742 = ((((_e1467[0].y + _e1467[1].y) + (_e1467[2].y + _e1467[3].y)) + ((_e1467[4].y + _e1467[5].y) + (_e1467[6].y + _e1467[7].y))) * 0.25f);
+                    let _e1743 = ((((_e1467[0].z + _e1467[1].z) + (_e1467[2].z + _e1467[3].z)) + ((_e1467[4].z + _e1467[5].z) + (_e1467[6].z + _e1467[7].z))) * 0.25f);
+                    let _e1744 = ((((_e1467[0].w + _e1467[1].w) + (_e1467[2].w + _e1467[3].w)) + ((_e1467[4].w + _e1467[5].w) + (_e1467[6].w + _e1467[7].w))) * 0.25f);
+                    if (_e1744 > 1f) {
+                        phi_1832_ = vec4<f32>((_e1741 / _e1744), (_e1742 / _e1744), (_e1743 / _e1744), (_e1744 / _e1744));
                     } else {
-                        let _e2219 = local_65;
-                        phi_1911_ = _e2219;
+                        phi_1832_ = vec4<f32>(_e1741, _e1742, _e1743, _e1744);
                     }
-                    let _e1730 = phi_1911_;
-                    if (_e1730.w > 1f) {
-                        phi_1925_ = vec4<f32>((_e1730.x / _e1730.w), (_e1730.y / _e1730.w), (_e1730.z / _e1730.w), 1f);
-                    } else {
-                        phi_1925_ = _e1730;
-                    }
-                    let _e1741 = phi_1925_;
-                    phi_1927_ = array<vec4<f32>, 8>(_e1547[0], _e1547[1], _e1547[2], _e1547[3], _e1547[4], _e1547[5], _e1547[6], _e1741);
+                    let _e1753 = phi_1832_;
+                    phi_2157_ = _e1753;
                 } else {
-                    phi_1927_ = _e1547;
+                    if _e158 {
+                        phi_1849_ = _e1467[1];
+                    } else {
+                        phi_1849_ = select(_e1467[4], _e1467[2], vec4(_e160));
+                    }
+                    let _e1476 = phi_1849_;
+                    if _e156 {
+                        let _e1499 = ((1f - _e1476.w) / select(0.000000000000000000000000000000000000011754944f, _e1467[0].w, (_e1467[0].w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1501 = select(1f, _e1499, (_e1499 < 1f));
+                        phi_1901_ = (_e1476 + vec4<f32>((_e1467[0].x * _e1501), (_e1467[0].y * _e1501), (_e1467[0].z * _e1501), (_e1467[0].w * _e1501)));
+                    } else {
+                        let _e1482 = ((1f - _e1467[0].w) / select(0.000000000000000000000000000000000000011754944f, _e1476.w, (_e1476.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1484 = select(1f, _e1482, (_e1482 < 1f));
+                        phi_1901_ = (_e1467[0] + vec4<f32>((_e1476.x * _e1484), (_e1476.y * _e1484), (_e1476.z * _e1484), (_e1476.w * _e1484)));
+                    }
+                    let _e1512 = phi_1901_;
+                    let _e1513 = vec4(_e158);
+                    let _e1514 = select(_e1467[1], _e1467[2], _e1513);
+                    if _e158 {
+                        phi_1927_ = _e1467[3];
+                    } else {
+                        phi_1927_ = select(_e1467[5], _e1467[3], vec4(_e160));
+                    }
+                    let _e1520 = phi_1927_;
+                    if _e156 {
+                        let _e1543 = ((1f - _e1520.w) / select(0.000000000000000000000000000000000000011754944f, _e1514.w, (_e1514.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1545 = select(1f, _e1543, (_e1543 < 1f));
+                        phi_1979_ = (_e1520 + vec4<f32>((_e1514.x * _e1545), (_e1514.y * _e1545), (_e1514.z * _e1545), (_e1514.w * _e1545)));
+                    } else {
+                        let _e1526 = ((1f - _e1514.w) / select(0.000000000000000000000000000000000000011754944f, _e1520.w, (_e1520.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1528 = select(1f, _e1526, (_e1526 < 1f));
+                        phi_1979_ = (_e1514 + vec4<f32>((_e1520.x * _e1528), (_e1520.y * _e1528), (_e1520.z * _e1528), (_e1520.w * _e1528)));
+                    }
+                    let _e1556 = phi_1979_;
+                    if _e158 {
+                        phi_2004_ = _e1467[4];
+                    } else {
+                        phi_2004_ = select(_e1467[2], _e1467[4], vec4(_e160));
+                    }
+                    let _e1572 = phi_2004_;
+                    let _e1574 = select(_e1467[6], _e1467[5], _e1513);
+                    if _e156 {
+                        let _e1597 = ((1f - _e1574.w) / select(0.000000000000000000000000000000000000011754944f, _e1572.w, (_e1572.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1599 = select(1f, _e1597, (_e1597 < 1f));
+                        phi_2069_ = (_e1574 + vec4<f32>((_e1572.x * _e1599), (_e1572.y * _e1599), (_e1572.z * _e1599), (_e1572.w * _e1599)));
+                    } else {
+                        let _e1580 = ((1f - _e1572.w) / select(0.000000000000000000000000000000000000011754944f, _e1574.w, (_e1574.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1582 = select(1f, _e1580, (_e1580 < 1f));
+                        phi_2069_ = (_e1572 + vec4<f32>((_e1574.x * _e1582), (_e1574.y * _e1582), (_e1574.z * _e1582), (_e1574.w * _e1582)));
+                    }
+                    let _e1610 = phi_2069_;
+                    if _e158 {
+                        phi_2090_ = _e1467[6];
+                    } else {
+                        phi_2090_ = select(_e1467[3], _e1467[5], vec4(_e160));
+                    }
+                    let _e1622 = phi_2090_;
+                    if _e156 {
+                        let _e1646 = ((1f - _e1467[7].w) / select(0.000000000000000000000000000000000000011754944f, _e1622.w, (_e1622.w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1648 = select(1f, _e1646, (_e1646 < 1f));
+                        phi_2143_ = (_e1467[7] + vec4<f32>((_e1622.x * _e1648), (_e1622.y * _e1648), (_e1622.z * _e1648), (_e1622.w * _e1648)));
+                    } else {
+                        let _e1629 = ((1f - _e1622.w) / select(0.000000000000000000000000000000000000011754944f, _e1467[7].w, (_e1467[7].w > 0.000000000000000000000000000000000000011754944f)));
+                        let _e1631 = select(1f, _e1629, (_e1629 < 1f));
+                        phi_2143_ = (_e1622 + vec4<f32>((_e1467[7].x * _e1631), (_e1467[7].y * _e1631), (_e1467[7].z * _e1631), (_e1467[7].w * _e1631)));
+                    }
+                    let _e1659 = phi_2143_;
+                    phi_2157_ = vec4<f32>(((((_e1512.x + _e1556.x) + _e1610.x) + _e1659.x) * 0.25f), ((((_e1512.y + _e1556.y) + _e1610.y) + _e1659.y) * 0.25f), ((((_e1512.z + _e1556.z) + _e1610.z) + _e1659.z) * 0.25f), ((((_e1512.w + _e1556.w) + _e1610.w) + _e1659.w) * 0.25f));
                 }
-                let _e1752 = phi_1927_;
-                if (_e54 == 1u) {
-                    let _e2026 = ((((_e1752[0].x + _e1752[1].x) + (_e1752[2].x + _e1752[3].x)) + ((_e1752[4].x + _e1752[5].x) + (_e1752[6].x + _e1752[7].x))) * 0.25f);
-                    let _e2027 = ((((_e1752[0].y + _e1752[1].y) + (_e1752[2].y + _e1752[3].y)) + ((_e1752[4].y + _e1752[5].y) + (_e1752[6].y + _e1752[7].y))) * 0.25f);
-                    let _e2028 = ((((_e1752[0].z + _e1752[1].z) + (_e1752[2].z + _e1752[3].z)) + ((_e1752[4].z + _e1752[5].z) + (_e1752[6].z + _e1752[7].z))) * 0.25f);
-                    let _e2029 = ((((_e1752[0].w + _e1752[1].w) + (_e1752[2].w + _e1752[3].w)) + ((_e1752[4].w + _e1752[5].w) + (_e1752[6].w + _e1752[7].w))) * 0.25f);
-                    if (_e2029 > 1f) {
-                        phi_2016_ = vec4<f32>((_e2026 / _e2029), (_e2027 / _e2029), (_e2028 / _e2029), (_e2029 / _e2029));
-                    } else {
-                        phi_2016_ = vec4<f32>(_e2026, _e2027, _e2028, _e2029);
-                    }
-                    let _e2038 = phi_2016_;
-                    phi_2341_ = _e2038;
-                } else {
-                    if _e119 {
-                        phi_2033_ = _e1752[1];
-                    } else {
-                        phi_2033_ = select(_e1752[4], _e1752[2], vec4(_e121));
-                    }
-                    let _e1761 = phi_2033_;
-                    if _e117 {
-                        let _e1784 = ((1f - _e1761.w) / select(0.000000000000000000000000000000000000011754944f, _e1752[0].w, (_e1752[0].w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1786 = select(1f, _e1784, (_e1784 < 1f));
-                        phi_2085_ = (_e1761 + vec4<f32>((_e1752[0].x * _e1786), (_e1752[0].y * _e1786), (_e1752[0].z * _e1786), (_e1752[0].w * _e1786)));
-                    } else {
-                        let _e1767 = ((1f - _e1752[0].w) / select(0.000000000000000000000000000000000000011754944f, _e1761.w, (_e1761.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1769 = select(1f, _e1767, (_e1767 < 1f));
-                        phi_2085_ = (_e1752[0] + vec4<f32>((_e1761.x * _e1769), (_e1761.y * _e1769), (_e1761.z * _e1769), (_e1761.w * _e1769)));
-                    }
-                    let _e1797 = phi_2085_;
-                    let _e1798 = vec4(_e119);
-                    let _e1799 = select(_e1752[1], _e1752[2], _e1798);
-                    if _e119 {
-                        phi_2111_ = _e1752[3];
-                    } else {
-                        phi_2111_ = select(_e1752[5], _e1752[3], vec4(_e121));
-                    }
-                    let _e1805 = phi_2111_;
-                    if _e117 {
-                        let _e1828 = ((1f - _e1805.w) / select(0.000000000000000000000000000000000000011754944f, _e1799.w, (_e1799.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1830 = select(1f, _e1828, (_e1828 < 1f));
-                        phi_2163_ = (_e1805 + vec4<f32>((_e1799.x * _e1830), (_e1799.y * _e1830), (_e1799.z * _e1830), (_e1799.w * _e1830)));
-                    } else {
-                        let _e1811 = ((1f - _e1799.w) / select(0.000000000000000000000000000000000000011754944f, _e1805.w, (_e1805.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1813 = select(1f, _e1811, (_e1811 < 1f));
-                        phi_2163_ = (_e1799 + vec4<f32>((_e1805.x * _e1813), (_e1805.y * _e1813), (_e1805.z * _e1813), (_e1805.w * _e1813)));
-                    }
-                    let _e1841 = phi_2163_;
-                    if _e119 {
-                        phi_2188_ = _e1752[4];
-                    } else {
-                        phi_2188_ = select(_e1752[2], _e1752[4], vec4(_e121));
-                    }
-                    let _e1857 = phi_2188_;
-                    let _e1859 = select(_e1752[6], _e1752[5], _e1798);
-                    if _e117 {
-                        let _e1882 = ((1f - _e1859.w) / select(0.000000000000000000000000000000000000011754944f, _e1857.w, (_e1857.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1884 = select(1f, _e1882, (_e1882 < 1f));
-                        phi_2253_ = (_e1859 + vec4<f32>((_e1857.x * _e1884), (_e1857.y * _e1884), (_e1857.z * _e1884), (_e1857.w * _e1884)));
-                    } else {
-                        let _e1865 = ((1f - _e1857.w) / select(0.000000000000000000000000000000000000011754944f, _e1859.w, (_e1859.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1867 = select(1f, _e1865, (_e1865 < 1f));
-                        phi_2253_ = (_e1857 + vec4<f32>((_e1859.x * _e1867), (_e1859.y * _e1867), (_e1859.z * _e1867), (_e1859.w * _e1867)));
-                    }
-                    let _e1895 = phi_2253_;
-                    if _e119 {
-                        phi_2274_ = _e1752[6];
-                    } else {
-                        phi_2274_ = select(_e1752[3], _e1752[5], vec4(_e121));
-                    }
-                    let _e1907 = phi_2274_;
-                    if _e117 {
-                        let _e1931 = ((1f - _e1752[7].w) / select(0.000000000000000000000000000000000000011754944f, _e1907.w, (_e1907.w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1933 = select(1f, _e1931, (_e1931 < 1f));
-                        phi_2327_ = (_e1752[7] + vec4<f32>((_e1907.x * _e1933), (_e1907.y * _e1933), (_e1907.z * _e1933), (_e1907.w * _e1933)));
-                    } else {
-                        let _e1914 = ((1f - _e1907.w) / select(0.000000000000000000000000000000000000011754944f, _e1752[7].w, (_e1752[7].w > 0.000000000000000000000000000000000000011754944f)));
-                        let _e1916 = select(1f, _e1914, (_e1914 < 1f));
-                        phi_2327_ = (_e1907 + vec4<f32>((_e1752[7].x * _e1916), (_e1752[7].y * _e1916), (_e1752[7].z * _e1916), (_e1752[7].w * _e1916)));
-                    }
-                    let _e1944 = phi_2327_;
-                    phi_2341_ = vec4<f32>(((((_e1797.x + _e1841.x) + _e1895.x) + _e1944.x) * 0.25f), ((((_e1797.y + _e1841.y) + _e1895.y) + _e1944.y) * 0.25f), ((((_e1797.z + _e1841.z) + _e1895.z) + _e1944.z) * 0.25f), ((((_e1797.w + _e1841.w) + _e1895.w) + _e1944.w) * 0.25f));
-                }
-                let _e2040 = phi_2341_;
-                let _e2043 = ((_e43 + _e50) + (_e50 - _e50));
-                if (_e2043 < arrayLength((&out.member))) {
+                let _e1755 = phi_2157_;
+                let _e1758 = ((_e44 + _e51) + (_e51 - _e51));
+                if (_e1758 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e2043] = _e2040;
+                out.member[_e1758] = _e1755;
             }
             break;
         }

@@ -59,6 +59,38 @@ pub fn facets_of(cells: &[u32], facet_bits: &[u32], cell: u32, bit: u32) -> (u32
     (first, count)
 }
 
+/// Which kinds of facets the eight voxels of one byte of a cell hold, a byte per kind.
+#[derive(Clone, Copy)]
+pub struct ByteKinds {
+    /// Kinds 0 to 3.
+    low: u32,
+    /// Kinds 4 and 5.
+    high: u32,
+}
+
+impl ByteKinds {
+    /// Number of facets of one of the voxels.
+    #[inline(always)]
+    pub fn of(self, voxel: u32) -> u32 {
+        (self.low >> voxel & 0x0101_0101).count_ones() + (self.high >> voxel & 0x0101).count_ones()
+    }
+}
+
+/// Index of the first facet of the eight voxels from `first_bit` on, and the kinds that they hold.
+#[inline(always)]
+pub fn facets_of_byte(cells: &[u32], facet_bits: &[u32], cell: u32, first_bit: u32) -> (u32, ByteKinds) {
+    let first_word = (cell * FACET_KINDS) as usize;
+    let mut first = *fetch(cells, (2 * cell + 1) as usize);
+    let mut kinds = ByteKinds { low: 0, high: 0 };
+    unroll!(KIND in 0, 1, 2, 3, 4, 5 => {
+        let word = *fetch(facet_bits, first_word + KIND);
+        first += (word & below(first_bit)).count_ones();
+        let byte = (word >> first_bit & 0xFF) << (8 * (KIND as u32 % 4));
+        if KIND < 4 { kinds.low |= byte } else { kinds.high |= byte }
+    });
+    (first, kinds)
+}
+
 /// Adds the part of a triangle in each voxel of one tile to its facets. `sums`: [`FACET_WORDS`] words per facet and one
 /// word that tells of an overflow.
 #[inline(always)]

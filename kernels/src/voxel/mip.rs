@@ -18,9 +18,9 @@
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
 use super::cells::pass_rows;
-use super::facet::facet_index;
+use super::facet::facets_of_byte;
 use super::grid::below;
-use super::view::{at_most_covered, axis_direction, facet_total, facets_seen};
+use super::view::{at_most_covered, axis_direction, facets_seen};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::kernel::{fetch, fetch_if};
@@ -119,12 +119,12 @@ pub fn mip_base(
     let cell = child >> 2;
     let first_bit = 8 * (child & 3);
     let bits = *fetch(cells, (2 * cell) as usize) >> first_bit;
-    let mut next = facet_index(cells, facet_bits, cell, first_bit, 0);
+    let (mut next, counts) = facets_of_byte(cells, facet_bits, cell, first_bit);
     let looking = axis_direction(direction >> 1, direction & 1 == 1);
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
-            let count = facet_total(facet_bits, cell, first_bit + K as u32);
+            let count = counts.of(K as u32);
             let seen = facets_seen(next, count, looking, p.direction_count == 1, facets, radiance);
             v[K] = at_most_covered(seen);
             next += count;

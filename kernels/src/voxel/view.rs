@@ -61,10 +61,10 @@ pub fn facets_seen(
         let towards = -looking.dot(normal);
         if isotropic {
             front += Vec4::new(max(a.x, b.x), max(a.y, b.y), max(a.z, b.z), 1.0) * length(normal);
-        } else if towards > 0.0 {
-            front += a.truncate().extend(1.0) * towards;
         } else {
-            back -= b.truncate().extend(1.0) * towards;
+            // Both, one of them with no weight: no branch, which nothing would foresee.
+            front += a.truncate().extend(1.0) * max(towards, 0.0);
+            back += b.truncate().extend(1.0) * max(-towards, 0.0);
         }
         facet += 1;
         if facet >= first + count {
