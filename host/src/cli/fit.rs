@@ -3,7 +3,7 @@
 use super::args::FitArgs;
 use super::{print_json, setup};
 use crate::error::Error;
-use crate::fit::{self, Care, Evidence, FitReport, Goal, Left, Limits, Verdict, evaluate_scene};
+use crate::fit::{self, Care, Evidence, FitReport, Goal, Left, Limits, Live, Verdict, evaluate_scene};
 use crate::image_io::write_whole;
 use crate::methods::{MethodRow, method};
 use crate::reference;
@@ -36,7 +36,7 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     };
     let cache = args.scenes.cache.clone().unwrap_or_else(reference::default_dir);
     let exec = setup::executor(&args.device)?;
-    let mut evidence = Evidence::new(spec, args.scenes.size.into(), args.scenes.seed, cache, exec)?;
+    let mut evidence = Evidence::new(Live::new(spec, args.scenes.size.into(), args.scenes.seed, cache, exec)?);
     setup::output_folder(out)?;
     let mut news = |c: &fit::Candidate| {
         let (name, took) = (fit::changed_settings(c.row, &c.settings), milliseconds(1e3 * c.wall_s));
@@ -53,10 +53,10 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     report.view = spec.arguments();
     write_whole(&out.join("fit.json"), report::to_json(&report)?.as_bytes())?;
     let pictures = match report.choice.as_ref().map(|c| (method(&c.method), c)) {
-        Some((Ok(row), choice)) => Some(evidence.pictures(row, &choice.settings)?),
+        Some((Ok(row), choice)) => Some(evidence.source.pictures(row, &choice.settings)?),
         _ => None,
     };
-    let device = (&evidence.exec.device()).into();
+    let device = (&evidence.source.exec.device()).into();
     let page = fit::page(&report, args.scenes.size.into(), &device, pictures.as_ref());
     write_whole(&out.join("index.html"), page.as_bytes())?;
     if let (Some(choice), true) = (&report.choice, report.found) {

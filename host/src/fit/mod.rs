@@ -3,10 +3,11 @@
 //!
 //! 1. Climb: the cheapest rung of every method, then always the next rung of the method whose last one was cheapest, as
 //!    long as that can still win. A ladder whose errors fall too slowly to reach the limit is left for later.
-//! 2. Refine, from the best rung, from other methods' rungs that keep the limit and cost little more, and from rungs that all
-//!    but keep it: the method's size (its first axis) by trials, and all other parameters by a model of what they do
-//!    ([`Effect`]), learnt at the method's smallest size, where asking is cheap. What the model proposes is run; where it
-//!    was too hopeful, it proposes less.
+//! 2. Explore: one parameter, one value beside anything that was tried, always the step that promises most for the time that
+//!    its trial takes: the chance that it keeps the limit times the part of the cost that it would save. What it will give is
+//!    told from what the same step did elsewhere, changes of pictures being added and times multiplied ([`Effect`]); where
+//!    the step was never made, the chance is wide. Whatever a step gives is a place to step on from, so that parameters
+//!    which are best between two worse values, or only together, are found.
 //! 3. Confirm: the finalists on the whole picture, timed again; the error on more blocks of the picture, until it is clear
 //!    on which side of the limit it lies.
 //!
@@ -14,16 +15,22 @@
 //! ([`Evidence`]). Nothing here knows a method by name.
 
 mod evidence;
+mod live;
 mod model;
 mod page;
 mod search;
+#[cfg(test)]
+mod search_tests;
 mod sweep;
+mod truth;
 mod words;
 
-pub use evidence::{Candidate, Effort, Evidence};
+pub use evidence::{Candidate, Effort, Evidence, Source};
+pub use live::Live;
 pub use model::Effect;
 pub use page::page;
 pub use sweep::{Case, LEAST_WITHIN, Left, Limits, MOST_COST, MOST_TIME, Open, Verdict, evaluate_scene};
+pub use truth::BlockTruth;
 
 use crate::error::Error;
 use crate::methods::{MethodRow, Settings};
@@ -291,8 +298,8 @@ pub const NOTHING_NEEDED: &str = "no indirect light reaches what the camera sees
 ///
 /// # Errors
 /// What the truth says. A method that refuses is left out with its reason.
-pub fn fit(
-    evidence: &mut Evidence,
+pub fn fit<S: Source>(
+    evidence: &mut Evidence<S>,
     scene: &str,
     methods: &[&'static MethodRow],
     goal: Goal,
@@ -305,7 +312,7 @@ pub fn fit(
     let mut search = Search::new(evidence, goal, care.thorough, methods, news);
     let mut chosen = if dark {
         search.reject_all(NOTHING_NEEDED);
-        Some(search.nothing_needed()?)
+        Some(nothing_needed(search.evidence)?)
     } else {
         search.find()?
     };
@@ -347,6 +354,15 @@ pub fn fit(
         why_s: start.elapsed().as_secs_f64() - search_s,
         shared_s: search.shared_s() - shared_s,
     })
+}
+
+/// Where no indirect light is to be seen: the method that computes none, exact at no cost.
+fn nothing_needed<S: Source>(evidence: &mut Evidence<S>) -> Result<Candidate, Error> {
+    let row = &crate::methods::direct::ROW;
+    let mut candidate = evidence.execute(row, &row.defaults(), Effort::Whole)?;
+    // A black truth has no scale to state an error by.
+    (candidate.error, candidate.bounds, candidate.blocks) = (0.0, [0.0; 2], candidate.means.len());
+    Ok(candidate)
 }
 
 impl From<&Candidate> for Tried {

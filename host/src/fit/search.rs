@@ -2,27 +2,18 @@
 
 use super::model::Prediction;
 use super::{
-    Axis, Candidate, Effect, Effort, Evidence, Goal, Neighbour, Reason, Rejected, axes, finite, same, step, words,
+    Axis, Candidate, Effect, Effort, Evidence, Goal, Neighbour, Reason, Rejected, Source, axes, finite, same, step,
+    words,
 };
 use crate::error::Error;
 use crate::methods::{MethodRow, Settings};
 
-/// Error over the limit up to which dearer parameters of a rung may be enough.
-const FAR_OFF: f64 = 2.5;
-/// Rungs per method, of those that all but keep the limit, from which dearer parameters are tried.
-const NEAR_MISSES: usize = 2;
-/// Cost over the best's up to which another method's rung may still become cheaper than it, parameter by parameter.
-const RIVAL: f64 = 2.0;
-/// Overrun that a step must leave of the one before, where nothing fits yet.
-const NEARER: f64 = 0.99;
 /// Share of the cost that a step must leave at most: less is the clock's noise, and not worth an error.
 const SAVES: f64 = 0.97;
 /// How much faster a trial at the smallest size must be for the model to be asked there.
 const CHEAP: f64 = 4.0;
 /// Settings, the one in question among them, in which a place where an effect was learnt may differ.
 const FAR: usize = 3;
-/// Proposals of the model that are run, per start.
-const PROPOSALS: usize = 5;
 /// Cost over the cheapest's up to which a candidate is timed again on the whole picture, and how many of them.
 const FINALISTS: (f64, usize) = (1.15, 3);
 /// Part of the error below which the light that all further terms carry is not worth a trial.
@@ -31,16 +22,17 @@ const NEGLIGIBLE: f64 = 0.1;
 const CONFIRMED_BLOCKS: usize = 512;
 /// Part of the time that a sweep of all rungs and their neighbours would take, as far as their times are known, after which a
 /// search that has something that fits looks no further.
-const PATIENCE: f64 = 0.15;
+const PATIENCE: f64 = 0.25;
+/// Part of the time of the ladders for which steps beside them are tried in any case: one slow trial must not leave what is
+/// quick to ask unasked.
+const EXPLORED: f64 = 0.3;
 /// Part of that sweep's time that a finer truth may take.
 const REFINING: f64 = 0.05;
 /// Cost of what fits over that of what may fit, from which on a finer truth is traced to know.
 const WORTH: f64 = 1.3;
-/// Overrun beyond which a method is not rescued: steps beside a rung do not make up for that much.
-const BEYOND_RESCUE: f64 = 4.0;
 /// Times as much as the patience with what fits, after which a search that has found nothing leaves ladders without hope,
 /// and steps beside what comes nearest.
-const HOPE: f64 = 4.0;
+const HOPE: f64 = 2.0;
 /// Overrun of a rung up to which one dearer parameter is tried before the next rung, and how many such.
 const NARROW: f64 = 1.25;
 const BESIDE: usize = 3;
@@ -50,9 +42,20 @@ const GROWTH: f64 = 2.0;
 /// turn out to be.
 const OPTIMISM: [f64; 2] = [0.6, 0.7];
 
+/// Spread of the logarithm of an error by what the same step did to the same settings, and once more for each setting that
+/// was another there; by nothing.
+const SPREAD: f64 = 0.1;
+const SPREAD_UNKNOWN: f64 = 0.5;
+/// Ratio of times that a step is expected to make of which nothing is known.
+const UNKNOWN: f64 = 1.3;
+/// Probability of keeping the limit below which a step is not worth a trial.
+const LEAST_CHANCE: f64 = 0.3;
+/// Seconds that any trial takes at least, as far as its promise is concerned: quick is not the same as worth asking.
+const LEAST_S: f64 = 0.1;
+
 /// What the search remembers.
-pub(super) struct Search<'a> {
-    evidence: &'a mut Evidence,
+pub(super) struct Search<'a, S> {
+    pub evidence: &'a mut Evidence<S>,
     goal: Goal,
     /// Part of a sweep's time that it takes at most; infinite: as long as there is something to try.
     patience: f64,
@@ -60,8 +63,12 @@ pub(super) struct Search<'a> {
     news: &'a mut dyn FnMut(&Candidate),
     tried: Vec<Candidate>,
     rejected: Vec<Rejected>,
-    /// Whether steps beside what comes nearest were tried, where no rung fits.
-    rescued: bool,
+    /// Settings that their method refused.
+    refused: Vec<(&'static str, Settings)>,
+    /// Whether steps beside what was tried had their turn, where no rung fits.
+    explored: bool,
+    /// Seconds after which the ladders were climbed.
+    climbed_s: f64,
     /// What estimates spared, in words.
     pub spared: Vec<String>,
 }
@@ -84,9 +91,9 @@ impl Ladder {
     }
 }
 
-impl<'a> Search<'a> {
+impl<'a, S: Source> Search<'a, S> {
     pub(super) fn new(
-        evidence: &'a mut Evidence,
+        evidence: &'a mut Evidence<S>,
         goal: Goal,
         thorough: bool,
         methods: &'a [&'static MethodRow],
@@ -94,7 +101,19 @@ impl<'a> Search<'a> {
     ) -> Self {
         let patience = if thorough { f64::INFINITY } else { PATIENCE };
         let (tried, rejected, spared) = (Vec::new(), Vec::new(), Vec::new());
-        Self { evidence, goal, patience, methods, news, tried, rejected, rescued: false, spared }
+        Self {
+            evidence,
+            goal,
+            patience,
+            methods,
+            news,
+            tried,
+            rejected,
+            refused: Vec::new(),
+            explored: false,
+            climbed_s: 0.0,
+            spared,
+        }
     }
 
     /// Seconds that a sweep of every rung and its neighbours would take at least: rungs that were not run as long as the last
@@ -133,7 +152,7 @@ impl<'a> Search<'a> {
         if self.patience.is_infinite() || self.best().is_some() {
             return false;
         }
-        let (spent_s, sweep_s) = (self.evidence.elapsed_s(), self.sweep_s());
+        let (spent_s, sweep_s) = (self.evidence.source.elapsed_s(), self.sweep_s());
         let over = spent_s > HOPE * self.patience * sweep_s;
         if over && !self.spared.iter().any(|s| s.starts_with(WORDS)) {
             self.spared.push(format!(
@@ -150,8 +169,8 @@ impl<'a> Search<'a> {
         if self.patience.is_infinite() || self.best().is_none() {
             return false;
         }
-        let (spent_s, sweep_s) = (self.evidence.elapsed_s(), self.sweep_s());
-        let over = spent_s > self.patience * sweep_s;
+        let (spent_s, sweep_s) = (self.evidence.source.elapsed_s(), self.sweep_s());
+        let over = spent_s > self.patience * sweep_s && spent_s > (1.0 + EXPLORED) * self.climbed_s;
         if over && !self.spared.iter().any(|s| s.starts_with(WORDS)) {
             self.spared.push(format!(
                 "{WORDS} after {spent_s:.1} s, because trying everything would take some {sweep_s:.0} s: what is left may save more \
@@ -192,11 +211,12 @@ impl<'a> Search<'a> {
         let mut open: Vec<Ladder> = self.methods.iter().map(start).collect();
         loop {
             self.climb(&mut open)?;
-            if self.best().is_none() {
-                self.rescue()?;
+            self.climbed_s = self.evidence.source.elapsed_s();
+            if self.goal.error.is_some() || self.best().is_none() {
+                self.explore()?;
             }
-            if let Some(best) = self.best() {
-                self.refine(best)?;
+            if let (None, Some(best)) = (self.goal.error, self.best()) {
+                self.raise(best)?;
             }
             let found = self.confirmed()?;
             // Where a closer look turned everything down there may be rungs left that were too dear before.
@@ -204,6 +224,107 @@ impl<'a> Search<'a> {
                 return found.map_or_else(|| self.doubtful(), |found| Ok(Some(found)));
             }
         }
+    }
+
+    /// Steps beside what was tried, those first that promise most for the time that they take, as long as they promise
+    /// something.
+    fn explore(&mut self) -> Result<(), Error> {
+        while let Some((row, settings)) = self.most_promising() {
+            if self.is_patience_over() || self.is_given_up() {
+                break;
+            }
+            if self.run_clear(row, &settings)?.is_none() {
+                self.refused.push((row.name, settings));
+            }
+        }
+        Ok(())
+    }
+
+    /// The step that promises most for its time; `None` where none promises anything.
+    fn most_promising(&mut self) -> Option<(&'static MethodRow, Settings)> {
+        let best = self.best().map(|b| self.goal.cost(&b));
+        let (tried, pairs) = (self.tried.clone(), self.pairs());
+        let mut most: Option<(f64, &'static MethodRow, Settings)> = None;
+        for at in &tried {
+            let Some(row) = self.row(at.row) else { continue };
+            for axis in axes(row, &at.settings) {
+                for direction in [-1, 1] {
+                    let Some(settings) = step(&at.settings, &axis, direction) else { continue };
+                    if self.is_known(row, &settings) || (direction > 0 && self.carries_nothing(at, &axis.key)) {
+                        continue;
+                    }
+                    let expected = self.expected(&pairs, at, &axis.key, &settings, direction);
+                    let Some(promise) = self.promise(row, at, &settings, expected, best) else { continue };
+                    if most.as_ref().is_none_or(|m| promise > m.0) {
+                        most = Some((promise, row, settings));
+                    }
+                }
+            }
+        }
+        most.map(|(_, row, settings)| (row, settings))
+    }
+
+    /// What a step is expected to give: what the same step did to the settings that are most like these, or little where
+    /// that is not known.
+    fn expected(&self, pairs: &[[usize; 2]], at: &Candidate, key: &str, to: &Settings, direction: isize) -> Expected {
+        let Some((distance, effect)) = self.nearest_effect(pairs, at, key, &to[key]) else {
+            let cost = self.goal.cost(at) * if direction < 0 { 1.0 / UNKNOWN } else { UNKNOWN };
+            return Expected { error: at.error, cost, spread: SPREAD_UNKNOWN };
+        };
+        let predicted = Prediction::measured(at).with(&effect);
+        let error = self.evidence.error_of(&predicted.means);
+        Expected { error, cost: predicted.cost(&self.goal), spread: SPREAD * (1 + distance) as f64 }
+    }
+
+    /// What a step promises for each second: the probability that it keeps the limit, times the part of the best's cost that it
+    /// would save (a logarithm). `None` where that is not worth a trial.
+    fn promise(
+        &mut self,
+        row: &MethodRow,
+        at: &Candidate,
+        to: &Settings,
+        expected: Expected,
+        best: Option<f64>,
+    ) -> Option<f64> {
+        let Expected { error, cost, spread } = expected;
+        let dearer = cost >= self.goal.cost(at);
+        // What is too slow or too large asks for less; what is not must not become so.
+        let too_slow = self.goal.ms.is_some_and(|ms| cost > ms);
+        if dearer && (too_slow || !self.goal.affords(at)) {
+            return None;
+        }
+        let gain = best.map_or(1.0, |best| (SAVES * best / cost.max(1e-6)).ln());
+        let chance = self.goal.error.map_or(1.0, |limit| logistic((limit / error).ln() / spread));
+        if gain <= 0.0 || chance < LEAST_CHANCE {
+            return None;
+        }
+        let prepared = self.evidence.source.is_prepared(row, to);
+        let takes_s = if prepared { 4e-3 * cost } else { at.wall_s * cost / self.goal.cost(at).max(1e-6) };
+        Some(chance * gain / (takes_s + LEAST_S))
+    }
+
+    /// Pairs of trials of one method that differ in one setting.
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        let all = || self.tried.iter().enumerate();
+        let differ = |a: &Candidate, b: &Candidate| a.row == b.row && differences(&a.settings, &b.settings) == 1;
+        all().flat_map(|(n, a)| all().filter(move |(_, b)| differ(a, b)).map(move |(k, _)| [n, k])).collect()
+    }
+
+    /// What another value of a setting did to what is most like `at`, and in how many settings that differs from it.
+    fn nearest_effect(&self, pairs: &[[usize; 2]], at: &Candidate, key: &str, value: &str) -> Option<(usize, Effect)> {
+        let pairs = pairs.iter().map(|pair| pair.map(|k| &self.tried[k]));
+        let alike = pairs.filter(|[before, after]| {
+            let has = |c: &Candidate, value: &str| c.settings.get(key).is_some_and(|v| same(v, value));
+            before.row == at.row && has(after, value) && has(before, &at.settings[key])
+        });
+        let distance = |before: &Candidate| differences(&before.settings, &at.settings);
+        let [before, after] = alike.min_by_key(|[before, _]| distance(before))?;
+        Some((distance(before), Effect::between(before, after, key, &at.settings)))
+    }
+
+    fn is_known(&self, row: &MethodRow, settings: &Settings) -> bool {
+        self.tried.iter().any(|c| c.row == row.name && c.settings == *settings)
+            || self.refused.iter().any(|r| r.0 == row.name && r.1 == *settings)
     }
 
     /// Where nothing is sure to keep the limit: what most likely does, by the whole picture.
@@ -302,7 +423,7 @@ impl<'a> Search<'a> {
                 return Ok(());
             }
             // A step beside what comes nearest is likelier to fit than a ladder without hope.
-            if hopeless(&open[at]) && !self.rescued {
+            if hopeless(&open[at]) && !std::mem::replace(&mut self.explored, true) {
                 return Ok(());
             }
             if hopeless(&open[at]) && self.is_given_up() {
@@ -359,291 +480,10 @@ impl<'a> Search<'a> {
         self.rejected.push(Rejected { method: name.into(), reason });
     }
 
-    /// Where no rung fits: from each method's nearest one beyond the ladder's ends, parameter by parameter, as long as that
-    /// brings it nearer.
-    fn rescue(&mut self) -> Result<(), Error> {
-        self.rescued = true;
-        let nearer = |a: &&Candidate, b: &&Candidate| self.goal.overrun(a).total_cmp(&self.goal.overrun(b));
-        let nearest = |row: &&'static MethodRow| {
-            let own = self.tried.iter().filter(|c| c.row == row.name);
-            own.min_by(nearer).map(|c| (*row, c.clone()))
-        };
-        let mut starts: Vec<(&'static MethodRow, Candidate)> = self.methods.iter().filter_map(nearest).collect();
-        starts.sort_by(|a, b| nearer(&&a.1, &&b.1));
-        starts.retain(|(_, c)| self.goal.overrun(c) <= BEYOND_RESCUE);
-        for (row, mut best) in starts {
-            // Too slow or too large asks for less, too wrong for more.
-            let direction = if self.goal.affords(&best) { 1 } else { -1 };
-            let mut axes = axes(row, &best.settings);
-            if direction > 0 && !axes.is_empty() {
-                // The size is what costs most to ask for.
-                axes.rotate_left(1);
-            }
-            for axis in axes {
-                if direction > 0 && self.carries_nothing(&best, &axis.key) {
-                    continue;
-                }
-                while let Some(settings) = step(&best.settings, &axis, direction) {
-                    if self.is_given_up() {
-                        return Ok(());
-                    }
-                    let Some(next) = self.run_clear(row, &settings)? else { break };
-                    if self.goal.overrun(&next) > NEARER * self.goal.overrun(&best) {
-                        break;
-                    }
-                    best = next;
-                    if self.fits(&best) {
-                        return Ok(());
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Where no indirect light is to be seen: the method that computes none, exact at no cost.
-    ///
-    /// # Errors
-    /// What it says.
-    pub(super) fn nothing_needed(&mut self) -> Result<Candidate, Error> {
-        let row = &crate::methods::direct::ROW;
-        let mut candidate = self.evidence.execute(row, &row.defaults(), Effort::Whole)?;
-        // A black truth has no scale to state an error by.
-        (candidate.error, candidate.bounds, candidate.blocks) = (0.0, [0.0; 2], candidate.means.len());
-        Ok(candidate)
-    }
-
     /// Where nothing fits: the smallest error of all that time and memory allow, or of all.
     pub(super) fn closest(&self) -> Option<Candidate> {
         let least = |all: &mut dyn Iterator<Item = &Candidate>| all.min_by(|a, b| a.error.total_cmp(&b.error)).cloned();
         least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
-    }
-
-    /// Something better than the best rung: beside it, beside what all but fits, beside what fits and costs little more. First
-    /// the methods whose trials take least: there is time for what is quick to ask, and what it finds bounds the others.
-    fn refine(&mut self, first: Candidate) -> Result<(), Error> {
-        let Some(row) = self.row(first.row) else { return Ok(()) };
-        let Some(limit) = self.goal.error else { return self.raise(row, first) };
-        let mut rows = self.methods.to_vec();
-        rows.sort_by(|a, b| self.trial_s(a).total_cmp(&self.trial_s(b)));
-        let mut best = self.lower_prepared(row, first.clone())?;
-        for row in rows {
-            if self.is_patience_over() {
-                break;
-            }
-            let cost = self.goal.cost(&best);
-            let start = if row.name == best.row { Some(best.clone()) } else { self.rival(row, cost) };
-            if let Some(start) = start {
-                best = self.cheaper(best, row, start, limit)?;
-            }
-            let cost = self.goal.cost(&best);
-            if let Some(between) = self.between_rungs(row, cost, limit)? {
-                best = self.cheaper(best, row, between, limit)?;
-            }
-        }
-        match self.row(best.row) {
-            Some(row) => self.lower_prepared(row, best).map(drop),
-            None => Ok(()),
-        }
-    }
-
-    /// What settings give, where that is sure to fit and saves time.
-    fn surely_cheaper(
-        &mut self,
-        row: &'static MethodRow,
-        settings: &Settings,
-        best: &Candidate,
-    ) -> Result<Option<Candidate>, Error> {
-        let next = self.run_clear(row, settings)?;
-        Ok(next.filter(|next| self.fits(next) && self.goal.cost(next) <= SAVES * self.goal.cost(best)))
-    }
-
-    /// Every axis down for which nothing needs to be precomputed: that is asked so quickly that patience does not matter.
-    fn lower_prepared(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<Candidate, Error> {
-        for axis in axes(row, &best.settings) {
-            while let Some(settings) = step(&best.settings, &axis, -1) {
-                if !self.evidence.is_prepared(row, &settings) {
-                    break;
-                }
-                let Some(next) = self.surely_cheaper(row, &settings, &best)? else { break };
-                best = next;
-            }
-        }
-        Ok(best)
-    }
-
-    /// Seconds of the method's longest trial from nothing; infinite where it was not tried.
-    fn trial_s(&self, row: &MethodRow) -> f64 {
-        let own = self.tried.iter().filter(|c| c.row == row.name);
-        own.map(|c| c.wall_s).max_by(f64::total_cmp).unwrap_or(f64::INFINITY)
-    }
-
-    /// The cheapest of a method that fits and may still become cheaper than what costs `cost` (ms).
-    fn rival(&self, row: &MethodRow, cost: f64) -> Option<Candidate> {
-        let own = self.tried.iter().filter(|c| c.row == row.name && self.fits(c) && self.goal.cost(c) < RIVAL * cost);
-        own.min_by(|a, b| self.goal.cost(a).total_cmp(&self.goal.cost(b))).cloned()
-    }
-
-    /// The cheaper of `best` and what is found below `start`.
-    fn cheaper(
-        &mut self,
-        best: Candidate,
-        row: &'static MethodRow,
-        start: Candidate,
-        limit: f64,
-    ) -> Result<Candidate, Error> {
-        let found = self.lower(row, start, limit)?;
-        Ok(if self.goal.cost(&found) < self.goal.cost(&best) { found } else { best })
-    }
-
-    /// Cheaper settings that still fit, from some that do.
-    fn lower(&mut self, row: &'static MethodRow, mut best: Candidate, limit: f64) -> Result<Candidate, Error> {
-        // A second round, because a parameter that was needed may not be once another is lower.
-        for _ in 0..2 {
-            let before = self.goal.cost(&best);
-            if let Some(size) = axes(row, &best.settings).first().cloned() {
-                best = self.lower_axis(row, best, &size)?;
-            }
-            best = match self.cheap_base(row, &best) {
-                Some(_) => self.lower_by_model(row, best, limit)?,
-                None => self.lower_by_trials(row, best, limit)?,
-            };
-            if self.goal.cost(&best) > SAVES * before || self.is_patience_over() {
-                break;
-            }
-        }
-        Ok(best)
-    }
-
-    /// One axis down, value by value, while the limit holds and time is saved.
-    fn lower_axis(&mut self, row: &'static MethodRow, mut best: Candidate, axis: &Axis) -> Result<Candidate, Error> {
-        while let Some(settings) = step(&best.settings, axis, -1) {
-            if self.is_patience_over() {
-                break;
-            }
-            let Some(next) = self.run(row, &settings) else { break };
-            if self.goal.cost(&next) > SAVES * self.goal.cost(&best) {
-                break;
-            }
-            let Some(next) = self.surely_cheaper(row, &settings, &best)? else { break };
-            best = next;
-        }
-        Ok(best)
-    }
-
-    /// Every axis but the first down, by trials; what earlier pairs of trials say is useless is not tried.
-    fn lower_by_trials(
-        &mut self,
-        row: &'static MethodRow,
-        mut best: Candidate,
-        limit: f64,
-    ) -> Result<Candidate, Error> {
-        for axis in axes(row, &best.settings).into_iter().skip(1) {
-            let Some(settings) = step(&best.settings, &axis, -1) else { continue };
-            if let Some(effect) = self.known_effect(row, &best, &axis.key, &settings[&axis.key]) {
-                let predicted = Prediction::measured(&best).with(&effect);
-                let saves = predicted.cost(&self.goal) <= SAVES * self.goal.cost(&best);
-                if !saves || self.evidence.error_of(&predicted.means) > 1.3 * limit {
-                    self.spare(&best, &effect, &predicted);
-                    continue;
-                }
-            }
-            best = self.lower_axis(row, best, &axis)?;
-        }
-        Ok(best)
-    }
-
-    /// Every axis but the first, as the model proposes; each proposal is run.
-    fn lower_by_model(&mut self, row: &'static MethodRow, mut best: Candidate, limit: f64) -> Result<Candidate, Error> {
-        let mut slack = 1.0;
-        for _ in 0..PROPOSALS {
-            let Some((settings, predicted)) = self.propose(row, &best, slack * limit, f64::INFINITY) else { break };
-            if predicted.cost(&self.goal) > SAVES * self.goal.cost(&best) {
-                break;
-            }
-            let Some(next) = self.run_clear(row, &settings)? else { break };
-            let saves = self.goal.cost(&next) <= SAVES * self.goal.cost(&best);
-            if self.fits(&next) && saves {
-                best = next;
-            } else if saves {
-                // Too hopeful: ask it for as much less.
-                let error = self.evidence.error_of(&predicted.means);
-                slack *= (error / next.error).clamp(0.5, 0.97);
-            } else {
-                break;
-            }
-        }
-        Ok(best)
-    }
-
-    /// Settings that the model expects to keep `limit` at the least cost, below `bar` (ms), the size being that of `at`:
-    /// dearer values while the limit is not kept, those first that gain most for their time, then cheaper ones while it is.
-    fn propose(
-        &mut self,
-        row: &'static MethodRow,
-        at: &Candidate,
-        limit: f64,
-        bar: f64,
-    ) -> Option<(Settings, Prediction)> {
-        let axes: Vec<Axis> = axes(row, &at.settings).into_iter().skip(1).collect();
-        let mut moves: Vec<Option<Effect>> = vec![None; axes.len()];
-        let mut now = Prediction::measured(at);
-        let mut error = self.evidence.error_of(&now.means);
-        for direction in [1, -1] {
-            let mut raised: Vec<bool> = moves.iter().map(Option::is_some).collect();
-            while (direction > 0 && error > limit) || direction < 0 {
-                let mut chosen: Option<(f64, usize, Effect, Prediction, f64)> = None;
-                for (k, axis) in axes.iter().enumerate() {
-                    // What was raised is not lowered again.
-                    if direction < 0 && raised[k] {
-                        continue;
-                    }
-                    let mut settings = at.settings.clone();
-                    if let Some(moved) = &moves[k] {
-                        settings.insert(axis.key.clone(), moved.value.clone());
-                    }
-                    let Some(next) = step(&settings, axis, direction) else { continue };
-                    if direction > 0 && self.carries_nothing(at, &axis.key) {
-                        continue;
-                    }
-                    let Some(effect) = self.effect(row, at, &axis.key, &next[&axis.key]) else { continue };
-                    let others = moves.iter().enumerate().filter(|(n, _)| *n != k).filter_map(|(_, m)| m.as_ref());
-                    let predicted =
-                        others.chain([&effect]).fold(Prediction::measured(at), |sum, effect| sum.with(effect));
-                    let (new_error, cost) = (self.evidence.error_of(&predicted.means), now.cost(&self.goal));
-                    let saved = cost - predicted.cost(&self.goal);
-                    let growth = new_error * new_error - error * error;
-                    let least = 0.01 * error * error;
-                    let score = if direction > 0 {
-                        let useful = growth < -least && predicted.cost(&self.goal) < bar;
-                        useful.then(|| -growth / (-saved).max(0.01 * cost))
-                    } else {
-                        let useful = new_error <= limit && saved >= (1.0 - SAVES) * cost;
-                        useful.then(|| saved / growth.max(least))
-                    };
-                    match score {
-                        Some(score) if chosen.as_ref().is_none_or(|c| score > c.0) => {
-                            chosen = Some((score, k, effect, predicted, new_error));
-                        }
-                        None if direction < 0 && moves[k].is_none() => self.spare(at, &effect, &predicted),
-                        _ => {}
-                    }
-                }
-                let Some((_, k, effect, predicted, new_error)) = chosen else { break };
-                (moves[k], now, error) = (Some(effect), predicted, new_error);
-                raised[k] |= direction > 0;
-            }
-            if error > limit {
-                return None;
-            }
-        }
-        let mut settings = at.settings.clone();
-        for (axis, moved) in axes.iter().zip(&moves) {
-            if let Some(moved) = moved {
-                settings.insert(axis.key.clone(), moved.value.clone());
-            }
-        }
-        (settings != at.settings).then_some((settings, now))
     }
 
     /// Whether the terms beyond a setting's value carry too little to matter for the error; says so.
@@ -690,7 +530,7 @@ impl<'a> Search<'a> {
 
     /// What another value of a setting does, from trials that differ in it alone, or asked for at the smallest size.
     fn effect(&mut self, row: &'static MethodRow, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
-        if let Some(known) = self.known_effect(row, at, key, value) {
+        if let Some(known) = self.known_effect(at, key, value) {
             return Some(known);
         }
         if self.is_patience_over() {
@@ -701,57 +541,14 @@ impl<'a> Search<'a> {
         Some(Effect::between(&base, &other, key, &at.settings))
     }
 
-    fn known_effect(&self, row: &MethodRow, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
-        let own = || self.tried.iter().filter(|c| c.row == row.name);
-        let after = own().filter(|c| c.settings.get(key).is_some_and(|v| same(v, value)));
-        let pairs = after.filter_map(|after| {
-            let before = changed(&after.settings, key, &at.settings[key]);
-            let distance = after.settings.iter().filter(|(k, v)| at.settings.get(*k) != Some(*v)).count();
-            Some((distance, own().find(|c| c.settings == before)?, after))
-        });
-        let (distance, before, after) = pairs.min_by_key(|p| p.0)?;
-        (distance <= FAR).then(|| Effect::between(before, after, key, &at.settings))
-    }
-
-    /// What all but keeps the limit and costs less than `bar` (ms) may need dearer parameters only, which is cheaper than the
-    /// whole next rung: the cheapest that is found.
-    fn between_rungs(&mut self, row: &'static MethodRow, bar: f64, limit: f64) -> Result<Option<Candidate>, Error> {
-        let missed = self.tried.iter().filter(|c| c.row == row.name && !self.goal.accepts(c) && self.goal.affords(c));
-        // Something far off, or hardly cheaper, is not a step away.
-        let near = missed.filter(|c| c.error <= FAR_OFF * limit && self.goal.cost(c) <= 0.8 * bar);
-        let mut near: Vec<Candidate> = near.cloned().collect();
-        near.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let mut best: Option<Candidate> = None;
-        for below in near.into_iter().take(NEAR_MISSES) {
-            let mut proposals: Vec<Settings> = Vec::new();
-            let all = axes(row, &below.settings);
-            proposals.extend(all.first().and_then(|size| step(&below.settings, size, 1)));
-            match self.cheap_base(row, &below) {
-                Some(_) => {
-                    let proposed = [1.0, 0.9].map(|slack| self.propose(row, &below, slack * limit, bar));
-                    proposals.extend(proposed.into_iter().flatten().map(|p| p.0));
-                }
-                None => {
-                    let useful = all.iter().skip(1).filter(|axis| !self.carries_nothing(&below, &axis.key));
-                    proposals.extend(useful.filter_map(|axis| step(&below.settings, axis, 1)));
-                }
-            }
-            for settings in proposals {
-                if self.is_patience_over() {
-                    return Ok(best);
-                }
-                let Some(next) = self.run(row, &settings) else { continue };
-                if self.goal.cost(&next) >= best.as_ref().map_or(bar, |b| self.goal.cost(b)) {
-                    continue;
-                }
-                best = self.run_clear(row, &settings)?.filter(|c| self.fits(c)).or(best);
-            }
-        }
-        Ok(best)
+    fn known_effect(&self, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
+        let nearest = self.nearest_effect(&self.pairs(), at, key, value);
+        nearest.filter(|(distance, _)| *distance < FAR).map(|(_, effect)| effect)
     }
 
     /// More accurate settings within the limits of time and memory: every axis up while the error falls.
-    fn raise(&mut self, row: &'static MethodRow, mut best: Candidate) -> Result<(), Error> {
+    fn raise(&mut self, mut best: Candidate) -> Result<(), Error> {
+        let Some(row) = self.row(best.row) else { return Ok(()) };
         for axis in axes(row, &best.settings) {
             while let Some(settings) = step(&best.settings, &axis, 1) {
                 if self.is_patience_over() {
@@ -886,6 +683,26 @@ fn grown(times: impl DoubleEndedIterator<Item = f64>) -> f64 {
         (Some(last), None) => GROWTH * last,
         _ => 0.0,
     }
+}
+
+/// What a step is expected to give.
+#[derive(Clone, Copy)]
+struct Expected {
+    error: f64,
+    /// Time of a frame (ms).
+    cost: f64,
+    /// Spread of the logarithm of the error.
+    spread: f64,
+}
+
+/// Distribution function of a normal distribution, as near as its logistic stand-in comes.
+fn logistic(x: f64) -> f64 {
+    1.0 / (1.0 + (-1.702 * x).exp())
+}
+
+/// Number of settings in which two sets differ.
+fn differences(a: &Settings, b: &Settings) -> usize {
+    a.iter().filter(|(key, value)| b.get(*key) != Some(*value)).count()
 }
 
 /// What a setting cuts off, and the part of the light that it carries, where the method knows.

@@ -10,7 +10,7 @@
 //! A sweep may have a time limit: it goes rung by rung through all methods, so that what a limit cuts off is what takes
 //! longest. How much that is stands in every case; the search is then held to less time than the whole sweep would take.
 
-use super::{Candidate, Care, Effort, Evidence, Goal, axes, changed_settings, fit, step};
+use super::{Candidate, Care, Effort, Evidence, Goal, Live, axes, changed_settings, fit, step};
 use crate::chart::trial::SceneSpec;
 use crate::chart::{Judge, TruthPlan};
 use crate::error::Error;
@@ -179,7 +179,7 @@ pub fn evaluate_scene(
     if judge.mean.max_element() <= 0.0 {
         return Ok(Vec::new());
     }
-    let mut evidence = Evidence::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?;
+    let mut evidence = Evidence::new(Live::new(spec, size, truth.seed, folder.to_path_buf(), open()?)?);
     let start = Instant::now();
     let (swept, sweep_left) = sweep(&mut evidence, &judge, methods, limits)?;
     // The truth of a later run comes from the cache; its time is what it took to trace.
@@ -280,7 +280,7 @@ fn sweep(
 /// Block NRMSE over the whole picture, without what the truth's noise adds.
 fn full_error(evidence: &Evidence, judge: &Judge, candidate: &Candidate) -> Result<Option<f64>, Error> {
     let floor = judge.about.noise_floor.map_or(0.0, |f| f.nrmse_block);
-    let error = judge.error(&evidence.image(candidate))?;
+    let error = judge.error(&evidence.source.image(candidate))?;
     Ok(error.map(|e| (e.nrmse_block * e.nrmse_block - floor * floor).max(0.0).sqrt()))
 }
 
@@ -296,7 +296,7 @@ fn one(
 ) -> Result<Case, Error> {
     let cache = tempfile::tempdir().map_err(|e| crate::image_io::ImageError::io("create", Path::new("cache"), e))?;
     let start = Instant::now();
-    let mut fresh = Evidence::new(spec, size, seed, cache.path().to_path_buf(), open()?)?;
+    let mut fresh = Evidence::new(Live::new(spec, size, seed, cache.path().to_path_buf(), open()?)?);
     let target = goal.error.unwrap_or(f64::MAX);
     let report = fit(&mut fresh, &spec.scene, methods, goal, Care::default(), &mut |_| {})?;
     let fit_s = start.elapsed().as_secs_f64();
@@ -326,7 +326,7 @@ fn one(
     case.cost_ratio = Some(if same {
         1.0
     } else {
-        let [own, other] = evidence.duel([(row, &choice.settings), (best.row, &best.settings)])?;
+        let [own, other] = evidence.source.duel([(row, &choice.settings), (best.row, &best.settings)])?;
         own / other.max(1e-9)
     });
     case.choice = changed_settings(row.name, &choice.settings);
