@@ -121,84 +121,87 @@ var<storage, read_write> sums: type_48;
 
 fn function_() {
     var local: array<vec3<f32>, 10>;
-    var local_1: array<vec3<f32>, 10>;
-    var local_2: array<vec3<f32>, 10>;
-    var local_3: array<vec3<f32>, 10>;
-    var local_4: array<vec3<f32>, 10>;
-    var local_5: array<vec3<f32>, 10>;
-    var local_6: type_43;
-    var phi_709_: u32;
-    var phi_712_: u32;
-    var phi_710_: u32;
-    var phi_713_: u32;
-    var phi_5351_: bool;
+    var local_1: type_43;
+    var phi_701_: u32;
+    var phi_704_: u32;
+    var phi_702_: u32;
+    var phi_705_: u32;
+    var phi_4300_: bool;
+    var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
+    var phi_817_: bool;
+    var phi_826_: u32;
+    var phi_846_: vec3<f32>;
+    var phi_847_: vec3<f32>;
+    var phi_858_: vec3<f32>;
+    var phi_859_: vec3<f32>;
+    var phi_870_: vec3<f32>;
+    var phi_871_: vec3<f32>;
+    var phi_882_: vec3<f32>;
+    var phi_883_: vec3<f32>;
+    var phi_1019_: bool;
+    var phi_1028_: u32;
+    var phi_1038_: f32;
+    var phi_1058_: vec3<f32>;
+    var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var local_9: u32;
-    var local_10: u32;
-    var phi_825_: bool;
-    var phi_834_: u32;
-    var phi_854_: vec3<f32>;
-    var phi_855_: vec3<f32>;
-    var phi_866_: vec3<f32>;
-    var phi_867_: vec3<f32>;
-    var phi_878_: vec3<f32>;
-    var phi_879_: vec3<f32>;
-    var phi_890_: vec3<f32>;
-    var phi_891_: vec3<f32>;
-    var phi_1027_: bool;
-    var phi_1036_: u32;
-    var phi_1046_: f32;
-    var phi_1066_: vec3<f32>;
-    var local_11: u32;
-    var local_12: u32;
-    var local_13: u32;
-    var phi_1190_: u32;
-    var phi_4716_: bool;
-    var phi_4755_: bool;
-    var phi_4794_: bool;
-    var phi_1386_: bool;
-    var phi_1387_: bool;
-    var phi_1388_: bool;
-    var phi_1397_: type_39;
-    var phi_5747_: bool;
-    var phi_5365_: i32;
-    var phi_5362_: i32;
-    var phi_5359_: i32;
-    var phi_5356_: i32;
-    var phi_5364_: i32;
-    var phi_5361_: i32;
-    var phi_5358_: i32;
-    var phi_5355_: i32;
-    var phi_5357_: i32;
-    var phi_1617_: bool;
-    var phi_1647_: bool;
-    var phi_1677_: bool;
-    var phi_1678_: bool;
-    var phi_1679_: bool;
-    var phi_1680_: bool;
-    var phi_1714_: bool;
-    var phi_1744_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1811_: bool;
-    var phi_1841_: bool;
-    var phi_1871_: bool;
-    var phi_1872_: bool;
-    var phi_1873_: bool;
-    var phi_1874_: bool;
-    var phi_1906_: bool;
-    var phi_1916_: vec3<f32>;
-    var phi_1917_: vec3<f32>;
-    var phi_1969_: bool;
-    var phi_1978_: vec3<f32>;
+    var phi_1182_: u32;
+    var phi_3665_: bool;
+    var phi_3704_: bool;
+    var phi_3743_: bool;
+    var phi_1378_: bool;
+    var phi_1379_: bool;
+    var phi_1380_: bool;
+    var phi_1389_: type_39;
+    var phi_4698_: bool;
+    var phi_4314_: i32;
+    var phi_4311_: i32;
+    var phi_4308_: i32;
+    var phi_4305_: i32;
+    var phi_4313_: i32;
+    var phi_4310_: i32;
+    var phi_4307_: i32;
+    var phi_4304_: i32;
+    var phi_4306_: i32;
+    var phi_1609_: bool;
+    var phi_1639_: bool;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1671_: bool;
+    var phi_1672_: bool;
+    var phi_1706_: bool;
+    var phi_1736_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1803_: bool;
+    var phi_1833_: bool;
+    var phi_1863_: bool;
+    var phi_1864_: bool;
+    var phi_1865_: bool;
+    var phi_1866_: bool;
+    var phi_1898_: bool;
+    var phi_1908_: vec3<f32>;
+    var phi_1909_: vec3<f32>;
+    var phi_1961_: bool;
+    var phi_1970_: vec3<f32>;
+    var phi_2011_: bool;
+    var phi_2012_: bool;
+    var phi_2013_: bool;
+    var phi_2014_: bool;
+    var phi_2015_: bool;
     var phi_2019_: bool;
     var phi_2020_: bool;
     var phi_2021_: bool;
     var phi_2022_: bool;
     var phi_2023_: bool;
+    var phi_2024_: bool;
+    var phi_2025_: bool;
+    var phi_2026_: bool;
     var phi_2027_: bool;
     var phi_2028_: bool;
     var phi_2029_: bool;
@@ -208,2954 +211,2034 @@ fn function_() {
     var phi_2033_: bool;
     var phi_2034_: bool;
     var phi_2035_: bool;
-    var phi_2036_: bool;
-    var phi_2037_: bool;
-    var phi_2038_: bool;
-    var phi_2039_: bool;
-    var phi_2040_: bool;
-    var phi_2041_: bool;
-    var phi_2042_: bool;
-    var phi_2043_: bool;
-    var phi_5655_: i32;
-    var phi_2056_: bool;
-    var local_14: bool;
-    var phi_5514_: i32;
-    var phi_2109_: vec3<f32>;
-    var phi_2110_: vec3<f32>;
-    var phi_4844_: type_33;
-    var phi_4847_: type_33;
-    var phi_4848_: bool;
-    var phi_4853_: type_33;
-    var phi_4855_: type_33;
-    var phi_4891_: type_33;
-    var phi_4894_: type_33;
-    var phi_4895_: bool;
-    var phi_4900_: type_33;
-    var phi_4902_: type_33;
-    var phi_4950_: type_33;
-    var phi_4999_: type_33;
-    var phi_5002_: type_33;
-    var phi_5003_: bool;
-    var phi_5008_: type_33;
-    var phi_5010_: type_33;
-    var phi_5046_: type_33;
-    var phi_5049_: type_33;
-    var phi_5050_: bool;
-    var phi_5055_: type_33;
-    var phi_5057_: type_33;
-    var phi_5105_: type_33;
-    var phi_5154_: type_33;
-    var phi_5157_: type_33;
-    var phi_5158_: bool;
-    var phi_5163_: type_33;
-    var phi_5165_: type_33;
-    var phi_5201_: type_33;
-    var phi_5204_: type_33;
-    var phi_5205_: bool;
-    var phi_5210_: type_33;
-    var phi_5212_: type_33;
-    var phi_5260_: type_33;
-    var phi_2152_: type_33;
-    var phi_6363_: i32;
-    var phi_5654_: i32;
-    var phi_5630_: i32;
-    var phi_5600_: i32;
-    var phi_6362_: i32;
-    var phi_5653_: i32;
-    var phi_5629_: i32;
-    var phi_5599_: i32;
-    var phi_2192_: bool;
-    var local_15: bool;
-    var local_16: i32;
-    var local_17: i32;
-    var local_18: i32;
-    var phi_2222_: u32;
-    var phi_2233_: vec3<f32>;
-    var phi_2234_: vec3<f32>;
-    var phi_2292_: type_12;
-    var phi_2295_: f32;
-    var phi_2293_: type_12;
+    var phi_4604_: i32;
+    var phi_2048_: bool;
+    var local_9: bool;
+    var phi_4463_: i32;
+    var phi_2101_: vec3<f32>;
+    var phi_2102_: vec3<f32>;
+    var phi_3793_: type_33;
+    var phi_3796_: type_33;
+    var phi_3797_: bool;
+    var phi_3802_: type_33;
+    var phi_3804_: type_33;
+    var phi_3840_: type_33;
+    var phi_3843_: type_33;
+    var phi_3844_: bool;
+    var phi_3849_: type_33;
+    var phi_3851_: type_33;
+    var phi_3899_: type_33;
+    var phi_3948_: type_33;
+    var phi_3951_: type_33;
+    var phi_3952_: bool;
+    var phi_3957_: type_33;
+    var phi_3959_: type_33;
+    var phi_3995_: type_33;
+    var phi_3998_: type_33;
+    var phi_3999_: bool;
+    var phi_4004_: type_33;
+    var phi_4006_: type_33;
+    var phi_4054_: type_33;
+    var phi_4103_: type_33;
+    var phi_4106_: type_33;
+    var phi_4107_: bool;
+    var phi_4112_: type_33;
+    var phi_4114_: type_33;
+    var phi_4150_: type_33;
+    var phi_4153_: type_33;
+    var phi_4154_: bool;
+    var phi_4159_: type_33;
+    var phi_4161_: type_33;
+    var phi_4209_: type_33;
+    var phi_2144_: type_33;
+    var phi_5126_: i32;
+    var phi_4603_: i32;
+    var phi_4579_: i32;
+    var phi_4549_: i32;
+    var phi_5125_: i32;
+    var phi_4602_: i32;
+    var phi_4578_: i32;
+    var phi_4548_: i32;
+    var phi_2184_: bool;
+    var local_10: bool;
+    var local_11: i32;
+    var local_12: i32;
+    var local_13: i32;
+    var phi_2214_: u32;
+    var phi_2225_: vec3<f32>;
+    var phi_2226_: vec3<f32>;
+    var phi_4690_: bool;
+    var phi_2282_: type_12;
+    var phi_2283_: type_12;
+    var phi_2306_: type_12;
     var phi_2318_: type_12;
-    var phi_2296_: f32;
-    var phi_5736_: bool;
+    var phi_2321_: f32;
+    var phi_2319_: type_12;
+    var phi_2344_: type_12;
+    var phi_2379_: f32;
+    var phi_2322_: f32;
+    var phi_4685_: bool;
+    var local_14: f32;
+    var phi_2435_: f32;
+    var phi_2440_: type_12;
+    var phi_2443_: f32;
+    var phi_2445_: vec3<f32>;
+    var phi_2447_: u32;
+    var phi_2441_: type_12;
+    var phi_2470_: type_12;
+    var phi_2505_: f32;
+    var phi_2539_: u32;
+    var phi_2540_: u32;
+    var phi_2556_: u32;
+    var phi_2557_: u32;
+    var phi_2444_: f32;
+    var phi_2446_: vec3<f32>;
+    var phi_2448_: u32;
+    var phi_4900_: bool;
+    var local_15: u32;
+    var phi_4917_: bool;
+    var phi_4916_: bool;
+    var phi_4915_: bool;
+    var phi_4914_: bool;
+    var phi_2569_: type_12;
+    var phi_2572_: vec3<f32>;
+    var phi_2574_: f32;
+    var phi_2576_: f32;
+    var phi_2578_: f32;
+    var phi_2580_: f32;
+    var phi_2570_: type_12;
+    var phi_2603_: type_12;
+    var phi_2717_: vec3<f32>;
+    var phi_2718_: f32;
+    var phi_2573_: vec3<f32>;
+    var phi_2575_: f32;
+    var phi_2577_: f32;
+    var phi_2579_: f32;
+    var phi_2581_: f32;
+    var phi_4918_: bool;
+    var local_16: f32;
+    var local_17: f32;
+    var local_18: f32;
+    var phi_2734_: bool;
+    var phi_2735_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: bool;
+    var phi_2738_: bool;
     var local_19: f32;
-    var phi_2396_: type_12;
-    var phi_2399_: f32;
-    var phi_2401_: vec3<f32>;
-    var phi_2403_: u32;
-    var phi_2397_: type_12;
-    var phi_2426_: type_12;
-    var phi_2486_: u32;
-    var phi_2487_: u32;
-    var phi_2503_: u32;
-    var phi_2504_: u32;
-    var phi_2400_: f32;
-    var phi_2402_: vec3<f32>;
-    var phi_2404_: u32;
-    var phi_5946_: bool;
-    var local_20: u32;
-    var phi_5959_: bool;
-    var phi_5958_: bool;
-    var phi_2517_: type_12;
-    var phi_2520_: f32;
-    var phi_2518_: type_12;
-    var phi_2543_: type_12;
-    var phi_2521_: f32;
-    var phi_5954_: bool;
+    var local_20: vec3<f32>;
     var local_21: f32;
-    var phi_2615_: type_12;
-    var phi_2618_: f32;
-    var phi_2620_: vec3<f32>;
-    var phi_2622_: u32;
-    var phi_2616_: type_12;
-    var phi_2645_: type_12;
-    var phi_2702_: u32;
-    var phi_2703_: u32;
-    var phi_2719_: u32;
-    var phi_2720_: u32;
-    var phi_2619_: f32;
-    var phi_2621_: vec3<f32>;
-    var phi_2623_: u32;
-    var phi_5961_: bool;
-    var local_22: u32;
-    var phi_5974_: bool;
-    var phi_5973_: bool;
-    var phi_2727_: type_12;
-    var phi_2730_: f32;
-    var phi_2728_: type_12;
-    var phi_2753_: type_12;
-    var phi_2731_: f32;
-    var phi_5969_: bool;
+    var local_22: vec3<f32>;
     var local_23: f32;
-    var phi_2831_: type_12;
-    var phi_2834_: f32;
-    var phi_2836_: vec3<f32>;
-    var phi_2838_: u32;
-    var phi_2832_: type_12;
-    var phi_2861_: type_12;
-    var phi_2921_: u32;
-    var phi_2922_: u32;
-    var phi_2938_: u32;
-    var phi_2939_: u32;
-    var phi_2835_: f32;
-    var phi_2837_: vec3<f32>;
-    var phi_2839_: u32;
-    var phi_5976_: bool;
-    var local_24: u32;
-    var phi_5989_: bool;
-    var phi_5988_: bool;
-    var phi_2952_: type_12;
-    var phi_2955_: f32;
-    var phi_2953_: type_12;
-    var phi_2978_: type_12;
-    var phi_2956_: f32;
-    var phi_5984_: bool;
+    var local_24: vec3<f32>;
     var local_25: f32;
-    var phi_3050_: type_12;
-    var phi_3053_: f32;
-    var phi_3055_: vec3<f32>;
-    var phi_3057_: u32;
-    var phi_3051_: type_12;
-    var phi_3080_: type_12;
-    var phi_3137_: u32;
-    var phi_3138_: u32;
-    var phi_3154_: u32;
-    var phi_3155_: u32;
-    var phi_3054_: f32;
-    var phi_3056_: vec3<f32>;
-    var phi_3058_: u32;
-    var phi_5991_: bool;
-    var local_26: u32;
-    var phi_6004_: bool;
-    var phi_6003_: bool;
-    var phi_3162_: type_12;
-    var phi_3165_: f32;
-    var phi_3163_: type_12;
-    var phi_3188_: type_12;
-    var phi_3166_: f32;
-    var phi_5999_: bool;
-    var local_27: f32;
-    var phi_3266_: type_12;
-    var phi_3269_: f32;
-    var phi_3271_: vec3<f32>;
-    var phi_3273_: u32;
-    var phi_3267_: type_12;
-    var phi_3296_: type_12;
-    var phi_3356_: u32;
-    var phi_3357_: u32;
-    var phi_3373_: u32;
-    var phi_3374_: u32;
-    var phi_3270_: f32;
-    var phi_3272_: vec3<f32>;
-    var phi_3274_: u32;
-    var phi_6006_: bool;
+    var phi_2755_: vec3<f32>;
+    var local_26: f32;
+    var local_27: u32;
+    var phi_2827_: f32;
     var local_28: u32;
-    var phi_6019_: bool;
-    var phi_6018_: bool;
-    var phi_3387_: type_12;
-    var phi_3390_: f32;
-    var phi_3388_: type_12;
-    var phi_3413_: type_12;
-    var phi_3391_: f32;
-    var phi_6014_: bool;
-    var local_29: f32;
-    var phi_3485_: type_12;
-    var phi_3488_: f32;
-    var phi_3490_: vec3<f32>;
-    var phi_3492_: u32;
-    var phi_3486_: type_12;
-    var phi_3515_: type_12;
-    var phi_3572_: u32;
-    var phi_3573_: u32;
-    var phi_3589_: u32;
-    var phi_3590_: u32;
-    var phi_3489_: f32;
-    var phi_3491_: vec3<f32>;
-    var phi_3493_: u32;
-    var phi_6021_: bool;
+    var local_29: u32;
     var local_30: u32;
-    var phi_6034_: bool;
-    var phi_6033_: bool;
-    var phi_3602_: type_12;
-    var phi_3605_: vec3<f32>;
-    var phi_3607_: f32;
-    var phi_3609_: f32;
-    var phi_3611_: f32;
-    var phi_3613_: f32;
-    var phi_3603_: type_12;
-    var phi_3636_: type_12;
-    var phi_3750_: vec3<f32>;
-    var phi_3751_: f32;
-    var phi_3606_: vec3<f32>;
-    var phi_3608_: f32;
-    var phi_3610_: f32;
-    var phi_3612_: f32;
-    var phi_3614_: f32;
-    var phi_6029_: bool;
-    var local_31: f32;
-    var local_32: f32;
-    var local_33: f32;
-    var phi_3767_: bool;
-    var phi_3768_: bool;
-    var phi_3769_: bool;
-    var phi_3770_: bool;
-    var phi_3771_: bool;
-    var local_34: f32;
-    var local_35: vec3<f32>;
-    var local_36: f32;
-    var local_37: vec3<f32>;
-    var local_38: f32;
-    var local_39: vec3<f32>;
-    var local_40: f32;
-    var phi_3788_: vec3<f32>;
-    var local_41: f32;
-    var local_42: u32;
-    var phi_3860_: f32;
-    var local_43: u32;
-    var local_44: u32;
-    var local_45: u32;
-    var local_46: u32;
-    var local_47: u32;
-    var local_48: u32;
-    var phi_3950_: u32;
-    var phi_3956_: u32;
-    var phi_3986_: u32;
-    var phi_3992_: u32;
-    var phi_4209_: type_30;
-    var phi_4239_: u32;
-    var phi_4250_: vec3<f32>;
-    var phi_4251_: vec3<f32>;
-    var phi_4286_: type_12;
-    var phi_4289_: u32;
-    var phi_4287_: type_12;
-    var phi_4312_: type_12;
-    var phi_4337_: u32;
-    var phi_4290_: u32;
-    var local_49: u32;
-    var phi_6040_: bool;
-    var phi_6039_: bool;
-    var local_50: i32;
-    var local_51: i32;
-    var local_52: i32;
-    var local_53: i32;
-    var local_54: i32;
-    var local_55: bool;
+    var local_31: u32;
+    var local_32: u32;
+    var local_33: u32;
+    var phi_2917_: u32;
+    var phi_2923_: u32;
+    var phi_2953_: u32;
+    var phi_2959_: u32;
+    var phi_3176_: type_30;
+    var phi_3206_: u32;
+    var phi_3217_: vec3<f32>;
+    var phi_3218_: vec3<f32>;
+    var phi_3253_: type_12;
+    var phi_3256_: u32;
+    var phi_3254_: type_12;
+    var phi_3279_: type_12;
+    var phi_3304_: u32;
+    var phi_3257_: u32;
+    var local_34: u32;
+    var phi_4927_: bool;
+    var phi_4926_: bool;
+    var local_35: i32;
+    var local_36: i32;
+    var local_37: i32;
+    var local_38: i32;
+    var local_39: i32;
+    var local_40: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e92 = gid_1;
-            let _e98 = arrayLength((&surfaces.member));
-            let _e100 = arrayLength((&tile_first.member));
-            let _e102 = arrayLength((&sums.member));
-            let _e106 = (_e92.x + (_e92.y * 2097152u));
-            let _e109 = params.member.member_4;
-            if (_e106 < _e109) {
-                let _e113 = params.member.member_3;
-                phi_709_ = _e113;
-                phi_712_ = 0u;
+            let _e87 = gid_1;
+            let _e93 = arrayLength((&surfaces.member));
+            let _e95 = arrayLength((&tile_first.member));
+            let _e97 = arrayLength((&sums.member));
+            let _e101 = (_e87.x + (_e87.y * 2097152u));
+            let _e104 = params.member.member_4;
+            if (_e101 < _e104) {
+                let _e108 = params.member.member_3;
+                phi_701_ = _e108;
+                phi_704_ = 0u;
                 loop {
-                    let _e115 = phi_709_;
-                    let _e117 = phi_712_;
-                    local_7 = _e117;
-                    local_8 = _e117;
-                    local_9 = _e117;
-                    local_10 = _e117;
-                    local_11 = _e117;
-                    local_12 = _e117;
-                    local_13 = _e117;
-                    local_42 = _e117;
-                    local_43 = _e117;
-                    local_44 = _e117;
-                    local_45 = _e117;
-                    local_46 = _e117;
-                    local_47 = _e117;
-                    local_48 = _e117;
-                    let _e118 = (_e115 > 1u);
-                    if _e118 {
-                        let _e119 = (_e115 / 2u);
-                        let _e120 = (_e117 + _e119);
-                        if (_e120 < _e100) {
+                    let _e110 = phi_701_;
+                    let _e112 = phi_704_;
+                    local_2 = _e112;
+                    local_3 = _e112;
+                    local_4 = _e112;
+                    local_5 = _e112;
+                    local_6 = _e112;
+                    local_7 = _e112;
+                    local_8 = _e112;
+                    local_27 = _e112;
+                    local_28 = _e112;
+                    local_29 = _e112;
+                    local_30 = _e112;
+                    local_31 = _e112;
+                    local_32 = _e112;
+                    local_33 = _e112;
+                    let _e113 = (_e110 > 1u);
+                    if _e113 {
+                        let _e114 = (_e110 / 2u);
+                        let _e115 = (_e112 + _e114);
+                        if (_e115 < _e95) {
                         } else {
-                            phi_5351_ = true;
+                            phi_4300_ = true;
                             break;
                         }
-                        let _e124 = tile_first.member[_e120];
-                        phi_710_ = (_e115 - _e119);
-                        phi_713_ = select(_e117, _e120, (_e124 <= _e106));
+                        let _e119 = tile_first.member[_e115];
+                        phi_702_ = (_e110 - _e114);
+                        phi_705_ = select(_e112, _e115, (_e119 <= _e101));
                     } else {
-                        phi_710_ = u32();
-                        phi_713_ = u32();
+                        phi_702_ = u32();
+                        phi_705_ = u32();
                     }
-                    let _e129 = phi_710_;
-                    let _e131 = phi_713_;
+                    let _e124 = phi_702_;
+                    let _e126 = phi_705_;
                     continue;
                     continuing {
-                        phi_709_ = _e129;
-                        phi_712_ = _e131;
-                        phi_5351_ = false;
-                        break if !(_e118);
+                        phi_701_ = _e124;
+                        phi_704_ = _e126;
+                        phi_4300_ = false;
+                        break if !(_e113);
                     }
                 }
-                let _e134 = phi_5351_;
-                if _e134 {
+                let _e129 = phi_4300_;
+                if _e129 {
                     break;
                 }
-                let _e136 = local_7;
-                if (_e136 < arrayLength((&triangles.member))) {
+                let _e131 = local_2;
+                if (_e131 < arrayLength((&triangles.member))) {
                 } else {
                     break;
                 }
-                let _e140 = local_8;
-                let _e143 = triangles.member[_e140].member;
-                let _e149 = params.member.member;
-                let _e157 = ((_e143[0] - _e149.x) / _e149.w);
-                let _e158 = ((_e143[1] - _e149.y) / _e149.w);
-                let _e159 = ((_e143[2] - _e149.z) / _e149.w);
-                let _e163 = local_9;
-                let _e166 = triangles.member[_e163].member_2;
-                let _e173 = ((_e166[0] - _e149.x) / _e149.w);
-                let _e174 = ((_e166[1] - _e149.y) / _e149.w);
-                let _e175 = ((_e166[2] - _e149.z) / _e149.w);
-                let _e179 = local_10;
-                let _e182 = triangles.member[_e179].member_4;
-                let _e189 = ((_e182[0] - _e149.x) / _e149.w);
-                let _e190 = ((_e182[1] - _e149.y) / _e149.w);
-                let _e191 = ((_e182[2] - _e149.z) / _e149.w);
-                let _e193 = (_e173 - _e157);
-                let _e194 = (_e174 - _e158);
-                let _e195 = (_e175 - _e159);
-                let _e196 = (_e189 - _e157);
-                let _e197 = (_e190 - _e158);
-                let _e198 = (_e191 - _e159);
-                let _e201 = ((_e194 * _e198) - (_e197 * _e195));
-                let _e204 = ((_e195 * _e196) - (_e198 * _e193));
-                let _e207 = ((_e193 * _e197) - (_e196 * _e194));
-                let _e209 = abs(_e201);
-                let _e210 = abs(_e204);
-                let _e211 = abs(_e207);
-                let _e212 = (_e209 >= _e210);
-                if _e212 {
-                    phi_825_ = select(true, false, (_e209 >= _e211));
+                let _e135 = local_3;
+                let _e138 = triangles.member[_e135].member;
+                let _e144 = params.member.member;
+                let _e152 = ((_e138[0] - _e144.x) / _e144.w);
+                let _e153 = ((_e138[1] - _e144.y) / _e144.w);
+                let _e154 = ((_e138[2] - _e144.z) / _e144.w);
+                let _e158 = local_4;
+                let _e161 = triangles.member[_e158].member_2;
+                let _e168 = ((_e161[0] - _e144.x) / _e144.w);
+                let _e169 = ((_e161[1] - _e144.y) / _e144.w);
+                let _e170 = ((_e161[2] - _e144.z) / _e144.w);
+                let _e174 = local_5;
+                let _e177 = triangles.member[_e174].member_4;
+                let _e184 = ((_e177[0] - _e144.x) / _e144.w);
+                let _e185 = ((_e177[1] - _e144.y) / _e144.w);
+                let _e186 = ((_e177[2] - _e144.z) / _e144.w);
+                let _e188 = (_e168 - _e152);
+                let _e189 = (_e169 - _e153);
+                let _e190 = (_e170 - _e154);
+                let _e191 = (_e184 - _e152);
+                let _e192 = (_e185 - _e153);
+                let _e193 = (_e186 - _e154);
+                let _e196 = ((_e189 * _e193) - (_e192 * _e190));
+                let _e199 = ((_e190 * _e191) - (_e193 * _e188));
+                let _e202 = ((_e188 * _e192) - (_e191 * _e189));
+                let _e204 = abs(_e196);
+                let _e205 = abs(_e199);
+                let _e206 = abs(_e202);
+                let _e207 = (_e204 >= _e205);
+                if _e207 {
+                    phi_817_ = select(true, false, (_e204 >= _e206));
                 } else {
-                    phi_825_ = true;
+                    phi_817_ = true;
                 }
-                let _e216 = phi_825_;
-                if _e216 {
-                    phi_834_ = select(2u, 1u, (_e210 >= _e211));
+                let _e211 = phi_817_;
+                if _e211 {
+                    phi_826_ = select(2u, 1u, (_e205 >= _e206));
                 } else {
-                    phi_834_ = 0u;
+                    phi_826_ = 0u;
                 }
-                let _e220 = phi_834_;
-                let _e223 = params.member.member_1;
-                let _e225 = f32(_e223.x);
-                let _e227 = f32(_e223.y);
-                let _e229 = f32(_e223.z);
-                let _e231 = (_e220 == 0u);
-                if _e231 {
-                    phi_855_ = vec3<f32>(_e227, _e229, _e225);
+                let _e215 = phi_826_;
+                let _e218 = params.member.member_1;
+                let _e220 = f32(_e218.x);
+                let _e222 = f32(_e218.y);
+                let _e224 = f32(_e218.z);
+                let _e226 = (_e215 == 0u);
+                if _e226 {
+                    phi_847_ = vec3<f32>(_e222, _e224, _e220);
                 } else {
-                    if (_e220 == 1u) {
-                        phi_854_ = vec3<f32>(_e229, _e225, _e227);
+                    if (_e215 == 1u) {
+                        phi_846_ = vec3<f32>(_e224, _e220, _e222);
                     } else {
-                        phi_854_ = vec3<f32>(_e225, _e227, _e229);
+                        phi_846_ = vec3<f32>(_e220, _e222, _e224);
                     }
-                    let _e235 = phi_854_;
-                    phi_855_ = _e235;
+                    let _e230 = phi_846_;
+                    phi_847_ = _e230;
                 }
-                let _e238 = phi_855_;
-                if _e231 {
-                    phi_867_ = vec3<f32>(_e158, _e159, _e157);
+                let _e233 = phi_847_;
+                if _e226 {
+                    phi_859_ = vec3<f32>(_e153, _e154, _e152);
                 } else {
-                    if (_e220 == 1u) {
-                        phi_866_ = vec3<f32>(_e159, _e157, _e158);
+                    if (_e215 == 1u) {
+                        phi_858_ = vec3<f32>(_e154, _e152, _e153);
                     } else {
-                        phi_866_ = vec3<f32>(_e157, _e158, _e159);
+                        phi_858_ = vec3<f32>(_e152, _e153, _e154);
                     }
-                    let _e242 = phi_866_;
-                    phi_867_ = _e242;
+                    let _e237 = phi_858_;
+                    phi_859_ = _e237;
                 }
-                let _e245 = phi_867_;
-                if _e231 {
-                    phi_879_ = vec3<f32>(_e174, _e175, _e173);
+                let _e240 = phi_859_;
+                if _e226 {
+                    phi_871_ = vec3<f32>(_e169, _e170, _e168);
                 } else {
-                    if (_e220 == 1u) {
-                        phi_878_ = vec3<f32>(_e175, _e173, _e174);
+                    if (_e215 == 1u) {
+                        phi_870_ = vec3<f32>(_e170, _e168, _e169);
                     } else {
-                        phi_878_ = vec3<f32>(_e173, _e174, _e175);
+                        phi_870_ = vec3<f32>(_e168, _e169, _e170);
                     }
-                    let _e249 = phi_878_;
-                    phi_879_ = _e249;
+                    let _e244 = phi_870_;
+                    phi_871_ = _e244;
                 }
-                let _e252 = phi_879_;
-                if _e231 {
-                    phi_891_ = vec3<f32>(_e190, _e191, _e189);
+                let _e247 = phi_871_;
+                if _e226 {
+                    phi_883_ = vec3<f32>(_e185, _e186, _e184);
                 } else {
-                    if (_e220 == 1u) {
-                        phi_890_ = vec3<f32>(_e191, _e189, _e190);
+                    if (_e215 == 1u) {
+                        phi_882_ = vec3<f32>(_e186, _e184, _e185);
                     } else {
-                        phi_890_ = vec3<f32>(_e189, _e190, _e191);
+                        phi_882_ = vec3<f32>(_e184, _e185, _e186);
                     }
-                    let _e256 = phi_890_;
-                    phi_891_ = _e256;
+                    let _e251 = phi_882_;
+                    phi_883_ = _e251;
                 }
-                let _e259 = phi_891_;
-                let _e263 = select(_e252.x, _e245.x, (_e245.x < _e252.x));
-                let _e268 = select(_e252.x, _e245.x, (_e245.x > _e252.x));
-                let _e274 = (-1f - floor(-(select(_e259.x, _e263, (_e263 < _e259.x)))));
-                let _e275 = floor(select(_e259.x, _e268, (_e268 > _e259.x)));
-                let _e276 = (_e238.x - 1f);
-                let _e278 = select(0f, _e274, (_e274 > 0f));
-                let _e280 = select(_e276, _e275, (_e275 < _e276));
-                let _e287 = select(0i, select(select(i32(_e278), i32(-2147483648), (_e278 < -2147483600f)), 2147483647i, (_e278 > 2147483500f)), (_e278 == _e278));
-                let _e294 = select(0i, select(select(i32(_e280), i32(-2147483648), (_e280 < -2147483600f)), 2147483647i, (_e280 > 2147483500f)), (_e280 == _e280));
-                let _e298 = select(_e252.y, _e245.y, (_e245.y < _e252.y));
-                let _e303 = select(_e252.y, _e245.y, (_e245.y > _e252.y));
-                let _e309 = (-1f - floor(-(select(_e259.y, _e298, (_e298 < _e259.y)))));
-                let _e310 = floor(select(_e259.y, _e303, (_e303 > _e259.y)));
-                let _e311 = (_e238.y - 1f);
-                let _e313 = select(0f, _e309, (_e309 > 0f));
-                let _e315 = select(_e311, _e310, (_e310 < _e311));
-                let _e322 = select(0i, select(select(i32(_e313), i32(-2147483648), (_e313 < -2147483600f)), 2147483647i, (_e313 > 2147483500f)), (_e313 == _e313));
-                let _e329 = select(0i, select(select(i32(_e315), i32(-2147483648), (_e315 < -2147483600f)), 2147483647i, (_e315 > 2147483500f)), (_e315 == _e315));
-                let _e330 = type_38(_e245, _e252, _e259, vec3<f32>(_e201, _e204, _e207), _e220, _e238, _e287, _e294, _e322, _e329);
-                if _e212 {
-                    phi_1027_ = select(true, false, (_e209 >= _e211));
+                let _e254 = phi_883_;
+                let _e258 = select(_e247.x, _e240.x, (_e240.x < _e247.x));
+                let _e263 = select(_e247.x, _e240.x, (_e240.x > _e247.x));
+                let _e269 = (-1f - floor(-(select(_e254.x, _e258, (_e258 < _e254.x)))));
+                let _e270 = floor(select(_e254.x, _e263, (_e263 > _e254.x)));
+                let _e271 = (_e233.x - 1f);
+                let _e273 = select(0f, _e269, (_e269 > 0f));
+                let _e275 = select(_e271, _e270, (_e270 < _e271));
+                let _e282 = select(0i, select(select(i32(_e273), i32(-2147483648), (_e273 < -2147483600f)), 2147483647i, (_e273 > 2147483500f)), (_e273 == _e273));
+                let _e289 = select(0i, select(select(i32(_e275), i32(-2147483648), (_e275 < -2147483600f)), 2147483647i, (_e275 > 2147483500f)), (_e275 == _e275));
+                let _e293 = select(_e247.y, _e240.y, (_e240.y < _e247.y));
+                let _e298 = select(_e247.y, _e240.y, (_e240.y > _e247.y));
+                let _e304 = (-1f - floor(-(select(_e254.y, _e293, (_e293 < _e254.y)))));
+                let _e305 = floor(select(_e254.y, _e298, (_e298 > _e254.y)));
+                let _e306 = (_e233.y - 1f);
+                let _e308 = select(0f, _e304, (_e304 > 0f));
+                let _e310 = select(_e306, _e305, (_e305 < _e306));
+                let _e317 = select(0i, select(select(i32(_e308), i32(-2147483648), (_e308 < -2147483600f)), 2147483647i, (_e308 > 2147483500f)), (_e308 == _e308));
+                let _e324 = select(0i, select(select(i32(_e310), i32(-2147483648), (_e310 < -2147483600f)), 2147483647i, (_e310 > 2147483500f)), (_e310 == _e310));
+                let _e325 = type_38(_e240, _e247, _e254, vec3<f32>(_e196, _e199, _e202), _e215, _e233, _e282, _e289, _e317, _e324);
+                if _e207 {
+                    phi_1019_ = select(true, false, (_e204 >= _e206));
                 } else {
-                    phi_1027_ = true;
+                    phi_1019_ = true;
                 }
-                let _e334 = phi_1027_;
-                if _e334 {
-                    phi_1036_ = select(2u, 1u, (_e210 >= _e211));
+                let _e329 = phi_1019_;
+                if _e329 {
+                    phi_1028_ = select(2u, 1u, (_e205 >= _e206));
                 } else {
-                    phi_1036_ = 0u;
+                    phi_1028_ = 0u;
                 }
-                let _e338 = phi_1036_;
-                if (_e338 == 0u) {
-                    phi_1046_ = _e201;
+                let _e333 = phi_1028_;
+                if (_e333 == 0u) {
+                    phi_1038_ = _e196;
                 } else {
-                    phi_1046_ = select(_e207, _e204, (_e338 == 1u));
+                    phi_1038_ = select(_e202, _e199, (_e333 == 1u));
                 }
-                let _e343 = phi_1046_;
-                let _e352 = (((_e201 * _e201) + (_e204 * _e204)) + (_e207 * _e207));
-                if (_e352 >= 0.000000000000000000000000000000000000011754944f) {
-                    let _e355 = (1f / sqrt(_e352));
-                    phi_1066_ = vec3<f32>((_e201 * _e355), (_e204 * _e355), (_e207 * _e355));
+                let _e338 = phi_1038_;
+                let _e347 = (((_e196 * _e196) + (_e199 * _e199)) + (_e202 * _e202));
+                if (_e347 >= 0.000000000000000000000000000000000000011754944f) {
+                    let _e350 = (1f / sqrt(_e347));
+                    phi_1058_ = vec3<f32>((_e196 * _e350), (_e199 * _e350), (_e202 * _e350));
                 } else {
-                    phi_1066_ = vec3<f32>(0f, 0f, 0f);
+                    phi_1058_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e361 = phi_1066_;
-                let _e364 = local_11;
-                let _e367 = triangles.member[_e364].member_1;
-                let _e368 = (_e367 * 12u);
-                let _e369 = (256u + _e368);
-                if (_e369 < _e98) {
+                let _e356 = phi_1058_;
+                let _e359 = local_6;
+                let _e362 = triangles.member[_e359].member_1;
+                let _e363 = (_e362 * 12u);
+                let _e364 = (256u + _e363);
+                if (_e364 < _e93) {
                 } else {
                     break;
                 }
-                let _e373 = surfaces.member[_e369];
-                let _e374 = bitcast<f32>(_e373);
-                let _e375 = (_e368 + 257u);
-                if (_e375 < _e98) {
+                let _e368 = surfaces.member[_e364];
+                let _e369 = bitcast<f32>(_e368);
+                let _e370 = (_e363 + 257u);
+                if (_e370 < _e93) {
                 } else {
                     break;
                 }
-                let _e379 = surfaces.member[_e375];
-                let _e380 = bitcast<f32>(_e379);
-                let _e381 = (_e368 + 258u);
-                if (_e381 < _e98) {
+                let _e374 = surfaces.member[_e370];
+                let _e375 = bitcast<f32>(_e374);
+                let _e376 = (_e363 + 258u);
+                if (_e376 < _e93) {
                 } else {
                     break;
                 }
-                let _e385 = surfaces.member[_e381];
-                let _e386 = bitcast<f32>(_e385);
-                let _e387 = (_e368 + 259u);
-                if (_e387 < _e98) {
+                let _e380 = surfaces.member[_e376];
+                let _e381 = bitcast<f32>(_e380);
+                let _e382 = (_e363 + 259u);
+                if (_e382 < _e93) {
+                } else {
+                    break;
+                }
+                let _e386 = surfaces.member[_e382];
+                let _e387 = (_e363 + 260u);
+                if (_e387 < _e93) {
                 } else {
                     break;
                 }
                 let _e391 = surfaces.member[_e387];
-                let _e392 = (_e368 + 260u);
-                if (_e392 < _e98) {
+                let _e393 = (_e363 + 261u);
+                if (_e393 < _e93) {
                 } else {
                     break;
                 }
-                let _e396 = surfaces.member[_e392];
-                let _e398 = (_e368 + 261u);
-                if (_e398 < _e98) {
+                let _e397 = surfaces.member[_e393];
+                let _e399 = (_e363 + 262u);
+                if (_e399 < _e93) {
                 } else {
                     break;
                 }
-                let _e402 = surfaces.member[_e398];
-                let _e404 = (_e368 + 262u);
-                if (_e404 < _e98) {
+                let _e403 = surfaces.member[_e399];
+                let _e405 = (_e363 + 263u);
+                if (_e405 < _e93) {
                 } else {
                     break;
                 }
-                let _e408 = surfaces.member[_e404];
-                let _e410 = (_e368 + 263u);
-                if (_e410 < _e98) {
+                let _e409 = surfaces.member[_e405];
+                let _e410 = (_e363 + 264u);
+                if (_e410 < _e93) {
                 } else {
                     break;
                 }
                 let _e414 = surfaces.member[_e410];
-                let _e415 = (_e368 + 264u);
-                if (_e415 < _e98) {
+                let _e415 = bitcast<f32>(_e414);
+                let _e416 = (_e363 + 265u);
+                if (_e416 < _e93) {
                 } else {
                     break;
                 }
-                let _e419 = surfaces.member[_e415];
-                let _e420 = bitcast<f32>(_e419);
-                let _e421 = (_e368 + 265u);
-                if (_e421 < _e98) {
+                let _e420 = surfaces.member[_e416];
+                if ((_e363 + 266u) < _e93) {
                 } else {
                     break;
                 }
-                let _e425 = surfaces.member[_e421];
-                if ((_e368 + 266u) < _e98) {
+                if ((_e363 + 267u) < _e93) {
                 } else {
                     break;
                 }
-                if ((_e368 + 267u) < _e98) {
+                let _e427 = local_7;
+                if (_e427 < _e95) {
                 } else {
                     break;
                 }
-                let _e432 = local_12;
-                if (_e432 < _e100) {
+                let _e431 = local_8;
+                let _e433 = tile_first.member[_e431];
+                let _e434 = (_e101 - _e433);
+                if (_e289 < _e282) {
+                    phi_1182_ = 0u;
                 } else {
+                    phi_1182_ = ((bitcast<u32>((_e289 - _e282)) / 4u) + 1u);
+                }
+                let _e441 = phi_1182_;
+                let _e443 = select(1u, _e441, (1u < _e441));
+                if (_e443 == 0u) {
                     break;
                 }
-                let _e436 = local_13;
-                let _e438 = tile_first.member[_e436];
-                let _e439 = (_e106 - _e438);
-                if (_e294 < _e287) {
-                    phi_1190_ = 0u;
+                let _e445 = (_e434 / _e443);
+                let _e450 = (_e282 + bitcast<i32>(((_e434 - (_e445 * _e443)) * 4u)));
+                let _e453 = (_e317 + bitcast<i32>((_e445 * 4u)));
+                let _e457 = select(_e247.z, _e240.z, (_e240.z < _e247.z));
+                let _e462 = select(_e247.z, _e240.z, (_e240.z > _e247.z));
+                let _e468 = (-1f - floor(-(select(_e254.z, _e457, (_e457 < _e254.z)))));
+                let _e469 = floor(select(_e254.z, _e462, (_e462 > _e254.z)));
+                let _e470 = (_e233.z - 1f);
+                let _e472 = select(0f, _e468, (_e468 > 0f));
+                let _e474 = select(_e470, _e469, (_e469 < _e470));
+                let _e481 = select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < -2147483600f)), 2147483647i, (_e472 > 2147483500f)), (_e472 == _e472));
+                let _e488 = select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < -2147483600f)), 2147483647i, (_e474 > 2147483500f)), (_e474 == _e474));
+                let _e489 = (_e247.x - _e240.x);
+                let _e490 = (_e247.y - _e240.y);
+                let _e496 = ((abs(_e489) + abs(_e490)) + abs((_e247.z - _e240.z)));
+                let _e497 = (_e254.x - _e240.x);
+                let _e498 = (_e254.y - _e240.y);
+                let _e504 = ((abs(_e497) + abs(_e498)) + abs((_e254.z - _e240.z)));
+                let _e506 = select(_e205, _e204, (_e204 > _e205));
+                let _e514 = (select(_e206, _e506, (_e506 > _e206)) <= (((0.000004f * _e496) * _e504) * select(_e504, _e496, (_e496 > _e504))));
+                let _e515 = (_e450 + 4i);
+                let _e516 = (_e289 + 1i);
+                let _e518 = select(_e515, _e516, (_e516 < _e515));
+                let _e519 = (_e453 + 4i);
+                let _e520 = (_e324 + 1i);
+                let _e523 = (_e450 - 1i);
+                let _e526 = (f32(_e450) + 2f);
+                let _e528 = (f32(_e453) + 2f);
+                let _e531 = ((_e240.x - _e526) * 0.24937655f);
+                let _e532 = ((_e240.y - _e528) * 0.24937655f);
+                let _e535 = ((_e247.x - _e526) * 0.24937655f);
+                let _e536 = ((_e247.y - _e528) * 0.24937655f);
+                let _e539 = ((_e254.x - _e526) * 0.24937655f);
+                let _e540 = ((_e254.y - _e528) * 0.24937655f);
+                let _e541 = (_e535 - _e531);
+                let _e542 = (_e536 - _e532);
+                let _e545 = ((_e541 * _e532) - (_e542 * _e531));
+                let _e548 = ((_e541 * _e540) - (_e542 * _e539));
+                let _e551 = (abs(_e541) + abs(_e542));
+                if (select(_e548, _e545, (_e545 < _e548)) > (0.5f * _e551)) {
+                    phi_3665_ = true;
                 } else {
-                    phi_1190_ = ((bitcast<u32>((_e294 - _e287)) / 4u) + 1u);
+                    phi_3665_ = (select(_e548, _e545, (_e545 > _e548)) < (_e551 * -0.5f));
                 }
-                let _e446 = phi_1190_;
-                let _e448 = select(1u, _e446, (1u < _e446));
-                if (_e448 == 0u) {
-                    break;
-                }
-                let _e450 = (_e439 / _e448);
-                let _e455 = (_e287 + bitcast<i32>(((_e439 - (_e450 * _e448)) * 4u)));
-                let _e458 = (_e322 + bitcast<i32>((_e450 * 4u)));
-                let _e462 = select(_e252.z, _e245.z, (_e245.z < _e252.z));
-                let _e467 = select(_e252.z, _e245.z, (_e245.z > _e252.z));
-                let _e473 = (-1f - floor(-(select(_e259.z, _e462, (_e462 < _e259.z)))));
-                let _e474 = floor(select(_e259.z, _e467, (_e467 > _e259.z)));
-                let _e475 = (_e238.z - 1f);
-                let _e477 = select(0f, _e473, (_e473 > 0f));
-                let _e479 = select(_e475, _e474, (_e474 < _e475));
-                let _e486 = select(0i, select(select(i32(_e477), i32(-2147483648), (_e477 < -2147483600f)), 2147483647i, (_e477 > 2147483500f)), (_e477 == _e477));
-                let _e493 = select(0i, select(select(i32(_e479), i32(-2147483648), (_e479 < -2147483600f)), 2147483647i, (_e479 > 2147483500f)), (_e479 == _e479));
-                let _e494 = (_e252.x - _e245.x);
-                let _e495 = (_e252.y - _e245.y);
-                let _e501 = ((abs(_e494) + abs(_e495)) + abs((_e252.z - _e245.z)));
-                let _e502 = (_e259.x - _e245.x);
-                let _e503 = (_e259.y - _e245.y);
-                let _e509 = ((abs(_e502) + abs(_e503)) + abs((_e259.z - _e245.z)));
-                let _e511 = select(_e210, _e209, (_e209 > _e210));
-                let _e519 = (select(_e211, _e511, (_e511 > _e211)) <= (((0.000004f * _e501) * _e509) * select(_e509, _e501, (_e501 > _e509))));
-                let _e520 = (_e455 + 4i);
-                let _e521 = (_e294 + 1i);
-                let _e523 = select(_e520, _e521, (_e521 < _e520));
-                let _e524 = (_e458 + 4i);
-                let _e525 = (_e329 + 1i);
-                let _e528 = (_e455 - 1i);
-                let _e531 = (f32(_e455) + 2f);
-                let _e533 = (f32(_e458) + 2f);
-                let _e536 = ((_e245.x - _e531) * 0.24937655f);
-                let _e537 = ((_e245.y - _e533) * 0.24937655f);
-                let _e540 = ((_e252.x - _e531) * 0.24937655f);
-                let _e541 = ((_e252.y - _e533) * 0.24937655f);
-                let _e544 = ((_e259.x - _e531) * 0.24937655f);
-                let _e545 = ((_e259.y - _e533) * 0.24937655f);
-                let _e546 = (_e540 - _e536);
-                let _e547 = (_e541 - _e537);
-                let _e550 = ((_e546 * _e537) - (_e547 * _e536));
-                let _e553 = ((_e546 * _e545) - (_e547 * _e544));
-                let _e556 = (abs(_e546) + abs(_e547));
-                if (select(_e553, _e550, (_e550 < _e553)) > (0.5f * _e556)) {
-                    phi_4716_ = true;
+                let _e561 = phi_3665_;
+                if _e561 {
+                    phi_1379_ = bool();
+                    phi_1380_ = true;
                 } else {
-                    phi_4716_ = (select(_e553, _e550, (_e550 > _e553)) < (_e556 * -0.5f));
-                }
-                let _e566 = phi_4716_;
-                if _e566 {
-                    phi_1387_ = bool();
-                    phi_1388_ = true;
-                } else {
-                    let _e567 = (_e544 - _e540);
-                    let _e568 = (_e545 - _e541);
-                    let _e571 = ((_e567 * _e541) - (_e568 * _e540));
-                    let _e574 = ((_e567 * _e537) - (_e568 * _e536));
-                    let _e577 = (abs(_e567) + abs(_e568));
-                    if (select(_e574, _e571, (_e571 < _e574)) > (0.5f * _e577)) {
-                        phi_4755_ = true;
+                    let _e562 = (_e539 - _e535);
+                    let _e563 = (_e540 - _e536);
+                    let _e566 = ((_e562 * _e536) - (_e563 * _e535));
+                    let _e569 = ((_e562 * _e532) - (_e563 * _e531));
+                    let _e572 = (abs(_e562) + abs(_e563));
+                    if (select(_e569, _e566, (_e566 < _e569)) > (0.5f * _e572)) {
+                        phi_3704_ = true;
                     } else {
-                        phi_4755_ = (select(_e574, _e571, (_e571 > _e574)) < (_e577 * -0.5f));
+                        phi_3704_ = (select(_e569, _e566, (_e566 > _e569)) < (_e572 * -0.5f));
                     }
-                    let _e587 = phi_4755_;
-                    if _e587 {
-                        phi_1386_ = bool();
+                    let _e582 = phi_3704_;
+                    if _e582 {
+                        phi_1378_ = bool();
                     } else {
-                        let _e588 = (_e536 - _e544);
-                        let _e589 = (_e537 - _e545);
-                        let _e592 = ((_e588 * _e545) - (_e589 * _e544));
-                        let _e595 = ((_e588 * _e541) - (_e589 * _e540));
-                        let _e598 = (abs(_e588) + abs(_e589));
-                        if (select(_e595, _e592, (_e592 < _e595)) > (0.5f * _e598)) {
-                            phi_4794_ = true;
+                        let _e583 = (_e531 - _e539);
+                        let _e584 = (_e532 - _e540);
+                        let _e587 = ((_e583 * _e540) - (_e584 * _e539));
+                        let _e590 = ((_e583 * _e536) - (_e584 * _e535));
+                        let _e593 = (abs(_e583) + abs(_e584));
+                        if (select(_e590, _e587, (_e587 < _e590)) > (0.5f * _e593)) {
+                            phi_3743_ = true;
                         } else {
-                            phi_4794_ = (select(_e595, _e592, (_e592 > _e595)) < (_e598 * -0.5f));
+                            phi_3743_ = (select(_e590, _e587, (_e587 > _e590)) < (_e593 * -0.5f));
                         }
-                        let _e608 = phi_4794_;
-                        phi_1386_ = _e608;
+                        let _e603 = phi_3743_;
+                        phi_1378_ = _e603;
                     }
-                    let _e610 = phi_1386_;
-                    phi_1387_ = _e610;
-                    phi_1388_ = _e587;
+                    let _e605 = phi_1378_;
+                    phi_1379_ = _e605;
+                    phi_1380_ = _e582;
                 }
-                let _e612 = phi_1387_;
-                let _e614 = phi_1388_;
-                if select(_e612, true, _e614) {
-                    phi_1397_ = type_39(_e330, _e455, _e523, _e458, _e486, _e493, _e528, _e458, 0i, -1i, _e519);
+                let _e607 = phi_1379_;
+                let _e609 = phi_1380_;
+                if select(_e607, true, _e609) {
+                    phi_1389_ = type_39(_e325, _e450, _e518, _e453, _e481, _e488, _e523, _e453, 0i, -1i, _e514);
                 } else {
-                    phi_1397_ = type_39(_e330, _e455, _e523, select(_e524, _e525, (_e525 < _e524)), _e486, _e493, _e528, _e458, 0i, -1i, _e519);
+                    phi_1389_ = type_39(_e325, _e450, _e518, select(_e519, _e520, (_e520 < _e519)), _e481, _e488, _e523, _e453, 0i, -1i, _e514);
                 }
-                let _e618 = phi_1397_;
-                phi_5747_ = _e134;
-                phi_5365_ = _e618.member_6;
-                phi_5362_ = _e618.member_9;
-                phi_5359_ = _e618.member_8;
-                phi_5356_ = _e618.member_7;
+                let _e613 = phi_1389_;
+                phi_4698_ = _e129;
+                phi_4314_ = _e613.member_6;
+                phi_4311_ = _e613.member_9;
+                phi_4308_ = _e613.member_8;
+                phi_4305_ = _e613.member_7;
                 loop {
-                    let _e637 = phi_5747_;
-                    let _e639 = phi_5365_;
-                    let _e641 = phi_5362_;
-                    let _e643 = phi_5359_;
-                    let _e645 = phi_5356_;
-                    phi_5364_ = _e639;
-                    phi_5361_ = _e641;
-                    phi_5358_ = _e643;
-                    phi_5355_ = _e645;
+                    let _e632 = phi_4698_;
+                    let _e634 = phi_4314_;
+                    let _e636 = phi_4311_;
+                    let _e638 = phi_4308_;
+                    let _e640 = phi_4305_;
+                    phi_4313_ = _e634;
+                    phi_4310_ = _e636;
+                    phi_4307_ = _e638;
+                    phi_4304_ = _e640;
                     loop {
-                        let _e647 = phi_5364_;
-                        let _e649 = phi_5361_;
-                        let _e651 = phi_5358_;
-                        let _e653 = phi_5355_;
-                        let _e654 = (_e653 < _e618.member_3);
-                        if _e654 {
-                            phi_5357_ = _e651;
+                        let _e642 = phi_4313_;
+                        let _e644 = phi_4310_;
+                        let _e646 = phi_4307_;
+                        let _e648 = phi_4304_;
+                        let _e649 = (_e648 < _e613.member_3);
+                        if _e649 {
+                            phi_4306_ = _e646;
                             loop {
-                                let _e656 = phi_5357_;
-                                let _e657 = (_e656 < _e649);
-                                if _e657 {
-                                    let _e658 = (_e656 + 1i);
-                                    let _e662 = (f32(_e647) + 0.5f);
-                                    let _e663 = (f32(_e653) + 0.5f);
-                                    let _e664 = (f32(_e658) + 0.5f);
-                                    let _e666 = (_e618.member.member.x - _e662);
-                                    let _e668 = (_e618.member.member.y - _e663);
-                                    let _e670 = (_e618.member.member.z - _e664);
-                                    let _e671 = vec3<f32>(_e662, _e663, _e664);
-                                    let _e674 = (_e618.member.member_1.x - _e662);
-                                    let _e676 = (_e618.member.member_1.y - _e663);
-                                    let _e678 = (_e618.member.member_1.z - _e664);
-                                    let _e681 = (_e618.member.member_2.x - _e662);
-                                    let _e683 = (_e618.member.member_2.y - _e663);
-                                    let _e685 = (_e618.member.member_2.z - _e664);
-                                    let _e688 = select(_e674, _e666, (_e666 < _e674));
-                                    let _e692 = select(_e676, _e668, (_e668 < _e676));
-                                    let _e696 = select(_e678, _e670, (_e670 < _e678));
-                                    let _e700 = select(_e674, _e666, (_e666 > _e674));
-                                    let _e704 = select(_e676, _e668, (_e668 > _e676));
-                                    let _e708 = select(_e678, _e670, (_e670 > _e678));
-                                    if (select(_e681, _e688, (_e688 < _e681)) > 0.5f) {
-                                        phi_2041_ = bool();
-                                        phi_2042_ = true;
-                                        phi_2043_ = false;
+                                let _e651 = phi_4306_;
+                                let _e652 = (_e651 < _e644);
+                                if _e652 {
+                                    let _e653 = (_e651 + 1i);
+                                    let _e657 = (f32(_e642) + 0.5f);
+                                    let _e658 = (f32(_e648) + 0.5f);
+                                    let _e659 = (f32(_e653) + 0.5f);
+                                    let _e661 = (_e613.member.member.x - _e657);
+                                    let _e663 = (_e613.member.member.y - _e658);
+                                    let _e665 = (_e613.member.member.z - _e659);
+                                    let _e666 = vec3<f32>(_e657, _e658, _e659);
+                                    let _e669 = (_e613.member.member_1.x - _e657);
+                                    let _e671 = (_e613.member.member_1.y - _e658);
+                                    let _e673 = (_e613.member.member_1.z - _e659);
+                                    let _e676 = (_e613.member.member_2.x - _e657);
+                                    let _e678 = (_e613.member.member_2.y - _e658);
+                                    let _e680 = (_e613.member.member_2.z - _e659);
+                                    let _e683 = select(_e669, _e661, (_e661 < _e669));
+                                    let _e687 = select(_e671, _e663, (_e663 < _e671));
+                                    let _e691 = select(_e673, _e665, (_e665 < _e673));
+                                    let _e695 = select(_e669, _e661, (_e661 > _e669));
+                                    let _e699 = select(_e671, _e663, (_e663 > _e671));
+                                    let _e703 = select(_e673, _e665, (_e665 > _e673));
+                                    if (select(_e676, _e683, (_e683 < _e676)) > 0.5f) {
+                                        phi_2033_ = bool();
+                                        phi_2034_ = true;
+                                        phi_2035_ = false;
                                     } else {
-                                        if (select(_e683, _e692, (_e692 < _e683)) > 0.5f) {
-                                            phi_2038_ = bool();
-                                            phi_2039_ = true;
-                                            phi_2040_ = false;
+                                        if (select(_e678, _e687, (_e687 < _e678)) > 0.5f) {
+                                            phi_2030_ = bool();
+                                            phi_2031_ = true;
+                                            phi_2032_ = false;
                                         } else {
-                                            if (select(_e685, _e696, (_e696 < _e685)) > 0.5f) {
-                                                phi_2035_ = bool();
-                                                phi_2036_ = true;
-                                                phi_2037_ = false;
+                                            if (select(_e680, _e691, (_e691 < _e680)) > 0.5f) {
+                                                phi_2027_ = bool();
+                                                phi_2028_ = true;
+                                                phi_2029_ = false;
                                             } else {
-                                                if (select(_e681, _e700, (_e700 > _e681)) < -0.5f) {
-                                                    phi_2032_ = bool();
-                                                    phi_2033_ = true;
-                                                    phi_2034_ = false;
+                                                if (select(_e676, _e695, (_e695 > _e676)) < -0.5f) {
+                                                    phi_2024_ = bool();
+                                                    phi_2025_ = true;
+                                                    phi_2026_ = false;
                                                 } else {
-                                                    if (select(_e683, _e704, (_e704 > _e683)) < -0.5f) {
-                                                        phi_2029_ = bool();
-                                                        phi_2030_ = true;
-                                                        phi_2031_ = false;
+                                                    if (select(_e678, _e699, (_e699 > _e678)) < -0.5f) {
+                                                        phi_2021_ = bool();
+                                                        phi_2022_ = true;
+                                                        phi_2023_ = false;
                                                     } else {
-                                                        let _e716 = (select(_e685, _e708, (_e708 > _e685)) < -0.5f);
-                                                        if _e716 {
-                                                            phi_2027_ = bool();
-                                                            phi_2028_ = false;
+                                                        let _e711 = (select(_e680, _e703, (_e703 > _e680)) < -0.5f);
+                                                        if _e711 {
+                                                            phi_2019_ = bool();
+                                                            phi_2020_ = false;
                                                         } else {
-                                                            let _e717 = (_e674 - _e666);
-                                                            let _e718 = (_e676 - _e668);
-                                                            let _e719 = (_e678 - _e670);
-                                                            let _e720 = vec3<f32>(_e717, _e718, _e719);
-                                                            let _e721 = (_e681 - _e674);
-                                                            let _e722 = (_e683 - _e676);
-                                                            let _e723 = (_e685 - _e678);
-                                                            let _e724 = vec3<f32>(_e721, _e722, _e723);
-                                                            let _e725 = (_e666 - _e681);
-                                                            let _e726 = (_e668 - _e683);
-                                                            let _e727 = (_e670 - _e685);
-                                                            let _e728 = vec3<f32>(_e725, _e726, _e727);
-                                                            let _e731 = ((_e718 * _e670) - (_e719 * _e668));
-                                                            let _e734 = ((_e718 * _e685) - (_e719 * _e683));
-                                                            let _e735 = abs(_e718);
-                                                            let _e736 = abs(_e719);
-                                                            let _e737 = (_e735 + _e736);
-                                                            if (select(_e734, _e731, (_e731 < _e734)) > (0.5f * _e737)) {
-                                                                phi_1617_ = true;
+                                                            let _e712 = (_e669 - _e661);
+                                                            let _e713 = (_e671 - _e663);
+                                                            let _e714 = (_e673 - _e665);
+                                                            let _e715 = vec3<f32>(_e712, _e713, _e714);
+                                                            let _e716 = (_e676 - _e669);
+                                                            let _e717 = (_e678 - _e671);
+                                                            let _e718 = (_e680 - _e673);
+                                                            let _e719 = vec3<f32>(_e716, _e717, _e718);
+                                                            let _e720 = (_e661 - _e676);
+                                                            let _e721 = (_e663 - _e678);
+                                                            let _e722 = (_e665 - _e680);
+                                                            let _e723 = vec3<f32>(_e720, _e721, _e722);
+                                                            let _e726 = ((_e713 * _e665) - (_e714 * _e663));
+                                                            let _e729 = ((_e713 * _e680) - (_e714 * _e678));
+                                                            let _e730 = abs(_e713);
+                                                            let _e731 = abs(_e714);
+                                                            let _e732 = (_e730 + _e731);
+                                                            if (select(_e729, _e726, (_e726 < _e729)) > (0.5f * _e732)) {
+                                                                phi_1609_ = true;
                                                             } else {
-                                                                phi_1617_ = (select(_e734, _e731, (_e731 > _e734)) < (_e737 * -0.5f));
+                                                                phi_1609_ = (select(_e729, _e726, (_e726 > _e729)) < (_e732 * -0.5f));
                                                             }
-                                                            let _e747 = phi_1617_;
-                                                            if _e747 {
-                                                                phi_1679_ = bool();
-                                                                phi_1680_ = true;
+                                                            let _e742 = phi_1609_;
+                                                            if _e742 {
+                                                                phi_1671_ = bool();
+                                                                phi_1672_ = true;
                                                             } else {
-                                                                let _e750 = ((_e719 * _e666) - (_e717 * _e670));
-                                                                let _e753 = ((_e719 * _e681) - (_e717 * _e685));
-                                                                let _e754 = abs(_e717);
-                                                                let _e755 = (_e736 + _e754);
-                                                                if (select(_e753, _e750, (_e750 < _e753)) > (0.5f * _e755)) {
-                                                                    phi_1647_ = true;
+                                                                let _e745 = ((_e714 * _e661) - (_e712 * _e665));
+                                                                let _e748 = ((_e714 * _e676) - (_e712 * _e680));
+                                                                let _e749 = abs(_e712);
+                                                                let _e750 = (_e731 + _e749);
+                                                                if (select(_e748, _e745, (_e745 < _e748)) > (0.5f * _e750)) {
+                                                                    phi_1639_ = true;
                                                                 } else {
-                                                                    phi_1647_ = (select(_e753, _e750, (_e750 > _e753)) < (_e755 * -0.5f));
+                                                                    phi_1639_ = (select(_e748, _e745, (_e745 > _e748)) < (_e750 * -0.5f));
                                                                 }
-                                                                let _e765 = phi_1647_;
-                                                                if _e765 {
-                                                                    phi_1678_ = bool();
+                                                                let _e760 = phi_1639_;
+                                                                if _e760 {
+                                                                    phi_1670_ = bool();
                                                                 } else {
-                                                                    let _e768 = ((_e717 * _e668) - (_e718 * _e666));
-                                                                    let _e771 = ((_e717 * _e683) - (_e718 * _e681));
-                                                                    let _e772 = (_e754 + _e735);
-                                                                    if (select(_e771, _e768, (_e768 < _e771)) > (0.5f * _e772)) {
-                                                                        phi_1677_ = true;
+                                                                    let _e763 = ((_e712 * _e663) - (_e713 * _e661));
+                                                                    let _e766 = ((_e712 * _e678) - (_e713 * _e676));
+                                                                    let _e767 = (_e749 + _e730);
+                                                                    if (select(_e766, _e763, (_e763 < _e766)) > (0.5f * _e767)) {
+                                                                        phi_1669_ = true;
                                                                     } else {
-                                                                        phi_1677_ = (select(_e771, _e768, (_e768 > _e771)) < (_e772 * -0.5f));
+                                                                        phi_1669_ = (select(_e766, _e763, (_e763 > _e766)) < (_e767 * -0.5f));
                                                                     }
-                                                                    let _e782 = phi_1677_;
-                                                                    phi_1678_ = _e782;
+                                                                    let _e777 = phi_1669_;
+                                                                    phi_1670_ = _e777;
                                                                 }
-                                                                let _e784 = phi_1678_;
-                                                                phi_1679_ = _e784;
-                                                                phi_1680_ = _e765;
+                                                                let _e779 = phi_1670_;
+                                                                phi_1671_ = _e779;
+                                                                phi_1672_ = _e760;
                                                             }
-                                                            let _e786 = phi_1679_;
-                                                            let _e788 = phi_1680_;
-                                                            if select(_e786, true, _e788) {
-                                                                phi_2022_ = bool();
-                                                                phi_2023_ = true;
+                                                            let _e781 = phi_1671_;
+                                                            let _e783 = phi_1672_;
+                                                            if select(_e781, true, _e783) {
+                                                                phi_2014_ = bool();
+                                                                phi_2015_ = true;
                                                             } else {
-                                                                let _e792 = ((_e722 * _e678) - (_e723 * _e676));
-                                                                let _e795 = ((_e722 * _e670) - (_e723 * _e668));
-                                                                let _e796 = abs(_e722);
-                                                                let _e797 = abs(_e723);
-                                                                let _e798 = (_e796 + _e797);
-                                                                if (select(_e795, _e792, (_e792 < _e795)) > (0.5f * _e798)) {
-                                                                    phi_1714_ = true;
+                                                                let _e787 = ((_e717 * _e673) - (_e718 * _e671));
+                                                                let _e790 = ((_e717 * _e665) - (_e718 * _e663));
+                                                                let _e791 = abs(_e717);
+                                                                let _e792 = abs(_e718);
+                                                                let _e793 = (_e791 + _e792);
+                                                                if (select(_e790, _e787, (_e787 < _e790)) > (0.5f * _e793)) {
+                                                                    phi_1706_ = true;
                                                                 } else {
-                                                                    phi_1714_ = (select(_e795, _e792, (_e792 > _e795)) < (_e798 * -0.5f));
+                                                                    phi_1706_ = (select(_e790, _e787, (_e787 > _e790)) < (_e793 * -0.5f));
                                                                 }
-                                                                let _e808 = phi_1714_;
-                                                                if _e808 {
-                                                                    phi_1776_ = bool();
-                                                                    phi_1777_ = true;
+                                                                let _e803 = phi_1706_;
+                                                                if _e803 {
+                                                                    phi_1768_ = bool();
+                                                                    phi_1769_ = true;
                                                                 } else {
-                                                                    let _e811 = ((_e723 * _e674) - (_e721 * _e678));
-                                                                    let _e814 = ((_e723 * _e666) - (_e721 * _e670));
-                                                                    let _e815 = abs(_e721);
-                                                                    let _e816 = (_e797 + _e815);
-                                                                    if (select(_e814, _e811, (_e811 < _e814)) > (0.5f * _e816)) {
-                                                                        phi_1744_ = true;
+                                                                    let _e806 = ((_e718 * _e669) - (_e716 * _e673));
+                                                                    let _e809 = ((_e718 * _e661) - (_e716 * _e665));
+                                                                    let _e810 = abs(_e716);
+                                                                    let _e811 = (_e792 + _e810);
+                                                                    if (select(_e809, _e806, (_e806 < _e809)) > (0.5f * _e811)) {
+                                                                        phi_1736_ = true;
                                                                     } else {
-                                                                        phi_1744_ = (select(_e814, _e811, (_e811 > _e814)) < (_e816 * -0.5f));
+                                                                        phi_1736_ = (select(_e809, _e806, (_e806 > _e809)) < (_e811 * -0.5f));
                                                                     }
-                                                                    let _e826 = phi_1744_;
-                                                                    if _e826 {
-                                                                        phi_1775_ = bool();
+                                                                    let _e821 = phi_1736_;
+                                                                    if _e821 {
+                                                                        phi_1767_ = bool();
                                                                     } else {
-                                                                        let _e829 = ((_e721 * _e676) - (_e722 * _e674));
-                                                                        let _e832 = ((_e721 * _e668) - (_e722 * _e666));
-                                                                        let _e833 = (_e815 + _e796);
-                                                                        if (select(_e832, _e829, (_e829 < _e832)) > (0.5f * _e833)) {
-                                                                            phi_1774_ = true;
+                                                                        let _e824 = ((_e716 * _e671) - (_e717 * _e669));
+                                                                        let _e827 = ((_e716 * _e663) - (_e717 * _e661));
+                                                                        let _e828 = (_e810 + _e791);
+                                                                        if (select(_e827, _e824, (_e824 < _e827)) > (0.5f * _e828)) {
+                                                                            phi_1766_ = true;
                                                                         } else {
-                                                                            phi_1774_ = (select(_e832, _e829, (_e829 > _e832)) < (_e833 * -0.5f));
+                                                                            phi_1766_ = (select(_e827, _e824, (_e824 > _e827)) < (_e828 * -0.5f));
                                                                         }
-                                                                        let _e843 = phi_1774_;
-                                                                        phi_1775_ = _e843;
+                                                                        let _e838 = phi_1766_;
+                                                                        phi_1767_ = _e838;
                                                                     }
-                                                                    let _e845 = phi_1775_;
-                                                                    phi_1776_ = _e845;
-                                                                    phi_1777_ = _e826;
+                                                                    let _e840 = phi_1767_;
+                                                                    phi_1768_ = _e840;
+                                                                    phi_1769_ = _e821;
                                                                 }
-                                                                let _e847 = phi_1776_;
-                                                                let _e849 = phi_1777_;
-                                                                if select(_e847, true, _e849) {
-                                                                    phi_2020_ = bool();
-                                                                    phi_2021_ = true;
+                                                                let _e842 = phi_1768_;
+                                                                let _e844 = phi_1769_;
+                                                                if select(_e842, true, _e844) {
+                                                                    phi_2012_ = bool();
+                                                                    phi_2013_ = true;
                                                                 } else {
-                                                                    let _e853 = ((_e726 * _e685) - (_e727 * _e683));
-                                                                    let _e856 = ((_e726 * _e678) - (_e727 * _e676));
-                                                                    let _e857 = abs(_e726);
-                                                                    let _e858 = abs(_e727);
-                                                                    let _e859 = (_e857 + _e858);
-                                                                    if (select(_e856, _e853, (_e853 < _e856)) > (0.5f * _e859)) {
-                                                                        phi_1811_ = true;
+                                                                    let _e848 = ((_e721 * _e680) - (_e722 * _e678));
+                                                                    let _e851 = ((_e721 * _e673) - (_e722 * _e671));
+                                                                    let _e852 = abs(_e721);
+                                                                    let _e853 = abs(_e722);
+                                                                    let _e854 = (_e852 + _e853);
+                                                                    if (select(_e851, _e848, (_e848 < _e851)) > (0.5f * _e854)) {
+                                                                        phi_1803_ = true;
                                                                     } else {
-                                                                        phi_1811_ = (select(_e856, _e853, (_e853 > _e856)) < (_e859 * -0.5f));
+                                                                        phi_1803_ = (select(_e851, _e848, (_e848 > _e851)) < (_e854 * -0.5f));
                                                                     }
-                                                                    let _e869 = phi_1811_;
-                                                                    if _e869 {
-                                                                        phi_1873_ = bool();
-                                                                        phi_1874_ = true;
+                                                                    let _e864 = phi_1803_;
+                                                                    if _e864 {
+                                                                        phi_1865_ = bool();
+                                                                        phi_1866_ = true;
                                                                     } else {
-                                                                        let _e872 = ((_e727 * _e681) - (_e725 * _e685));
-                                                                        let _e875 = ((_e727 * _e674) - (_e725 * _e678));
-                                                                        let _e876 = abs(_e725);
-                                                                        let _e877 = (_e858 + _e876);
-                                                                        if (select(_e875, _e872, (_e872 < _e875)) > (0.5f * _e877)) {
-                                                                            phi_1841_ = true;
+                                                                        let _e867 = ((_e722 * _e676) - (_e720 * _e680));
+                                                                        let _e870 = ((_e722 * _e669) - (_e720 * _e673));
+                                                                        let _e871 = abs(_e720);
+                                                                        let _e872 = (_e853 + _e871);
+                                                                        if (select(_e870, _e867, (_e867 < _e870)) > (0.5f * _e872)) {
+                                                                            phi_1833_ = true;
                                                                         } else {
-                                                                            phi_1841_ = (select(_e875, _e872, (_e872 > _e875)) < (_e877 * -0.5f));
+                                                                            phi_1833_ = (select(_e870, _e867, (_e867 > _e870)) < (_e872 * -0.5f));
                                                                         }
-                                                                        let _e887 = phi_1841_;
-                                                                        if _e887 {
-                                                                            phi_1872_ = bool();
+                                                                        let _e882 = phi_1833_;
+                                                                        if _e882 {
+                                                                            phi_1864_ = bool();
                                                                         } else {
-                                                                            let _e890 = ((_e725 * _e683) - (_e726 * _e681));
-                                                                            let _e893 = ((_e725 * _e676) - (_e726 * _e674));
-                                                                            let _e894 = (_e876 + _e857);
-                                                                            if (select(_e893, _e890, (_e890 < _e893)) > (0.5f * _e894)) {
-                                                                                phi_1871_ = true;
+                                                                            let _e885 = ((_e720 * _e678) - (_e721 * _e676));
+                                                                            let _e888 = ((_e720 * _e671) - (_e721 * _e669));
+                                                                            let _e889 = (_e871 + _e852);
+                                                                            if (select(_e888, _e885, (_e885 < _e888)) > (0.5f * _e889)) {
+                                                                                phi_1863_ = true;
                                                                             } else {
-                                                                                phi_1871_ = (select(_e893, _e890, (_e890 > _e893)) < (_e894 * -0.5f));
+                                                                                phi_1863_ = (select(_e888, _e885, (_e885 > _e888)) < (_e889 * -0.5f));
                                                                             }
-                                                                            let _e904 = phi_1871_;
-                                                                            phi_1872_ = _e904;
+                                                                            let _e899 = phi_1863_;
+                                                                            phi_1864_ = _e899;
                                                                         }
-                                                                        let _e906 = phi_1872_;
-                                                                        phi_1873_ = _e906;
-                                                                        phi_1874_ = _e887;
+                                                                        let _e901 = phi_1864_;
+                                                                        phi_1865_ = _e901;
+                                                                        phi_1866_ = _e882;
                                                                     }
-                                                                    let _e908 = phi_1873_;
-                                                                    let _e910 = phi_1874_;
-                                                                    let _e911 = select(_e908, true, _e910);
-                                                                    if _e911 {
-                                                                        phi_2019_ = bool();
+                                                                    let _e903 = phi_1865_;
+                                                                    let _e905 = phi_1866_;
+                                                                    let _e906 = select(_e903, true, _e905);
+                                                                    if _e906 {
+                                                                        phi_2011_ = bool();
                                                                     } else {
-                                                                        let _e914 = ((abs(_e717) + _e735) + _e736);
-                                                                        let _e917 = ((abs(_e721) + _e796) + _e797);
-                                                                        let _e920 = ((abs(_e725) + _e857) + _e858);
-                                                                        if (_e914 >= _e917) {
-                                                                            phi_1906_ = select(true, false, (_e914 >= _e920));
+                                                                        let _e909 = ((abs(_e712) + _e730) + _e731);
+                                                                        let _e912 = ((abs(_e716) + _e791) + _e792);
+                                                                        let _e915 = ((abs(_e720) + _e852) + _e853);
+                                                                        if (_e909 >= _e912) {
+                                                                            phi_1898_ = select(true, false, (_e909 >= _e915));
                                                                         } else {
-                                                                            phi_1906_ = true;
+                                                                            phi_1898_ = true;
                                                                         }
-                                                                        let _e925 = phi_1906_;
-                                                                        if _e925 {
-                                                                            let _e927 = vec3((_e917 >= _e920));
-                                                                            phi_1916_ = select(_e720, _e728, _e927);
-                                                                            phi_1917_ = select(_e724, _e720, _e927);
+                                                                        let _e920 = phi_1898_;
+                                                                        if _e920 {
+                                                                            let _e922 = vec3((_e912 >= _e915));
+                                                                            phi_1908_ = select(_e715, _e723, _e922);
+                                                                            phi_1909_ = select(_e719, _e715, _e922);
                                                                         } else {
-                                                                            phi_1916_ = _e724;
-                                                                            phi_1917_ = _e728;
+                                                                            phi_1908_ = _e719;
+                                                                            phi_1909_ = _e723;
                                                                         }
-                                                                        let _e931 = phi_1916_;
-                                                                        let _e933 = phi_1917_;
-                                                                        let _e940 = ((_e931.y * _e933.z) - (_e933.y * _e931.z));
-                                                                        let _e945 = ((_e931.z * _e933.x) - (_e933.z * _e931.x));
-                                                                        let _e948 = ((_e931.x * _e933.y) - (_e933.x * _e931.y));
-                                                                        let _e959 = ((abs(_e666) + abs(_e668)) + abs(_e670));
-                                                                        let _e964 = ((abs(_e674) + abs(_e676)) + abs(_e678));
-                                                                        let _e969 = ((abs(_e681) + abs(_e683)) + abs(_e685));
-                                                                        if (_e959 <= _e964) {
-                                                                            phi_1969_ = select(true, false, (_e959 <= _e969));
+                                                                        let _e926 = phi_1908_;
+                                                                        let _e928 = phi_1909_;
+                                                                        let _e935 = ((_e926.y * _e928.z) - (_e928.y * _e926.z));
+                                                                        let _e940 = ((_e926.z * _e928.x) - (_e928.z * _e926.x));
+                                                                        let _e943 = ((_e926.x * _e928.y) - (_e928.x * _e926.y));
+                                                                        let _e954 = ((abs(_e661) + abs(_e663)) + abs(_e665));
+                                                                        let _e959 = ((abs(_e669) + abs(_e671)) + abs(_e673));
+                                                                        let _e964 = ((abs(_e676) + abs(_e678)) + abs(_e680));
+                                                                        if (_e954 <= _e959) {
+                                                                            phi_1961_ = select(true, false, (_e954 <= _e964));
                                                                         } else {
-                                                                            phi_1969_ = true;
+                                                                            phi_1961_ = true;
                                                                         }
-                                                                        let _e974 = phi_1969_;
-                                                                        if _e974 {
-                                                                            phi_1978_ = select((_e618.member.member_2 - _e671), (_e618.member.member_1 - _e671), vec3((_e964 <= _e969)));
+                                                                        let _e969 = phi_1961_;
+                                                                        if _e969 {
+                                                                            phi_1970_ = select((_e613.member.member_2 - _e666), (_e613.member.member_1 - _e666), vec3((_e959 <= _e964)));
                                                                         } else {
-                                                                            phi_1978_ = (_e618.member.member - _e671);
+                                                                            phi_1970_ = (_e613.member.member - _e666);
                                                                         }
-                                                                        let _e979 = phi_1978_;
-                                                                        let _e981 = select(_e964, _e959, (_e959 < _e964));
-                                                                        phi_2019_ = (abs((((_e940 * _e979.x) + (_e945 * _e979.y)) + (_e948 * _e979.z))) <= ((0.5f * ((abs(_e940) + abs(_e945)) + abs(_e948))) + (((0.00000036f * select(_e969, _e981, (_e981 < _e969))) * ((abs(_e931.x) + abs(_e931.y)) + abs(_e931.z))) * ((abs(_e933.x) + abs(_e933.y)) + abs(_e933.z)))));
+                                                                        let _e974 = phi_1970_;
+                                                                        let _e976 = select(_e959, _e954, (_e954 < _e959));
+                                                                        phi_2011_ = (abs((((_e935 * _e974.x) + (_e940 * _e974.y)) + (_e943 * _e974.z))) <= ((0.5f * ((abs(_e935) + abs(_e940)) + abs(_e943))) + (((0.00000036f * select(_e964, _e976, (_e976 < _e964))) * ((abs(_e926.x) + abs(_e926.y)) + abs(_e926.z))) * ((abs(_e928.x) + abs(_e928.y)) + abs(_e928.z)))));
                                                                     }
-                                                                    let _e1009 = phi_2019_;
-                                                                    phi_2020_ = _e1009;
-                                                                    phi_2021_ = _e911;
+                                                                    let _e1004 = phi_2011_;
+                                                                    phi_2012_ = _e1004;
+                                                                    phi_2013_ = _e906;
                                                                 }
-                                                                let _e1011 = phi_2020_;
-                                                                let _e1013 = phi_2021_;
-                                                                phi_2022_ = _e1011;
-                                                                phi_2023_ = _e1013;
+                                                                let _e1006 = phi_2012_;
+                                                                let _e1008 = phi_2013_;
+                                                                phi_2014_ = _e1006;
+                                                                phi_2015_ = _e1008;
                                                             }
-                                                            let _e1015 = phi_2022_;
-                                                            let _e1017 = phi_2023_;
-                                                            phi_2027_ = _e1015;
-                                                            phi_2028_ = _e1017;
+                                                            let _e1010 = phi_2014_;
+                                                            let _e1012 = phi_2015_;
+                                                            phi_2019_ = _e1010;
+                                                            phi_2020_ = _e1012;
                                                         }
-                                                        let _e1019 = phi_2027_;
-                                                        let _e1021 = phi_2028_;
-                                                        phi_2029_ = _e1019;
-                                                        phi_2030_ = _e716;
-                                                        phi_2031_ = _e1021;
+                                                        let _e1014 = phi_2019_;
+                                                        let _e1016 = phi_2020_;
+                                                        phi_2021_ = _e1014;
+                                                        phi_2022_ = _e711;
+                                                        phi_2023_ = _e1016;
                                                     }
-                                                    let _e1023 = phi_2029_;
-                                                    let _e1025 = phi_2030_;
-                                                    let _e1027 = phi_2031_;
-                                                    phi_2032_ = _e1023;
-                                                    phi_2033_ = _e1025;
-                                                    phi_2034_ = _e1027;
+                                                    let _e1018 = phi_2021_;
+                                                    let _e1020 = phi_2022_;
+                                                    let _e1022 = phi_2023_;
+                                                    phi_2024_ = _e1018;
+                                                    phi_2025_ = _e1020;
+                                                    phi_2026_ = _e1022;
                                                 }
-                                                let _e1029 = phi_2032_;
-                                                let _e1031 = phi_2033_;
-                                                let _e1033 = phi_2034_;
-                                                phi_2035_ = _e1029;
-                                                phi_2036_ = _e1031;
-                                                phi_2037_ = _e1033;
+                                                let _e1024 = phi_2024_;
+                                                let _e1026 = phi_2025_;
+                                                let _e1028 = phi_2026_;
+                                                phi_2027_ = _e1024;
+                                                phi_2028_ = _e1026;
+                                                phi_2029_ = _e1028;
                                             }
-                                            let _e1035 = phi_2035_;
-                                            let _e1037 = phi_2036_;
-                                            let _e1039 = phi_2037_;
-                                            phi_2038_ = _e1035;
-                                            phi_2039_ = _e1037;
-                                            phi_2040_ = _e1039;
+                                            let _e1030 = phi_2027_;
+                                            let _e1032 = phi_2028_;
+                                            let _e1034 = phi_2029_;
+                                            phi_2030_ = _e1030;
+                                            phi_2031_ = _e1032;
+                                            phi_2032_ = _e1034;
                                         }
-                                        let _e1041 = phi_2038_;
-                                        let _e1043 = phi_2039_;
-                                        let _e1045 = phi_2040_;
-                                        phi_2041_ = _e1041;
-                                        phi_2042_ = _e1043;
-                                        phi_2043_ = _e1045;
+                                        let _e1036 = phi_2030_;
+                                        let _e1038 = phi_2031_;
+                                        let _e1040 = phi_2032_;
+                                        phi_2033_ = _e1036;
+                                        phi_2034_ = _e1038;
+                                        phi_2035_ = _e1040;
                                     }
-                                    let _e1047 = phi_2041_;
-                                    let _e1049 = phi_2042_;
-                                    let _e1051 = phi_2043_;
-                                    phi_5655_ = _e658;
-                                    phi_2056_ = select(true, false, select(_e1047, false, select(_e1051, true, _e1049)));
+                                    let _e1042 = phi_2033_;
+                                    let _e1044 = phi_2034_;
+                                    let _e1046 = phi_2035_;
+                                    phi_4604_ = _e653;
+                                    phi_2048_ = select(true, false, select(_e1042, false, select(_e1046, true, _e1044)));
                                 } else {
-                                    phi_5655_ = _e656;
-                                    phi_2056_ = false;
+                                    phi_4604_ = _e651;
+                                    phi_2048_ = false;
                                 }
-                                let _e1056 = phi_5655_;
-                                let _e1058 = phi_2056_;
-                                let _e1059 = select(true, false, _e657);
-                                local_14 = _e1059;
-                                local_54 = _e1056;
-                                local_55 = _e1059;
+                                let _e1051 = phi_4604_;
+                                let _e1053 = phi_2048_;
+                                let _e1054 = select(true, false, _e652);
+                                local_9 = _e1054;
+                                local_39 = _e1051;
+                                local_40 = _e1054;
                                 continue;
                                 continuing {
-                                    phi_5357_ = _e1056;
-                                    break if !(_e1058);
+                                    phi_4306_ = _e1051;
+                                    break if !(_e1053);
                                 }
                             }
-                            let _e1062 = local_14;
-                            if _e1062 {
-                                let _e1063 = (_e647 + 1i);
-                                let _e1064 = (_e1063 >= _e618.member_2);
-                                if _e1064 {
-                                    phi_5514_ = (_e653 + 1i);
+                            let _e1057 = local_9;
+                            if _e1057 {
+                                let _e1058 = (_e642 + 1i);
+                                let _e1059 = (_e1058 >= _e613.member_2);
+                                if _e1059 {
+                                    phi_4463_ = (_e648 + 1i);
                                 } else {
-                                    phi_5514_ = _e653;
+                                    phi_4463_ = _e648;
                                 }
-                                let _e1067 = phi_5514_;
-                                let _e1068 = select(_e1063, _e618.member_1, _e1064);
-                                if _e618.member_10 {
-                                    let _e1115 = (_e618.member.member_1.x - _e618.member.member.x);
-                                    let _e1118 = (_e618.member.member_1.y - _e618.member.member.y);
-                                    let _e1121 = (_e618.member.member_1.z - _e618.member.member.z);
-                                    let _e1122 = f32(_e1068);
-                                    let _e1123 = (_e1122 - 0.01f);
-                                    let _e1124 = (_e1123 - _e618.member.member.x);
-                                    let _e1125 = (_e1122 + 1.01f);
-                                    let _e1126 = (_e1125 - _e618.member.member.x);
-                                    if (abs(_e1115) < 0.000001f) {
-                                        if (_e1124 <= 0f) {
-                                            let _e1137 = (_e1126 >= 0f);
-                                            if _e1137 {
-                                                phi_4844_ = type_33(0f, 1f);
+                                let _e1062 = phi_4463_;
+                                let _e1063 = select(_e1058, _e613.member_1, _e1059);
+                                if _e613.member_10 {
+                                    let _e1110 = (_e613.member.member_1.x - _e613.member.member.x);
+                                    let _e1113 = (_e613.member.member_1.y - _e613.member.member.y);
+                                    let _e1116 = (_e613.member.member_1.z - _e613.member.member.z);
+                                    let _e1117 = f32(_e1063);
+                                    let _e1118 = (_e1117 - 0.01f);
+                                    let _e1119 = (_e1118 - _e613.member.member.x);
+                                    let _e1120 = (_e1117 + 1.01f);
+                                    let _e1121 = (_e1120 - _e613.member.member.x);
+                                    if (abs(_e1110) < 0.000001f) {
+                                        if (_e1119 <= 0f) {
+                                            let _e1132 = (_e1121 >= 0f);
+                                            if _e1132 {
+                                                phi_3793_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4844_ = type_33();
+                                                phi_3793_ = type_33();
                                             }
-                                            let _e1139 = phi_4844_;
-                                            phi_4847_ = _e1139;
-                                            phi_4848_ = select(true, false, _e1137);
+                                            let _e1134 = phi_3793_;
+                                            phi_3796_ = _e1134;
+                                            phi_3797_ = select(true, false, _e1132);
                                         } else {
-                                            phi_4847_ = type_33();
-                                            phi_4848_ = true;
+                                            phi_3796_ = type_33();
+                                            phi_3797_ = true;
                                         }
-                                        let _e1142 = phi_4847_;
-                                        let _e1144 = phi_4848_;
-                                        if _e1144 {
-                                            phi_4853_ = type_33(1f, 0f);
+                                        let _e1137 = phi_3796_;
+                                        let _e1139 = phi_3797_;
+                                        if _e1139 {
+                                            phi_3802_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4853_ = _e1142;
+                                            phi_3802_ = _e1137;
                                         }
-                                        let _e1146 = phi_4853_;
-                                        phi_4855_ = _e1146;
+                                        let _e1141 = phi_3802_;
+                                        phi_3804_ = _e1141;
                                     } else {
-                                        let _e1129 = (_e1124 / _e1115);
-                                        let _e1130 = (_e1126 / _e1115);
-                                        phi_4855_ = type_33(select(_e1130, _e1129, (_e1129 < _e1130)), select(_e1130, _e1129, (_e1129 > _e1130)));
+                                        let _e1124 = (_e1119 / _e1110);
+                                        let _e1125 = (_e1121 / _e1110);
+                                        phi_3804_ = type_33(select(_e1125, _e1124, (_e1124 < _e1125)), select(_e1125, _e1124, (_e1124 > _e1125)));
                                     }
-                                    let _e1148 = phi_4855_;
-                                    let _e1151 = f32(_e1067);
-                                    let _e1152 = (_e1151 - 0.01f);
-                                    let _e1153 = (_e1152 - _e618.member.member.y);
-                                    let _e1154 = (_e1151 + 1.01f);
-                                    let _e1155 = (_e1154 - _e618.member.member.y);
-                                    if (abs(_e1118) < 0.000001f) {
-                                        if (_e1153 <= 0f) {
-                                            let _e1166 = (_e1155 >= 0f);
-                                            if _e1166 {
-                                                phi_4891_ = type_33(0f, 1f);
+                                    let _e1143 = phi_3804_;
+                                    let _e1146 = f32(_e1062);
+                                    let _e1147 = (_e1146 - 0.01f);
+                                    let _e1148 = (_e1147 - _e613.member.member.y);
+                                    let _e1149 = (_e1146 + 1.01f);
+                                    let _e1150 = (_e1149 - _e613.member.member.y);
+                                    if (abs(_e1113) < 0.000001f) {
+                                        if (_e1148 <= 0f) {
+                                            let _e1161 = (_e1150 >= 0f);
+                                            if _e1161 {
+                                                phi_3840_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4891_ = type_33();
+                                                phi_3840_ = type_33();
                                             }
-                                            let _e1168 = phi_4891_;
-                                            phi_4894_ = _e1168;
-                                            phi_4895_ = select(true, false, _e1166);
+                                            let _e1163 = phi_3840_;
+                                            phi_3843_ = _e1163;
+                                            phi_3844_ = select(true, false, _e1161);
                                         } else {
-                                            phi_4894_ = type_33();
-                                            phi_4895_ = true;
+                                            phi_3843_ = type_33();
+                                            phi_3844_ = true;
                                         }
-                                        let _e1171 = phi_4894_;
-                                        let _e1173 = phi_4895_;
-                                        if _e1173 {
-                                            phi_4900_ = type_33(1f, 0f);
+                                        let _e1166 = phi_3843_;
+                                        let _e1168 = phi_3844_;
+                                        if _e1168 {
+                                            phi_3849_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4900_ = _e1171;
+                                            phi_3849_ = _e1166;
                                         }
-                                        let _e1175 = phi_4900_;
-                                        phi_4902_ = _e1175;
+                                        let _e1170 = phi_3849_;
+                                        phi_3851_ = _e1170;
                                     } else {
-                                        let _e1158 = (_e1153 / _e1118);
-                                        let _e1159 = (_e1155 / _e1118);
-                                        phi_4902_ = type_33(select(_e1159, _e1158, (_e1158 < _e1159)), select(_e1159, _e1158, (_e1158 > _e1159)));
+                                        let _e1153 = (_e1148 / _e1113);
+                                        let _e1154 = (_e1150 / _e1113);
+                                        phi_3851_ = type_33(select(_e1154, _e1153, (_e1153 < _e1154)), select(_e1154, _e1153, (_e1153 > _e1154)));
                                     }
-                                    let _e1177 = phi_4902_;
-                                    let _e1181 = select(_e1177.member, _e1148.member, (_e1148.member > _e1177.member));
-                                    let _e1183 = select(0f, _e1181, (_e1181 > 0f));
-                                    let _e1185 = select(_e1177.member_1, _e1148.member_1, (_e1148.member_1 < _e1177.member_1));
-                                    let _e1187 = select(1f, _e1185, (_e1185 < 1f));
-                                    if (_e1183 > _e1187) {
-                                        phi_4950_ = type_33(_e618.member.member_5.z, -2f);
+                                    let _e1172 = phi_3851_;
+                                    let _e1176 = select(_e1172.member, _e1143.member, (_e1143.member > _e1172.member));
+                                    let _e1178 = select(0f, _e1176, (_e1176 > 0f));
+                                    let _e1180 = select(_e1172.member_1, _e1143.member_1, (_e1143.member_1 < _e1172.member_1));
+                                    let _e1182 = select(1f, _e1180, (_e1180 < 1f));
+                                    if (_e1178 > _e1182) {
+                                        phi_3899_ = type_33(_e613.member.member_5.z, -2f);
                                     } else {
-                                        let _e1190 = (_e618.member.member.z + (_e1121 * _e1183));
-                                        let _e1192 = (_e618.member.member.z + (_e1121 * _e1187));
-                                        phi_4950_ = type_33(select(_e1192, _e1190, (_e1190 < _e1192)), select(_e1192, _e1190, (_e1190 > _e1192)));
+                                        let _e1185 = (_e613.member.member.z + (_e1116 * _e1178));
+                                        let _e1187 = (_e613.member.member.z + (_e1116 * _e1182));
+                                        phi_3899_ = type_33(select(_e1187, _e1185, (_e1185 < _e1187)), select(_e1187, _e1185, (_e1185 > _e1187)));
                                     }
-                                    let _e1201 = phi_4950_;
-                                    let _e1205 = (_e618.member.member_2.x - _e618.member.member_1.x);
-                                    let _e1207 = (_e618.member.member_2.y - _e618.member.member_1.y);
-                                    let _e1209 = (_e618.member.member_2.z - _e618.member.member_1.z);
-                                    let _e1210 = (_e1123 - _e618.member.member_1.x);
-                                    let _e1211 = (_e1125 - _e618.member.member_1.x);
-                                    if (abs(_e1205) < 0.000001f) {
-                                        if (_e1210 <= 0f) {
-                                            let _e1222 = (_e1211 >= 0f);
-                                            if _e1222 {
-                                                phi_4999_ = type_33(0f, 1f);
+                                    let _e1196 = phi_3899_;
+                                    let _e1200 = (_e613.member.member_2.x - _e613.member.member_1.x);
+                                    let _e1202 = (_e613.member.member_2.y - _e613.member.member_1.y);
+                                    let _e1204 = (_e613.member.member_2.z - _e613.member.member_1.z);
+                                    let _e1205 = (_e1118 - _e613.member.member_1.x);
+                                    let _e1206 = (_e1120 - _e613.member.member_1.x);
+                                    if (abs(_e1200) < 0.000001f) {
+                                        if (_e1205 <= 0f) {
+                                            let _e1217 = (_e1206 >= 0f);
+                                            if _e1217 {
+                                                phi_3948_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4999_ = type_33();
+                                                phi_3948_ = type_33();
                                             }
-                                            let _e1224 = phi_4999_;
-                                            phi_5002_ = _e1224;
-                                            phi_5003_ = select(true, false, _e1222);
+                                            let _e1219 = phi_3948_;
+                                            phi_3951_ = _e1219;
+                                            phi_3952_ = select(true, false, _e1217);
                                         } else {
-                                            phi_5002_ = type_33();
-                                            phi_5003_ = true;
+                                            phi_3951_ = type_33();
+                                            phi_3952_ = true;
                                         }
-                                        let _e1227 = phi_5002_;
-                                        let _e1229 = phi_5003_;
-                                        if _e1229 {
-                                            phi_5008_ = type_33(1f, 0f);
+                                        let _e1222 = phi_3951_;
+                                        let _e1224 = phi_3952_;
+                                        if _e1224 {
+                                            phi_3957_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5008_ = _e1227;
+                                            phi_3957_ = _e1222;
                                         }
-                                        let _e1231 = phi_5008_;
-                                        phi_5010_ = _e1231;
+                                        let _e1226 = phi_3957_;
+                                        phi_3959_ = _e1226;
                                     } else {
-                                        let _e1214 = (_e1210 / _e1205);
-                                        let _e1215 = (_e1211 / _e1205);
-                                        phi_5010_ = type_33(select(_e1215, _e1214, (_e1214 < _e1215)), select(_e1215, _e1214, (_e1214 > _e1215)));
+                                        let _e1209 = (_e1205 / _e1200);
+                                        let _e1210 = (_e1206 / _e1200);
+                                        phi_3959_ = type_33(select(_e1210, _e1209, (_e1209 < _e1210)), select(_e1210, _e1209, (_e1209 > _e1210)));
                                     }
-                                    let _e1233 = phi_5010_;
-                                    let _e1236 = (_e1152 - _e618.member.member_1.y);
-                                    let _e1237 = (_e1154 - _e618.member.member_1.y);
-                                    if (abs(_e1207) < 0.000001f) {
-                                        if (_e1236 <= 0f) {
-                                            let _e1248 = (_e1237 >= 0f);
-                                            if _e1248 {
-                                                phi_5046_ = type_33(0f, 1f);
+                                    let _e1228 = phi_3959_;
+                                    let _e1231 = (_e1147 - _e613.member.member_1.y);
+                                    let _e1232 = (_e1149 - _e613.member.member_1.y);
+                                    if (abs(_e1202) < 0.000001f) {
+                                        if (_e1231 <= 0f) {
+                                            let _e1243 = (_e1232 >= 0f);
+                                            if _e1243 {
+                                                phi_3995_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5046_ = type_33();
+                                                phi_3995_ = type_33();
                                             }
-                                            let _e1250 = phi_5046_;
-                                            phi_5049_ = _e1250;
-                                            phi_5050_ = select(true, false, _e1248);
+                                            let _e1245 = phi_3995_;
+                                            phi_3998_ = _e1245;
+                                            phi_3999_ = select(true, false, _e1243);
                                         } else {
-                                            phi_5049_ = type_33();
-                                            phi_5050_ = true;
+                                            phi_3998_ = type_33();
+                                            phi_3999_ = true;
                                         }
-                                        let _e1253 = phi_5049_;
-                                        let _e1255 = phi_5050_;
-                                        if _e1255 {
-                                            phi_5055_ = type_33(1f, 0f);
+                                        let _e1248 = phi_3998_;
+                                        let _e1250 = phi_3999_;
+                                        if _e1250 {
+                                            phi_4004_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5055_ = _e1253;
+                                            phi_4004_ = _e1248;
                                         }
-                                        let _e1257 = phi_5055_;
-                                        phi_5057_ = _e1257;
+                                        let _e1252 = phi_4004_;
+                                        phi_4006_ = _e1252;
                                     } else {
-                                        let _e1240 = (_e1236 / _e1207);
-                                        let _e1241 = (_e1237 / _e1207);
-                                        phi_5057_ = type_33(select(_e1241, _e1240, (_e1240 < _e1241)), select(_e1241, _e1240, (_e1240 > _e1241)));
+                                        let _e1235 = (_e1231 / _e1202);
+                                        let _e1236 = (_e1232 / _e1202);
+                                        phi_4006_ = type_33(select(_e1236, _e1235, (_e1235 < _e1236)), select(_e1236, _e1235, (_e1235 > _e1236)));
                                     }
-                                    let _e1259 = phi_5057_;
-                                    let _e1263 = select(_e1259.member, _e1233.member, (_e1233.member > _e1259.member));
-                                    let _e1265 = select(0f, _e1263, (_e1263 > 0f));
-                                    let _e1267 = select(_e1259.member_1, _e1233.member_1, (_e1233.member_1 < _e1259.member_1));
-                                    let _e1269 = select(1f, _e1267, (_e1267 < 1f));
-                                    if (_e1265 > _e1269) {
-                                        phi_5105_ = type_33(_e618.member.member_5.z, -2f);
+                                    let _e1254 = phi_4006_;
+                                    let _e1258 = select(_e1254.member, _e1228.member, (_e1228.member > _e1254.member));
+                                    let _e1260 = select(0f, _e1258, (_e1258 > 0f));
+                                    let _e1262 = select(_e1254.member_1, _e1228.member_1, (_e1228.member_1 < _e1254.member_1));
+                                    let _e1264 = select(1f, _e1262, (_e1262 < 1f));
+                                    if (_e1260 > _e1264) {
+                                        phi_4054_ = type_33(_e613.member.member_5.z, -2f);
                                     } else {
-                                        let _e1272 = (_e618.member.member_1.z + (_e1209 * _e1265));
-                                        let _e1274 = (_e618.member.member_1.z + (_e1209 * _e1269));
-                                        phi_5105_ = type_33(select(_e1274, _e1272, (_e1272 < _e1274)), select(_e1274, _e1272, (_e1272 > _e1274)));
+                                        let _e1267 = (_e613.member.member_1.z + (_e1204 * _e1260));
+                                        let _e1269 = (_e613.member.member_1.z + (_e1204 * _e1264));
+                                        phi_4054_ = type_33(select(_e1269, _e1267, (_e1267 < _e1269)), select(_e1269, _e1267, (_e1267 > _e1269)));
                                     }
-                                    let _e1283 = phi_5105_;
-                                    let _e1286 = (_e618.member.member.x - _e618.member.member_2.x);
-                                    let _e1287 = (_e618.member.member.y - _e618.member.member_2.y);
-                                    let _e1288 = (_e618.member.member.z - _e618.member.member_2.z);
-                                    let _e1289 = (_e1123 - _e618.member.member_2.x);
-                                    let _e1290 = (_e1125 - _e618.member.member_2.x);
-                                    if (abs(_e1286) < 0.000001f) {
-                                        if (_e1289 <= 0f) {
-                                            let _e1301 = (_e1290 >= 0f);
-                                            if _e1301 {
-                                                phi_5154_ = type_33(0f, 1f);
+                                    let _e1278 = phi_4054_;
+                                    let _e1281 = (_e613.member.member.x - _e613.member.member_2.x);
+                                    let _e1282 = (_e613.member.member.y - _e613.member.member_2.y);
+                                    let _e1283 = (_e613.member.member.z - _e613.member.member_2.z);
+                                    let _e1284 = (_e1118 - _e613.member.member_2.x);
+                                    let _e1285 = (_e1120 - _e613.member.member_2.x);
+                                    if (abs(_e1281) < 0.000001f) {
+                                        if (_e1284 <= 0f) {
+                                            let _e1296 = (_e1285 >= 0f);
+                                            if _e1296 {
+                                                phi_4103_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5154_ = type_33();
+                                                phi_4103_ = type_33();
                                             }
-                                            let _e1303 = phi_5154_;
-                                            phi_5157_ = _e1303;
-                                            phi_5158_ = select(true, false, _e1301);
+                                            let _e1298 = phi_4103_;
+                                            phi_4106_ = _e1298;
+                                            phi_4107_ = select(true, false, _e1296);
                                         } else {
-                                            phi_5157_ = type_33();
-                                            phi_5158_ = true;
+                                            phi_4106_ = type_33();
+                                            phi_4107_ = true;
                                         }
-                                        let _e1306 = phi_5157_;
-                                        let _e1308 = phi_5158_;
-                                        if _e1308 {
-                                            phi_5163_ = type_33(1f, 0f);
+                                        let _e1301 = phi_4106_;
+                                        let _e1303 = phi_4107_;
+                                        if _e1303 {
+                                            phi_4112_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5163_ = _e1306;
+                                            phi_4112_ = _e1301;
                                         }
-                                        let _e1310 = phi_5163_;
-                                        phi_5165_ = _e1310;
+                                        let _e1305 = phi_4112_;
+                                        phi_4114_ = _e1305;
                                     } else {
-                                        let _e1293 = (_e1289 / _e1286);
-                                        let _e1294 = (_e1290 / _e1286);
-                                        phi_5165_ = type_33(select(_e1294, _e1293, (_e1293 < _e1294)), select(_e1294, _e1293, (_e1293 > _e1294)));
+                                        let _e1288 = (_e1284 / _e1281);
+                                        let _e1289 = (_e1285 / _e1281);
+                                        phi_4114_ = type_33(select(_e1289, _e1288, (_e1288 < _e1289)), select(_e1289, _e1288, (_e1288 > _e1289)));
                                     }
-                                    let _e1312 = phi_5165_;
-                                    let _e1315 = (_e1152 - _e618.member.member_2.y);
-                                    let _e1316 = (_e1154 - _e618.member.member_2.y);
-                                    if (abs(_e1287) < 0.000001f) {
-                                        if (_e1315 <= 0f) {
-                                            let _e1327 = (_e1316 >= 0f);
-                                            if _e1327 {
-                                                phi_5201_ = type_33(0f, 1f);
+                                    let _e1307 = phi_4114_;
+                                    let _e1310 = (_e1147 - _e613.member.member_2.y);
+                                    let _e1311 = (_e1149 - _e613.member.member_2.y);
+                                    if (abs(_e1282) < 0.000001f) {
+                                        if (_e1310 <= 0f) {
+                                            let _e1322 = (_e1311 >= 0f);
+                                            if _e1322 {
+                                                phi_4150_ = type_33(0f, 1f);
                                             } else {
-                                                phi_5201_ = type_33();
+                                                phi_4150_ = type_33();
                                             }
-                                            let _e1329 = phi_5201_;
-                                            phi_5204_ = _e1329;
-                                            phi_5205_ = select(true, false, _e1327);
+                                            let _e1324 = phi_4150_;
+                                            phi_4153_ = _e1324;
+                                            phi_4154_ = select(true, false, _e1322);
                                         } else {
-                                            phi_5204_ = type_33();
-                                            phi_5205_ = true;
+                                            phi_4153_ = type_33();
+                                            phi_4154_ = true;
                                         }
-                                        let _e1332 = phi_5204_;
-                                        let _e1334 = phi_5205_;
-                                        if _e1334 {
-                                            phi_5210_ = type_33(1f, 0f);
+                                        let _e1327 = phi_4153_;
+                                        let _e1329 = phi_4154_;
+                                        if _e1329 {
+                                            phi_4159_ = type_33(1f, 0f);
                                         } else {
-                                            phi_5210_ = _e1332;
+                                            phi_4159_ = _e1327;
                                         }
-                                        let _e1336 = phi_5210_;
-                                        phi_5212_ = _e1336;
+                                        let _e1331 = phi_4159_;
+                                        phi_4161_ = _e1331;
                                     } else {
-                                        let _e1319 = (_e1315 / _e1287);
-                                        let _e1320 = (_e1316 / _e1287);
-                                        phi_5212_ = type_33(select(_e1320, _e1319, (_e1319 < _e1320)), select(_e1320, _e1319, (_e1319 > _e1320)));
+                                        let _e1314 = (_e1310 / _e1282);
+                                        let _e1315 = (_e1311 / _e1282);
+                                        phi_4161_ = type_33(select(_e1315, _e1314, (_e1314 < _e1315)), select(_e1315, _e1314, (_e1314 > _e1315)));
                                     }
-                                    let _e1338 = phi_5212_;
-                                    let _e1342 = select(_e1338.member, _e1312.member, (_e1312.member > _e1338.member));
-                                    let _e1344 = select(0f, _e1342, (_e1342 > 0f));
-                                    let _e1346 = select(_e1338.member_1, _e1312.member_1, (_e1312.member_1 < _e1338.member_1));
-                                    let _e1348 = select(1f, _e1346, (_e1346 < 1f));
-                                    if (_e1344 > _e1348) {
-                                        phi_5260_ = type_33(_e618.member.member_5.z, -2f);
+                                    let _e1333 = phi_4161_;
+                                    let _e1337 = select(_e1333.member, _e1307.member, (_e1307.member > _e1333.member));
+                                    let _e1339 = select(0f, _e1337, (_e1337 > 0f));
+                                    let _e1341 = select(_e1333.member_1, _e1307.member_1, (_e1307.member_1 < _e1333.member_1));
+                                    let _e1343 = select(1f, _e1341, (_e1341 < 1f));
+                                    if (_e1339 > _e1343) {
+                                        phi_4209_ = type_33(_e613.member.member_5.z, -2f);
                                     } else {
-                                        let _e1351 = (_e618.member.member_2.z + (_e1288 * _e1344));
-                                        let _e1353 = (_e618.member.member_2.z + (_e1288 * _e1348));
-                                        phi_5260_ = type_33(select(_e1353, _e1351, (_e1351 < _e1353)), select(_e1353, _e1351, (_e1351 > _e1353)));
+                                        let _e1346 = (_e613.member.member_2.z + (_e1283 * _e1339));
+                                        let _e1348 = (_e613.member.member_2.z + (_e1283 * _e1343));
+                                        phi_4209_ = type_33(select(_e1348, _e1346, (_e1346 < _e1348)), select(_e1348, _e1346, (_e1346 > _e1348)));
                                     }
-                                    let _e1362 = phi_5260_;
-                                    let _e1366 = select(_e1283.member, _e1201.member, (_e1201.member < _e1283.member));
-                                    let _e1372 = select(_e1283.member_1, _e1201.member_1, (_e1201.member_1 > _e1283.member_1));
-                                    phi_2152_ = type_33((floor(select(_e1362.member, _e1366, (_e1366 < _e1362.member))) - 1f), (floor(select(_e1362.member_1, _e1372, (_e1372 > _e1362.member_1))) + 1f));
+                                    let _e1357 = phi_4209_;
+                                    let _e1361 = select(_e1278.member, _e1196.member, (_e1196.member < _e1278.member));
+                                    let _e1367 = select(_e1278.member_1, _e1196.member_1, (_e1196.member_1 > _e1278.member_1));
+                                    phi_2144_ = type_33((floor(select(_e1357.member, _e1361, (_e1361 < _e1357.member))) - 1f), (floor(select(_e1357.member_1, _e1367, (_e1367 > _e1357.member_1))) + 1f));
                                 } else {
-                                    if (_e618.member.member_4 == 0u) {
-                                        phi_2110_ = vec3<f32>(_e618.member.member_3.y, _e618.member.member_3.z, _e618.member.member_3.x);
+                                    if (_e613.member.member_4 == 0u) {
+                                        phi_2102_ = vec3<f32>(_e613.member.member_3.y, _e613.member.member_3.z, _e613.member.member_3.x);
                                     } else {
-                                        if (_e618.member.member_4 == 1u) {
-                                            phi_2109_ = vec3<f32>(_e618.member.member_3.z, _e618.member.member_3.x, _e618.member.member_3.y);
+                                        if (_e613.member.member_4 == 1u) {
+                                            phi_2101_ = vec3<f32>(_e613.member.member_3.z, _e613.member.member_3.x, _e613.member.member_3.y);
                                         } else {
-                                            phi_2109_ = _e618.member.member_3;
+                                            phi_2101_ = _e613.member.member_3;
                                         }
-                                        let _e1076 = phi_2109_;
-                                        phi_2110_ = _e1076;
+                                        let _e1071 = phi_2101_;
+                                        phi_2102_ = _e1071;
                                     }
-                                    let _e1082 = phi_2110_;
-                                    let _e1099 = (_e618.member.member.z - (((_e1082.x * ((f32(_e1068) + 0.5f) - _e618.member.member.x)) + (_e1082.y * ((f32(_e1067) + 0.5f) - _e618.member.member.y))) / _e1082.z));
-                                    let _e1106 = (((0.5f * (abs(_e1082.x) + abs(_e1082.y))) / abs(_e1082.z)) + 0.3f);
-                                    phi_2152_ = type_33((-1f - floor((_e1106 - _e1099))), floor((_e1099 + _e1106)));
+                                    let _e1077 = phi_2102_;
+                                    let _e1094 = (_e613.member.member.z - (((_e1077.x * ((f32(_e1063) + 0.5f) - _e613.member.member.x)) + (_e1077.y * ((f32(_e1062) + 0.5f) - _e613.member.member.y))) / _e1077.z));
+                                    let _e1101 = (((0.5f * (abs(_e1077.x) + abs(_e1077.y))) / abs(_e1077.z)) + 0.3f);
+                                    phi_2144_ = type_33((-1f - floor((_e1101 - _e1094))), floor((_e1094 + _e1101)));
                                 }
-                                let _e1379 = phi_2152_;
-                                let _e1382 = f32(_e618.member_4);
-                                let _e1384 = select(_e1382, _e1379.member, (_e1379.member > _e1382));
-                                let _e1393 = f32(_e618.member_5);
-                                let _e1395 = select(_e1393, _e1379.member_1, (_e1379.member_1 < _e1393));
-                                phi_6363_ = select(0i, select(select(i32(_e1395), i32(-2147483648), (_e1395 < -2147483600f)), 2147483647i, (_e1395 > 2147483500f)), (_e1395 == _e1395));
-                                phi_5654_ = (select(0i, select(select(i32(_e1384), i32(-2147483648), (_e1384 < -2147483600f)), 2147483647i, (_e1384 > 2147483500f)), (_e1384 == _e1384)) - 1i);
-                                phi_5630_ = _e1067;
-                                phi_5600_ = _e1068;
+                                let _e1374 = phi_2144_;
+                                let _e1377 = f32(_e613.member_4);
+                                let _e1379 = select(_e1377, _e1374.member, (_e1374.member > _e1377));
+                                let _e1388 = f32(_e613.member_5);
+                                let _e1390 = select(_e1388, _e1374.member_1, (_e1374.member_1 < _e1388));
+                                phi_5126_ = select(0i, select(select(i32(_e1390), i32(-2147483648), (_e1390 < -2147483600f)), 2147483647i, (_e1390 > 2147483500f)), (_e1390 == _e1390));
+                                phi_4603_ = (select(0i, select(select(i32(_e1379), i32(-2147483648), (_e1379 < -2147483600f)), 2147483647i, (_e1379 > 2147483500f)), (_e1379 == _e1379)) - 1i);
+                                phi_4579_ = _e1062;
+                                phi_4549_ = _e1063;
                             } else {
-                                phi_6363_ = _e649;
-                                let _e3336 = local_54;
-                                phi_5654_ = _e3336;
-                                phi_5630_ = _e653;
-                                phi_5600_ = _e647;
+                                phi_5126_ = _e644;
+                                let _e2662 = local_39;
+                                phi_4603_ = _e2662;
+                                phi_4579_ = _e648;
+                                phi_4549_ = _e642;
                             }
-                            let _e1404 = phi_6363_;
-                            let _e1406 = phi_5654_;
-                            let _e1408 = phi_5630_;
-                            let _e1410 = phi_5600_;
-                            phi_6362_ = _e1404;
-                            phi_5653_ = _e1406;
-                            phi_5629_ = _e1408;
-                            phi_5599_ = _e1410;
-                            let _e3345 = local_55;
-                            phi_2192_ = _e3345;
+                            let _e1399 = phi_5126_;
+                            let _e1401 = phi_4603_;
+                            let _e1403 = phi_4579_;
+                            let _e1405 = phi_4549_;
+                            phi_5125_ = _e1399;
+                            phi_4602_ = _e1401;
+                            phi_4578_ = _e1403;
+                            phi_4548_ = _e1405;
+                            let _e2671 = local_40;
+                            phi_2184_ = _e2671;
                         } else {
-                            phi_6362_ = _e649;
-                            phi_5653_ = _e651;
-                            phi_5629_ = _e653;
-                            phi_5599_ = _e647;
-                            phi_2192_ = false;
+                            phi_5125_ = _e644;
+                            phi_4602_ = _e646;
+                            phi_4578_ = _e648;
+                            phi_4548_ = _e642;
+                            phi_2184_ = false;
                         }
-                        let _e1412 = phi_6362_;
-                        let _e1414 = phi_5653_;
-                        let _e1416 = phi_5629_;
-                        let _e1418 = phi_5599_;
-                        let _e1420 = phi_2192_;
-                        local_50 = _e1418;
-                        local_51 = _e1412;
-                        local_52 = _e1414;
-                        local_53 = _e1416;
-                        local_15 = select(true, false, _e654);
-                        local_16 = _e1418;
-                        local_17 = _e1416;
-                        local_18 = _e1414;
+                        let _e1407 = phi_5125_;
+                        let _e1409 = phi_4602_;
+                        let _e1411 = phi_4578_;
+                        let _e1413 = phi_4548_;
+                        let _e1415 = phi_2184_;
+                        local_35 = _e1413;
+                        local_36 = _e1407;
+                        local_37 = _e1409;
+                        local_38 = _e1411;
+                        local_10 = select(true, false, _e649);
+                        local_11 = _e1413;
+                        local_12 = _e1411;
+                        local_13 = _e1409;
                         continue;
                         continuing {
-                            phi_5364_ = _e1418;
-                            phi_5361_ = _e1412;
-                            phi_5358_ = _e1414;
-                            phi_5355_ = _e1416;
-                            break if !(_e1420);
+                            phi_4313_ = _e1413;
+                            phi_4310_ = _e1407;
+                            phi_4307_ = _e1409;
+                            phi_4304_ = _e1411;
+                            break if !(_e1415);
                         }
                     }
-                    let _e1424 = local_15;
-                    let _e1426 = select(false, true, select(true, false, _e1424));
-                    if _e1426 {
-                        let _e1428 = local_16;
-                        let _e1429 = f32(_e1428);
-                        let _e1431 = local_17;
-                        let _e1432 = f32(_e1431);
-                        let _e1434 = local_18;
-                        let _e1435 = f32(_e1434);
-                        let _e1436 = vec3<f32>(_e1429, _e1432, _e1435);
-                        if (_e618.member.member_4 == 2u) {
-                            phi_2222_ = 2u;
+                    let _e1419 = local_10;
+                    let _e1421 = select(false, true, select(true, false, _e1419));
+                    if _e1421 {
+                        let _e1423 = local_11;
+                        let _e1424 = f32(_e1423);
+                        let _e1426 = local_12;
+                        let _e1427 = f32(_e1426);
+                        let _e1429 = local_13;
+                        let _e1430 = f32(_e1429);
+                        let _e1431 = vec3<f32>(_e1424, _e1427, _e1430);
+                        if (_e613.member.member_4 == 2u) {
+                            phi_2214_ = 2u;
                         } else {
-                            phi_2222_ = (1u - _e618.member.member_4);
+                            phi_2214_ = (1u - _e613.member.member_4);
                         }
-                        let _e1440 = phi_2222_;
-                        if (_e1440 == 0u) {
-                            phi_2234_ = vec3<f32>(_e1432, _e1435, _e1429);
+                        let _e1435 = phi_2214_;
+                        if (_e1435 == 0u) {
+                            phi_2226_ = vec3<f32>(_e1427, _e1430, _e1424);
                         } else {
-                            if (_e1440 == 1u) {
-                                phi_2233_ = vec3<f32>(_e1435, _e1429, _e1432);
+                            if (_e1435 == 1u) {
+                                phi_2225_ = vec3<f32>(_e1430, _e1424, _e1427);
                             } else {
-                                phi_2233_ = _e1436;
+                                phi_2225_ = _e1431;
                             }
-                            let _e1445 = phi_2233_;
-                            phi_2234_ = _e1445;
+                            let _e1440 = phi_2225_;
+                            phi_2226_ = _e1440;
                         }
-                        let _e1448 = phi_2234_;
-                        let _e1454 = select(select(u32(_e1448.x), 0u, (_e1448.x < 0f)), 4294967295u, (_e1448.x > 4294967000f));
-                        let _e1460 = select(select(u32(_e1448.y), 0u, (_e1448.y < 0f)), 4294967295u, (_e1448.y > 4294967000f));
-                        let _e1466 = select(select(u32(_e1448.z), 0u, (_e1448.z < 0f)), 4294967295u, (_e1448.z > 4294967000f));
-                        local_6.member = array<vec3<f32>, 10>((_e245 - _e1436), (_e252 - _e1436), (_e259 - _e1436), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                        local_6.member_1 = 3u;
-                        let _e1473 = local_6.member_1;
-                        phi_2292_ = type_12(0u, _e1473);
-                        phi_2295_ = 0f;
+                        let _e1443 = phi_2226_;
+                        let _e1449 = select(select(u32(_e1443.x), 0u, (_e1443.x < 0f)), 4294967295u, (_e1443.x > 4294967000f));
+                        let _e1455 = select(select(u32(_e1443.y), 0u, (_e1443.y < 0f)), 4294967295u, (_e1443.y > 4294967000f));
+                        let _e1461 = select(select(u32(_e1443.z), 0u, (_e1443.z < 0f)), 4294967295u, (_e1443.z > 4294967000f));
+                        local_1.member = array<vec3<f32>, 10>((_e240 - _e1431), (_e247 - _e1431), (_e254 - _e1431), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        local_1.member_1 = 3u;
+                        phi_4690_ = _e632;
+                        phi_2282_ = type_12(0u, 6u);
                         loop {
-                            let _e1476 = phi_2292_;
-                            let _e1478 = phi_2295_;
-                            local_19 = _e1478;
-                            if (_e1476.member < _e1476.member_1) {
-                                phi_2293_ = type_12((_e1476.member + 1u), _e1476.member_1);
-                                phi_2318_ = type_12(1u, _e1476.member);
+                            let _e1469 = phi_4690_;
+                            let _e1471 = phi_2282_;
+                            if (_e1471.member < _e1471.member_1) {
+                                phi_2283_ = type_12((_e1471.member + 1u), _e1471.member_1);
+                                phi_2306_ = type_12(1u, _e1471.member);
                             } else {
-                                phi_2293_ = _e1476;
-                                phi_2318_ = type_12(0u, type_12().member_1);
+                                phi_2283_ = _e1471;
+                                phi_2306_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1491 = phi_2293_;
-                            let _e1493 = phi_2318_;
-                            let _e1497 = (bitcast<i32>(_e1493.member) != 0i);
-                            if _e1497 {
-                                if (_e1493.member_1 < 10u) {
-                                } else {
-                                    phi_5736_ = true;
-                                    break;
-                                }
-                                let _e1501 = local_6.member[_e1493.member_1];
-                                phi_2296_ = select(_e1501.x, _e1478, (_e1478 < _e1501.x));
-                            } else {
-                                phi_2296_ = f32();
-                            }
-                            let _e1506 = phi_2296_;
-                            continue;
-                            continuing {
-                                phi_2292_ = _e1491;
-                                phi_2295_ = _e1506;
-                                phi_5736_ = _e637;
-                                break if !(_e1497);
-                            }
-                        }
-                        let _e1509 = phi_5736_;
-                        phi_6039_ = _e1509;
-                        if _e1509 {
-                            break;
-                        }
-                        let _e1511 = local_19;
-                        if (_e1511 >= 0f) {
-                            phi_5958_ = _e1509;
-                        } else {
-                            let _e1513 = local_6.member_1;
-                            if (_e1513 == 0u) {
-                                phi_5959_ = _e1509;
-                            } else {
-                                local_5[0u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[1u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[2u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[3u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[4u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[5u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[6u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[7u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[8u] = vec3<f32>(0f, 0f, 0f);
-                                local_5[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1525 = local_6.member_1;
-                                let _e1526 = (_e1525 - 1u);
-                                if (_e1526 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e1530 = local_6.member[_e1526];
-                                let _e1532 = local_6.member_1;
-                                phi_2396_ = type_12(0u, _e1532);
-                                phi_2399_ = _e1530.x;
-                                phi_2401_ = _e1530;
-                                phi_2403_ = 0u;
+                            let _e1484 = phi_2283_;
+                            let _e1486 = phi_2306_;
+                            let _e1490 = (bitcast<i32>(_e1486.member) != 0i);
+                            if _e1490 {
+                                let _e1491 = local_1.member_1;
+                                phi_2318_ = type_12(0u, _e1491);
+                                phi_2321_ = 0f;
                                 loop {
-                                    let _e1535 = phi_2396_;
-                                    let _e1537 = phi_2399_;
-                                    let _e1539 = phi_2401_;
-                                    let _e1541 = phi_2403_;
-                                    local_20 = _e1541;
-                                    if (_e1535.member < _e1535.member_1) {
-                                        phi_2397_ = type_12((_e1535.member + 1u), _e1535.member_1);
-                                        phi_2426_ = type_12(1u, _e1535.member);
+                                    let _e1494 = phi_2318_;
+                                    let _e1496 = phi_2321_;
+                                    local_14 = _e1496;
+                                    if (_e1494.member < _e1494.member_1) {
+                                        phi_2319_ = type_12((_e1494.member + 1u), _e1494.member_1);
+                                        phi_2344_ = type_12(1u, _e1494.member);
                                     } else {
-                                        phi_2397_ = _e1535;
-                                        phi_2426_ = type_12(0u, type_12().member_1);
+                                        phi_2319_ = _e1494;
+                                        phi_2344_ = type_12(0u, type_12().member_1);
                                     }
-                                    let _e1554 = phi_2397_;
-                                    let _e1556 = phi_2426_;
-                                    let _e1560 = (bitcast<i32>(_e1556.member) != 0i);
-                                    if _e1560 {
-                                        if (_e1556.member_1 < 10u) {
+                                    let _e1509 = phi_2319_;
+                                    let _e1511 = phi_2344_;
+                                    let _e1515 = (bitcast<i32>(_e1511.member) != 0i);
+                                    if _e1515 {
+                                        if (_e1511.member_1 < 10u) {
                                         } else {
-                                            phi_5946_ = true;
+                                            phi_4685_ = true;
                                             break;
                                         }
-                                        let _e1564 = local_6.member[_e1556.member_1];
-                                        if ((_e1564.x < 0f) != (_e1537 < 0f)) {
-                                            let _e1571 = (_e1541 < 10u);
-                                            if _e1571 {
-                                                let _e1579 = (_e1537 / (_e1537 - _e1564.x));
-                                                if _e1571 {
-                                                } else {
-                                                    phi_5946_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e1541] = (_e1539 + vec3<f32>(((_e1564.x - _e1539.x) * _e1579), ((_e1564.y - _e1539.y) * _e1579), ((_e1564.z - _e1539.z) * _e1579)));
-                                                phi_2486_ = (_e1541 + 1u);
-                                            } else {
-                                                phi_2486_ = _e1541;
-                                            }
-                                            let _e1588 = phi_2486_;
-                                            phi_2487_ = _e1588;
+                                        let _e1519 = local_1.member[_e1511.member_1];
+                                        let _e1521 = (_e1486.member_1 >> bitcast<u32>(1i));
+                                        let _e1528 = select(select(_e1519.y, _e1519.x, (_e1521 == 0u)), _e1519.z, (_e1521 == 2u));
+                                        if ((_e1486.member_1 & 1u) == 1u) {
+                                            phi_2379_ = (1f - _e1528);
                                         } else {
-                                            phi_2487_ = _e1541;
+                                            phi_2379_ = _e1528;
                                         }
-                                        let _e1590 = phi_2487_;
-                                        if (_e1564.x >= 0f) {
-                                            let _e1592 = (_e1590 < 10u);
-                                            if _e1592 {
-                                                if _e1592 {
-                                                } else {
-                                                    phi_5946_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e1590] = _e1564;
-                                                phi_2503_ = (_e1590 + 1u);
-                                            } else {
-                                                phi_2503_ = _e1590;
-                                            }
-                                            let _e1596 = phi_2503_;
-                                            phi_2504_ = _e1596;
-                                        } else {
-                                            phi_2504_ = _e1590;
-                                        }
-                                        let _e1598 = phi_2504_;
-                                        phi_2400_ = _e1564.x;
-                                        phi_2402_ = _e1564;
-                                        phi_2404_ = _e1598;
+                                        let _e1533 = phi_2379_;
+                                        phi_2322_ = select(_e1533, _e1496, (_e1496 < _e1533));
                                     } else {
-                                        phi_2400_ = f32();
-                                        phi_2402_ = vec3<f32>();
-                                        phi_2404_ = u32();
+                                        phi_2322_ = f32();
                                     }
-                                    let _e1600 = phi_2400_;
-                                    let _e1602 = phi_2402_;
-                                    let _e1604 = phi_2404_;
+                                    let _e1537 = phi_2322_;
                                     continue;
                                     continuing {
-                                        phi_2396_ = _e1554;
-                                        phi_2399_ = _e1600;
-                                        phi_2401_ = _e1602;
-                                        phi_2403_ = _e1604;
-                                        phi_5946_ = _e1509;
-                                        break if !(_e1560);
+                                        phi_2318_ = _e1509;
+                                        phi_2321_ = _e1537;
+                                        phi_4685_ = _e1469;
+                                        break if !(_e1515);
                                     }
                                 }
-                                let _e1607 = phi_5946_;
-                                phi_6039_ = _e1607;
-                                if _e1607 {
+                                let _e1540 = phi_4685_;
+                                phi_4914_ = _e1540;
+                                if _e1540 {
                                     break;
                                 }
-                                let _e1608 = local_5;
-                                local_6.member = _e1608;
-                                let _e1610 = local_20;
-                                local_6.member_1 = _e1610;
-                                phi_5959_ = _e1607;
-                            }
-                            let _e1612 = phi_5959_;
-                            phi_5958_ = _e1612;
-                        }
-                        let _e1614 = phi_5958_;
-                        let _e1615 = local_6.member_1;
-                        phi_2517_ = type_12(0u, _e1615);
-                        phi_2520_ = 0f;
-                        loop {
-                            let _e1618 = phi_2517_;
-                            let _e1620 = phi_2520_;
-                            local_21 = _e1620;
-                            if (_e1618.member < _e1618.member_1) {
-                                phi_2518_ = type_12((_e1618.member + 1u), _e1618.member_1);
-                                phi_2543_ = type_12(1u, _e1618.member);
-                            } else {
-                                phi_2518_ = _e1618;
-                                phi_2543_ = type_12(0u, type_12().member_1);
-                            }
-                            let _e1633 = phi_2518_;
-                            let _e1635 = phi_2543_;
-                            let _e1639 = (bitcast<i32>(_e1635.member) != 0i);
-                            if _e1639 {
-                                if (_e1635.member_1 < 10u) {
+                                let _e1542 = local_14;
+                                if (_e1542 >= 0f) {
+                                    phi_4916_ = _e1540;
                                 } else {
-                                    phi_5954_ = true;
-                                    break;
-                                }
-                                let _e1643 = local_6.member[_e1635.member_1];
-                                let _e1646 = ((-1f * _e1643.x) + 1f);
-                                phi_2521_ = select(_e1646, _e1620, (_e1620 < _e1646));
-                            } else {
-                                phi_2521_ = f32();
-                            }
-                            let _e1650 = phi_2521_;
-                            continue;
-                            continuing {
-                                phi_2517_ = _e1633;
-                                phi_2520_ = _e1650;
-                                phi_5954_ = _e1614;
-                                break if !(_e1639);
-                            }
-                        }
-                        let _e1653 = phi_5954_;
-                        phi_6039_ = _e1653;
-                        if _e1653 {
-                            break;
-                        }
-                        let _e1655 = local_21;
-                        if (_e1655 >= 0f) {
-                            phi_5973_ = _e1653;
-                        } else {
-                            let _e1657 = local_6.member_1;
-                            if (_e1657 == 0u) {
-                                phi_5974_ = _e1653;
-                            } else {
-                                local_4[0u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[1u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[2u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[3u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[4u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[5u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[6u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[7u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[8u] = vec3<f32>(0f, 0f, 0f);
-                                local_4[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1669 = local_6.member_1;
-                                let _e1670 = (_e1669 - 1u);
-                                if (_e1670 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e1674 = local_6.member[_e1670];
-                                let _e1678 = local_6.member_1;
-                                phi_2615_ = type_12(0u, _e1678);
-                                phi_2618_ = ((-1f * _e1674.x) + 1f);
-                                phi_2620_ = _e1674;
-                                phi_2622_ = 0u;
-                                loop {
-                                    let _e1681 = phi_2615_;
-                                    let _e1683 = phi_2618_;
-                                    let _e1685 = phi_2620_;
-                                    let _e1687 = phi_2622_;
-                                    local_22 = _e1687;
-                                    if (_e1681.member < _e1681.member_1) {
-                                        phi_2616_ = type_12((_e1681.member + 1u), _e1681.member_1);
-                                        phi_2645_ = type_12(1u, _e1681.member);
+                                    let _e1544 = local_1.member_1;
+                                    if (_e1544 == 0u) {
+                                        phi_4917_ = _e1540;
                                     } else {
-                                        phi_2616_ = _e1681;
-                                        phi_2645_ = type_12(0u, type_12().member_1);
-                                    }
-                                    let _e1700 = phi_2616_;
-                                    let _e1702 = phi_2645_;
-                                    let _e1706 = (bitcast<i32>(_e1702.member) != 0i);
-                                    if _e1706 {
-                                        if (_e1702.member_1 < 10u) {
+                                        local[0u] = vec3<f32>(0f, 0f, 0f);
+                                        local[1u] = vec3<f32>(0f, 0f, 0f);
+                                        local[2u] = vec3<f32>(0f, 0f, 0f);
+                                        local[3u] = vec3<f32>(0f, 0f, 0f);
+                                        local[4u] = vec3<f32>(0f, 0f, 0f);
+                                        local[5u] = vec3<f32>(0f, 0f, 0f);
+                                        local[6u] = vec3<f32>(0f, 0f, 0f);
+                                        local[7u] = vec3<f32>(0f, 0f, 0f);
+                                        local[8u] = vec3<f32>(0f, 0f, 0f);
+                                        local[9u] = vec3<f32>(0f, 0f, 0f);
+                                        let _e1556 = local_1.member_1;
+                                        let _e1557 = (_e1556 - 1u);
+                                        if (_e1557 < 10u) {
                                         } else {
-                                            phi_5961_ = true;
+                                            phi_4914_ = true;
                                             break;
                                         }
-                                        let _e1710 = local_6.member[_e1702.member_1];
-                                        let _e1715 = ((-1f * _e1710.x) + 1f);
-                                        if ((_e1715 < 0f) != (_e1683 < 0f)) {
-                                            let _e1719 = (_e1687 < 10u);
-                                            if _e1719 {
-                                                let _e1727 = (_e1683 / (_e1683 - _e1715));
-                                                if _e1719 {
+                                        let _e1561 = local_1.member[_e1557];
+                                        let _e1563 = (_e1486.member_1 >> bitcast<u32>(1i));
+                                        let _e1567 = (_e1563 == 0u);
+                                        let _e1569 = (_e1563 == 2u);
+                                        let _e1570 = select(select(_e1561.y, _e1561.x, _e1567), _e1561.z, _e1569);
+                                        let _e1572 = ((_e1486.member_1 & 1u) == 1u);
+                                        if _e1572 {
+                                            phi_2435_ = (1f - _e1570);
+                                        } else {
+                                            phi_2435_ = _e1570;
+                                        }
+                                        let _e1575 = phi_2435_;
+                                        let _e1576 = local_1.member_1;
+                                        phi_2440_ = type_12(0u, _e1576);
+                                        phi_2443_ = _e1575;
+                                        phi_2445_ = _e1561;
+                                        phi_2447_ = 0u;
+                                        loop {
+                                            let _e1579 = phi_2440_;
+                                            let _e1581 = phi_2443_;
+                                            let _e1583 = phi_2445_;
+                                            let _e1585 = phi_2447_;
+                                            local_15 = _e1585;
+                                            if (_e1579.member < _e1579.member_1) {
+                                                phi_2441_ = type_12((_e1579.member + 1u), _e1579.member_1);
+                                                phi_2470_ = type_12(1u, _e1579.member);
+                                            } else {
+                                                phi_2441_ = _e1579;
+                                                phi_2470_ = type_12(0u, type_12().member_1);
+                                            }
+                                            let _e1598 = phi_2441_;
+                                            let _e1600 = phi_2470_;
+                                            let _e1604 = (bitcast<i32>(_e1600.member) != 0i);
+                                            if _e1604 {
+                                                if (_e1600.member_1 < 10u) {
                                                 } else {
-                                                    phi_5961_ = true;
+                                                    phi_4900_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1687] = (_e1685 + vec3<f32>(((_e1710.x - _e1685.x) * _e1727), ((_e1710.y - _e1685.y) * _e1727), ((_e1710.z - _e1685.z) * _e1727)));
-                                                phi_2702_ = (_e1687 + 1u);
-                                            } else {
-                                                phi_2702_ = _e1687;
-                                            }
-                                            let _e1736 = phi_2702_;
-                                            phi_2703_ = _e1736;
-                                        } else {
-                                            phi_2703_ = _e1687;
-                                        }
-                                        let _e1738 = phi_2703_;
-                                        if (_e1715 >= 0f) {
-                                            let _e1740 = (_e1738 < 10u);
-                                            if _e1740 {
-                                                if _e1740 {
+                                                let _e1608 = local_1.member[_e1600.member_1];
+                                                let _e1613 = select(select(_e1608.y, _e1608.x, _e1567), _e1608.z, _e1569);
+                                                if _e1572 {
+                                                    phi_2505_ = (1f - _e1613);
                                                 } else {
-                                                    phi_5961_ = true;
-                                                    break;
+                                                    phi_2505_ = _e1613;
                                                 }
-                                                local_4[_e1738] = _e1710;
-                                                phi_2719_ = (_e1738 + 1u);
+                                                let _e1616 = phi_2505_;
+                                                if ((_e1616 < 0f) != (_e1581 < 0f)) {
+                                                    let _e1620 = (_e1585 < 10u);
+                                                    if _e1620 {
+                                                        let _e1628 = (_e1581 / (_e1581 - _e1616));
+                                                        if _e1620 {
+                                                        } else {
+                                                            phi_4900_ = true;
+                                                            break;
+                                                        }
+                                                        local[_e1585] = (_e1583 + vec3<f32>(((_e1608.x - _e1583.x) * _e1628), ((_e1608.y - _e1583.y) * _e1628), ((_e1608.z - _e1583.z) * _e1628)));
+                                                        phi_2539_ = (_e1585 + 1u);
+                                                    } else {
+                                                        phi_2539_ = _e1585;
+                                                    }
+                                                    let _e1637 = phi_2539_;
+                                                    phi_2540_ = _e1637;
+                                                } else {
+                                                    phi_2540_ = _e1585;
+                                                }
+                                                let _e1639 = phi_2540_;
+                                                if (_e1616 >= 0f) {
+                                                    let _e1641 = (_e1639 < 10u);
+                                                    if _e1641 {
+                                                        if _e1641 {
+                                                        } else {
+                                                            phi_4900_ = true;
+                                                            break;
+                                                        }
+                                                        local[_e1639] = _e1608;
+                                                        phi_2556_ = (_e1639 + 1u);
+                                                    } else {
+                                                        phi_2556_ = _e1639;
+                                                    }
+                                                    let _e1645 = phi_2556_;
+                                                    phi_2557_ = _e1645;
+                                                } else {
+                                                    phi_2557_ = _e1639;
+                                                }
+                                                let _e1647 = phi_2557_;
+                                                phi_2444_ = _e1616;
+                                                phi_2446_ = _e1608;
+                                                phi_2448_ = _e1647;
                                             } else {
-                                                phi_2719_ = _e1738;
+                                                phi_2444_ = f32();
+                                                phi_2446_ = vec3<f32>();
+                                                phi_2448_ = u32();
                                             }
-                                            let _e1744 = phi_2719_;
-                                            phi_2720_ = _e1744;
-                                        } else {
-                                            phi_2720_ = _e1738;
+                                            let _e1649 = phi_2444_;
+                                            let _e1651 = phi_2446_;
+                                            let _e1653 = phi_2448_;
+                                            continue;
+                                            continuing {
+                                                phi_2440_ = _e1598;
+                                                phi_2443_ = _e1649;
+                                                phi_2445_ = _e1651;
+                                                phi_2447_ = _e1653;
+                                                phi_4900_ = _e1540;
+                                                break if !(_e1604);
+                                            }
                                         }
-                                        let _e1746 = phi_2720_;
-                                        phi_2619_ = _e1715;
-                                        phi_2621_ = _e1710;
-                                        phi_2623_ = _e1746;
-                                    } else {
-                                        phi_2619_ = f32();
-                                        phi_2621_ = vec3<f32>();
-                                        phi_2623_ = u32();
-                                    }
-                                    let _e1748 = phi_2619_;
-                                    let _e1750 = phi_2621_;
-                                    let _e1752 = phi_2623_;
-                                    continue;
-                                    continuing {
-                                        phi_2615_ = _e1700;
-                                        phi_2618_ = _e1748;
-                                        phi_2620_ = _e1750;
-                                        phi_2622_ = _e1752;
-                                        phi_5961_ = _e1653;
-                                        break if !(_e1706);
-                                    }
-                                }
-                                let _e1755 = phi_5961_;
-                                phi_6039_ = _e1755;
-                                if _e1755 {
-                                    break;
-                                }
-                                let _e1756 = local_4;
-                                local_6.member = _e1756;
-                                let _e1758 = local_22;
-                                local_6.member_1 = _e1758;
-                                phi_5974_ = _e1755;
-                            }
-                            let _e1760 = phi_5974_;
-                            phi_5973_ = _e1760;
-                        }
-                        let _e1762 = phi_5973_;
-                        let _e1763 = local_6.member_1;
-                        phi_2727_ = type_12(0u, _e1763);
-                        phi_2730_ = 0f;
-                        loop {
-                            let _e1766 = phi_2727_;
-                            let _e1768 = phi_2730_;
-                            local_23 = _e1768;
-                            if (_e1766.member < _e1766.member_1) {
-                                phi_2728_ = type_12((_e1766.member + 1u), _e1766.member_1);
-                                phi_2753_ = type_12(1u, _e1766.member);
-                            } else {
-                                phi_2728_ = _e1766;
-                                phi_2753_ = type_12(0u, type_12().member_1);
-                            }
-                            let _e1781 = phi_2728_;
-                            let _e1783 = phi_2753_;
-                            let _e1787 = (bitcast<i32>(_e1783.member) != 0i);
-                            if _e1787 {
-                                if (_e1783.member_1 < 10u) {
-                                } else {
-                                    phi_5969_ = true;
-                                    break;
-                                }
-                                let _e1791 = local_6.member[_e1783.member_1];
-                                phi_2731_ = select(_e1791.y, _e1768, (_e1768 < _e1791.y));
-                            } else {
-                                phi_2731_ = f32();
-                            }
-                            let _e1796 = phi_2731_;
-                            continue;
-                            continuing {
-                                phi_2727_ = _e1781;
-                                phi_2730_ = _e1796;
-                                phi_5969_ = _e1762;
-                                break if !(_e1787);
-                            }
-                        }
-                        let _e1799 = phi_5969_;
-                        phi_6039_ = _e1799;
-                        if _e1799 {
-                            break;
-                        }
-                        let _e1801 = local_23;
-                        if (_e1801 >= 0f) {
-                            phi_5988_ = _e1799;
-                        } else {
-                            let _e1803 = local_6.member_1;
-                            if (_e1803 == 0u) {
-                                phi_5989_ = _e1799;
-                            } else {
-                                local_3[0u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[1u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[2u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[3u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[4u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[5u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[6u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[7u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[8u] = vec3<f32>(0f, 0f, 0f);
-                                local_3[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1815 = local_6.member_1;
-                                let _e1816 = (_e1815 - 1u);
-                                if (_e1816 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e1820 = local_6.member[_e1816];
-                                let _e1822 = local_6.member_1;
-                                phi_2831_ = type_12(0u, _e1822);
-                                phi_2834_ = _e1820.y;
-                                phi_2836_ = _e1820;
-                                phi_2838_ = 0u;
-                                loop {
-                                    let _e1825 = phi_2831_;
-                                    let _e1827 = phi_2834_;
-                                    let _e1829 = phi_2836_;
-                                    let _e1831 = phi_2838_;
-                                    local_24 = _e1831;
-                                    if (_e1825.member < _e1825.member_1) {
-                                        phi_2832_ = type_12((_e1825.member + 1u), _e1825.member_1);
-                                        phi_2861_ = type_12(1u, _e1825.member);
-                                    } else {
-                                        phi_2832_ = _e1825;
-                                        phi_2861_ = type_12(0u, type_12().member_1);
-                                    }
-                                    let _e1844 = phi_2832_;
-                                    let _e1846 = phi_2861_;
-                                    let _e1850 = (bitcast<i32>(_e1846.member) != 0i);
-                                    if _e1850 {
-                                        if (_e1846.member_1 < 10u) {
-                                        } else {
-                                            phi_5976_ = true;
+                                        let _e1656 = phi_4900_;
+                                        phi_4914_ = _e1656;
+                                        if _e1656 {
                                             break;
                                         }
-                                        let _e1854 = local_6.member[_e1846.member_1];
-                                        if ((_e1854.y < 0f) != (_e1827 < 0f)) {
-                                            let _e1861 = (_e1831 < 10u);
-                                            if _e1861 {
-                                                let _e1869 = (_e1827 / (_e1827 - _e1854.y));
-                                                if _e1861 {
-                                                } else {
-                                                    phi_5976_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e1831] = (_e1829 + vec3<f32>(((_e1854.x - _e1829.x) * _e1869), ((_e1854.y - _e1829.y) * _e1869), ((_e1854.z - _e1829.z) * _e1869)));
-                                                phi_2921_ = (_e1831 + 1u);
-                                            } else {
-                                                phi_2921_ = _e1831;
-                                            }
-                                            let _e1878 = phi_2921_;
-                                            phi_2922_ = _e1878;
-                                        } else {
-                                            phi_2922_ = _e1831;
-                                        }
-                                        let _e1880 = phi_2922_;
-                                        if (_e1854.y >= 0f) {
-                                            let _e1882 = (_e1880 < 10u);
-                                            if _e1882 {
-                                                if _e1882 {
-                                                } else {
-                                                    phi_5976_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e1880] = _e1854;
-                                                phi_2938_ = (_e1880 + 1u);
-                                            } else {
-                                                phi_2938_ = _e1880;
-                                            }
-                                            let _e1886 = phi_2938_;
-                                            phi_2939_ = _e1886;
-                                        } else {
-                                            phi_2939_ = _e1880;
-                                        }
-                                        let _e1888 = phi_2939_;
-                                        phi_2835_ = _e1854.y;
-                                        phi_2837_ = _e1854;
-                                        phi_2839_ = _e1888;
-                                    } else {
-                                        phi_2835_ = f32();
-                                        phi_2837_ = vec3<f32>();
-                                        phi_2839_ = u32();
+                                        let _e1657 = local;
+                                        local_1.member = _e1657;
+                                        let _e1659 = local_15;
+                                        local_1.member_1 = _e1659;
+                                        phi_4917_ = _e1656;
                                     }
-                                    let _e1890 = phi_2835_;
-                                    let _e1892 = phi_2837_;
-                                    let _e1894 = phi_2839_;
-                                    continue;
-                                    continuing {
-                                        phi_2831_ = _e1844;
-                                        phi_2834_ = _e1890;
-                                        phi_2836_ = _e1892;
-                                        phi_2838_ = _e1894;
-                                        phi_5976_ = _e1799;
-                                        break if !(_e1850);
-                                    }
+                                    let _e1661 = phi_4917_;
+                                    phi_4916_ = _e1661;
                                 }
-                                let _e1897 = phi_5976_;
-                                phi_6039_ = _e1897;
-                                if _e1897 {
-                                    break;
-                                }
-                                let _e1898 = local_3;
-                                local_6.member = _e1898;
-                                let _e1900 = local_24;
-                                local_6.member_1 = _e1900;
-                                phi_5989_ = _e1897;
-                            }
-                            let _e1902 = phi_5989_;
-                            phi_5988_ = _e1902;
-                        }
-                        let _e1904 = phi_5988_;
-                        let _e1905 = local_6.member_1;
-                        phi_2952_ = type_12(0u, _e1905);
-                        phi_2955_ = 0f;
-                        loop {
-                            let _e1908 = phi_2952_;
-                            let _e1910 = phi_2955_;
-                            local_25 = _e1910;
-                            if (_e1908.member < _e1908.member_1) {
-                                phi_2953_ = type_12((_e1908.member + 1u), _e1908.member_1);
-                                phi_2978_ = type_12(1u, _e1908.member);
+                                let _e1663 = phi_4916_;
+                                phi_4915_ = _e1663;
                             } else {
-                                phi_2953_ = _e1908;
-                                phi_2978_ = type_12(0u, type_12().member_1);
+                                phi_4915_ = _e1469;
                             }
-                            let _e1923 = phi_2953_;
-                            let _e1925 = phi_2978_;
-                            let _e1929 = (bitcast<i32>(_e1925.member) != 0i);
-                            if _e1929 {
-                                if (_e1925.member_1 < 10u) {
-                                } else {
-                                    phi_5984_ = true;
-                                    break;
-                                }
-                                let _e1933 = local_6.member[_e1925.member_1];
-                                let _e1936 = ((-1f * _e1933.y) + 1f);
-                                phi_2956_ = select(_e1936, _e1910, (_e1910 < _e1936));
-                            } else {
-                                phi_2956_ = f32();
-                            }
-                            let _e1940 = phi_2956_;
+                            let _e1665 = phi_4915_;
                             continue;
                             continuing {
-                                phi_2952_ = _e1923;
-                                phi_2955_ = _e1940;
-                                phi_5984_ = _e1904;
-                                break if !(_e1929);
+                                phi_4690_ = _e1665;
+                                phi_2282_ = _e1484;
+                                phi_4914_ = _e1665;
+                                break if !(_e1490);
                             }
                         }
-                        let _e1943 = phi_5984_;
-                        phi_6039_ = _e1943;
-                        if _e1943 {
+                        let _e1668 = phi_4914_;
+                        phi_4926_ = _e1668;
+                        if _e1668 {
                             break;
                         }
-                        let _e1945 = local_25;
-                        if (_e1945 >= 0f) {
-                            phi_6003_ = _e1943;
-                        } else {
-                            let _e1947 = local_6.member_1;
-                            if (_e1947 == 0u) {
-                                phi_6004_ = _e1943;
-                            } else {
-                                local_2[0u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[1u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[2u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[3u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[4u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[5u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[6u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[7u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[8u] = vec3<f32>(0f, 0f, 0f);
-                                local_2[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e1959 = local_6.member_1;
-                                let _e1960 = (_e1959 - 1u);
-                                if (_e1960 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e1964 = local_6.member[_e1960];
-                                let _e1968 = local_6.member_1;
-                                phi_3050_ = type_12(0u, _e1968);
-                                phi_3053_ = ((-1f * _e1964.y) + 1f);
-                                phi_3055_ = _e1964;
-                                phi_3057_ = 0u;
-                                loop {
-                                    let _e1971 = phi_3050_;
-                                    let _e1973 = phi_3053_;
-                                    let _e1975 = phi_3055_;
-                                    let _e1977 = phi_3057_;
-                                    local_26 = _e1977;
-                                    if (_e1971.member < _e1971.member_1) {
-                                        phi_3051_ = type_12((_e1971.member + 1u), _e1971.member_1);
-                                        phi_3080_ = type_12(1u, _e1971.member);
-                                    } else {
-                                        phi_3051_ = _e1971;
-                                        phi_3080_ = type_12(0u, type_12().member_1);
-                                    }
-                                    let _e1990 = phi_3051_;
-                                    let _e1992 = phi_3080_;
-                                    let _e1996 = (bitcast<i32>(_e1992.member) != 0i);
-                                    if _e1996 {
-                                        if (_e1992.member_1 < 10u) {
-                                        } else {
-                                            phi_5991_ = true;
-                                            break;
-                                        }
-                                        let _e2000 = local_6.member[_e1992.member_1];
-                                        let _e2005 = ((-1f * _e2000.y) + 1f);
-                                        if ((_e2005 < 0f) != (_e1973 < 0f)) {
-                                            let _e2009 = (_e1977 < 10u);
-                                            if _e2009 {
-                                                let _e2017 = (_e1973 / (_e1973 - _e2005));
-                                                if _e2009 {
-                                                } else {
-                                                    phi_5991_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e1977] = (_e1975 + vec3<f32>(((_e2000.x - _e1975.x) * _e2017), ((_e2000.y - _e1975.y) * _e2017), ((_e2000.z - _e1975.z) * _e2017)));
-                                                phi_3137_ = (_e1977 + 1u);
-                                            } else {
-                                                phi_3137_ = _e1977;
-                                            }
-                                            let _e2026 = phi_3137_;
-                                            phi_3138_ = _e2026;
-                                        } else {
-                                            phi_3138_ = _e1977;
-                                        }
-                                        let _e2028 = phi_3138_;
-                                        if (_e2005 >= 0f) {
-                                            let _e2030 = (_e2028 < 10u);
-                                            if _e2030 {
-                                                if _e2030 {
-                                                } else {
-                                                    phi_5991_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e2028] = _e2000;
-                                                phi_3154_ = (_e2028 + 1u);
-                                            } else {
-                                                phi_3154_ = _e2028;
-                                            }
-                                            let _e2034 = phi_3154_;
-                                            phi_3155_ = _e2034;
-                                        } else {
-                                            phi_3155_ = _e2028;
-                                        }
-                                        let _e2036 = phi_3155_;
-                                        phi_3054_ = _e2005;
-                                        phi_3056_ = _e2000;
-                                        phi_3058_ = _e2036;
-                                    } else {
-                                        phi_3054_ = f32();
-                                        phi_3056_ = vec3<f32>();
-                                        phi_3058_ = u32();
-                                    }
-                                    let _e2038 = phi_3054_;
-                                    let _e2040 = phi_3056_;
-                                    let _e2042 = phi_3058_;
-                                    continue;
-                                    continuing {
-                                        phi_3050_ = _e1990;
-                                        phi_3053_ = _e2038;
-                                        phi_3055_ = _e2040;
-                                        phi_3057_ = _e2042;
-                                        phi_5991_ = _e1943;
-                                        break if !(_e1996);
-                                    }
-                                }
-                                let _e2045 = phi_5991_;
-                                phi_6039_ = _e2045;
-                                if _e2045 {
-                                    break;
-                                }
-                                let _e2046 = local_2;
-                                local_6.member = _e2046;
-                                let _e2048 = local_26;
-                                local_6.member_1 = _e2048;
-                                phi_6004_ = _e2045;
-                            }
-                            let _e2050 = phi_6004_;
-                            phi_6003_ = _e2050;
-                        }
-                        let _e2052 = phi_6003_;
-                        let _e2053 = local_6.member_1;
-                        phi_3162_ = type_12(0u, _e2053);
-                        phi_3165_ = 0f;
+                        let _e1671 = local_1.member[0u];
+                        let _e1675 = local_1.member_1;
+                        phi_2569_ = type_12(1u, _e1675);
+                        phi_2572_ = vec3<f32>(0f, 0f, 0f);
+                        phi_2574_ = _e1671.z;
+                        phi_2576_ = _e1671.y;
+                        phi_2578_ = _e1671.x;
+                        phi_2580_ = 0f;
                         loop {
-                            let _e2056 = phi_3162_;
-                            let _e2058 = phi_3165_;
-                            local_27 = _e2058;
-                            if (_e2056.member < _e2056.member_1) {
-                                phi_3163_ = type_12((_e2056.member + 1u), _e2056.member_1);
-                                phi_3188_ = type_12(1u, _e2056.member);
+                            let _e1678 = phi_2569_;
+                            let _e1680 = phi_2572_;
+                            let _e1682 = phi_2574_;
+                            let _e1684 = phi_2576_;
+                            let _e1686 = phi_2578_;
+                            let _e1688 = phi_2580_;
+                            local_16 = _e1686;
+                            local_17 = _e1684;
+                            local_18 = _e1682;
+                            local_19 = _e1688;
+                            local_20 = _e1680;
+                            local_21 = _e1688;
+                            local_22 = _e1680;
+                            local_23 = _e1688;
+                            local_24 = _e1680;
+                            local_25 = _e1688;
+                            local_26 = _e1688;
+                            if (_e1678.member < _e1678.member_1) {
+                                phi_2570_ = type_12((_e1678.member + 1u), _e1678.member_1);
+                                phi_2603_ = type_12(1u, _e1678.member);
                             } else {
-                                phi_3163_ = _e2056;
-                                phi_3188_ = type_12(0u, type_12().member_1);
+                                phi_2570_ = _e1678;
+                                phi_2603_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2071 = phi_3163_;
-                            let _e2073 = phi_3188_;
-                            let _e2077 = (bitcast<i32>(_e2073.member) != 0i);
-                            if _e2077 {
-                                if (_e2073.member_1 < 10u) {
+                            let _e1701 = phi_2570_;
+                            let _e1703 = phi_2603_;
+                            let _e1707 = (bitcast<i32>(_e1703.member) != 0i);
+                            if _e1707 {
+                                if (_e1703.member_1 < 10u) {
                                 } else {
-                                    phi_5999_ = true;
+                                    phi_4918_ = true;
                                     break;
                                 }
-                                let _e2081 = local_6.member[_e2073.member_1];
-                                phi_3166_ = select(_e2081.z, _e2058, (_e2058 < _e2081.z));
-                            } else {
-                                phi_3166_ = f32();
-                            }
-                            let _e2086 = phi_3166_;
-                            continue;
-                            continuing {
-                                phi_3162_ = _e2071;
-                                phi_3165_ = _e2086;
-                                phi_5999_ = _e2052;
-                                break if !(_e2077);
-                            }
-                        }
-                        let _e2089 = phi_5999_;
-                        phi_6039_ = _e2089;
-                        if _e2089 {
-                            break;
-                        }
-                        let _e2091 = local_27;
-                        if (_e2091 >= 0f) {
-                            phi_6018_ = _e2089;
-                        } else {
-                            let _e2093 = local_6.member_1;
-                            if (_e2093 == 0u) {
-                                phi_6019_ = _e2089;
-                            } else {
-                                local_1[0u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[1u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[2u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[3u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[4u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[5u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[6u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[7u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[8u] = vec3<f32>(0f, 0f, 0f);
-                                local_1[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e2105 = local_6.member_1;
-                                let _e2106 = (_e2105 - 1u);
-                                if (_e2106 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e2110 = local_6.member[_e2106];
-                                let _e2112 = local_6.member_1;
-                                phi_3266_ = type_12(0u, _e2112);
-                                phi_3269_ = _e2110.z;
-                                phi_3271_ = _e2110;
-                                phi_3273_ = 0u;
-                                loop {
-                                    let _e2115 = phi_3266_;
-                                    let _e2117 = phi_3269_;
-                                    let _e2119 = phi_3271_;
-                                    let _e2121 = phi_3273_;
-                                    local_28 = _e2121;
-                                    if (_e2115.member < _e2115.member_1) {
-                                        phi_3267_ = type_12((_e2115.member + 1u), _e2115.member_1);
-                                        phi_3296_ = type_12(1u, _e2115.member);
+                                let _e1711 = local_1.member[_e1703.member_1];
+                                let _e1721 = (_e1703.member_1 + 1u);
+                                let _e1722 = local_1.member_1;
+                                if (_e1721 < _e1722) {
+                                    if (_e1721 < 10u) {
                                     } else {
-                                        phi_3267_ = _e2115;
-                                        phi_3296_ = type_12(0u, type_12().member_1);
-                                    }
-                                    let _e2134 = phi_3267_;
-                                    let _e2136 = phi_3296_;
-                                    let _e2140 = (bitcast<i32>(_e2136.member) != 0i);
-                                    if _e2140 {
-                                        if (_e2136.member_1 < 10u) {
-                                        } else {
-                                            phi_6006_ = true;
-                                            break;
-                                        }
-                                        let _e2144 = local_6.member[_e2136.member_1];
-                                        if ((_e2144.z < 0f) != (_e2117 < 0f)) {
-                                            let _e2151 = (_e2121 < 10u);
-                                            if _e2151 {
-                                                let _e2159 = (_e2117 / (_e2117 - _e2144.z));
-                                                if _e2151 {
-                                                } else {
-                                                    phi_6006_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e2121] = (_e2119 + vec3<f32>(((_e2144.x - _e2119.x) * _e2159), ((_e2144.y - _e2119.y) * _e2159), ((_e2144.z - _e2119.z) * _e2159)));
-                                                phi_3356_ = (_e2121 + 1u);
-                                            } else {
-                                                phi_3356_ = _e2121;
-                                            }
-                                            let _e2168 = phi_3356_;
-                                            phi_3357_ = _e2168;
-                                        } else {
-                                            phi_3357_ = _e2121;
-                                        }
-                                        let _e2170 = phi_3357_;
-                                        if (_e2144.z >= 0f) {
-                                            let _e2172 = (_e2170 < 10u);
-                                            if _e2172 {
-                                                if _e2172 {
-                                                } else {
-                                                    phi_6006_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e2170] = _e2144;
-                                                phi_3373_ = (_e2170 + 1u);
-                                            } else {
-                                                phi_3373_ = _e2170;
-                                            }
-                                            let _e2176 = phi_3373_;
-                                            phi_3374_ = _e2176;
-                                        } else {
-                                            phi_3374_ = _e2170;
-                                        }
-                                        let _e2178 = phi_3374_;
-                                        phi_3270_ = _e2144.z;
-                                        phi_3272_ = _e2144;
-                                        phi_3274_ = _e2178;
-                                    } else {
-                                        phi_3270_ = f32();
-                                        phi_3272_ = vec3<f32>();
-                                        phi_3274_ = u32();
-                                    }
-                                    let _e2180 = phi_3270_;
-                                    let _e2182 = phi_3272_;
-                                    let _e2184 = phi_3274_;
-                                    continue;
-                                    continuing {
-                                        phi_3266_ = _e2134;
-                                        phi_3269_ = _e2180;
-                                        phi_3271_ = _e2182;
-                                        phi_3273_ = _e2184;
-                                        phi_6006_ = _e2089;
-                                        break if !(_e2140);
-                                    }
-                                }
-                                let _e2187 = phi_6006_;
-                                phi_6039_ = _e2187;
-                                if _e2187 {
-                                    break;
-                                }
-                                let _e2188 = local_1;
-                                local_6.member = _e2188;
-                                let _e2190 = local_28;
-                                local_6.member_1 = _e2190;
-                                phi_6019_ = _e2187;
-                            }
-                            let _e2192 = phi_6019_;
-                            phi_6018_ = _e2192;
-                        }
-                        let _e2194 = phi_6018_;
-                        let _e2195 = local_6.member_1;
-                        phi_3387_ = type_12(0u, _e2195);
-                        phi_3390_ = 0f;
-                        loop {
-                            let _e2198 = phi_3387_;
-                            let _e2200 = phi_3390_;
-                            local_29 = _e2200;
-                            if (_e2198.member < _e2198.member_1) {
-                                phi_3388_ = type_12((_e2198.member + 1u), _e2198.member_1);
-                                phi_3413_ = type_12(1u, _e2198.member);
-                            } else {
-                                phi_3388_ = _e2198;
-                                phi_3413_ = type_12(0u, type_12().member_1);
-                            }
-                            let _e2213 = phi_3388_;
-                            let _e2215 = phi_3413_;
-                            let _e2219 = (bitcast<i32>(_e2215.member) != 0i);
-                            if _e2219 {
-                                if (_e2215.member_1 < 10u) {
-                                } else {
-                                    phi_6014_ = true;
-                                    break;
-                                }
-                                let _e2223 = local_6.member[_e2215.member_1];
-                                let _e2226 = ((-1f * _e2223.z) + 1f);
-                                phi_3391_ = select(_e2226, _e2200, (_e2200 < _e2226));
-                            } else {
-                                phi_3391_ = f32();
-                            }
-                            let _e2230 = phi_3391_;
-                            continue;
-                            continuing {
-                                phi_3387_ = _e2213;
-                                phi_3390_ = _e2230;
-                                phi_6014_ = _e2194;
-                                break if !(_e2219);
-                            }
-                        }
-                        let _e2233 = phi_6014_;
-                        phi_6039_ = _e2233;
-                        if _e2233 {
-                            break;
-                        }
-                        let _e2235 = local_29;
-                        if (_e2235 >= 0f) {
-                            phi_6033_ = _e2233;
-                        } else {
-                            let _e2237 = local_6.member_1;
-                            if (_e2237 == 0u) {
-                                phi_6034_ = _e2233;
-                            } else {
-                                local[0u] = vec3<f32>(0f, 0f, 0f);
-                                local[1u] = vec3<f32>(0f, 0f, 0f);
-                                local[2u] = vec3<f32>(0f, 0f, 0f);
-                                local[3u] = vec3<f32>(0f, 0f, 0f);
-                                local[4u] = vec3<f32>(0f, 0f, 0f);
-                                local[5u] = vec3<f32>(0f, 0f, 0f);
-                                local[6u] = vec3<f32>(0f, 0f, 0f);
-                                local[7u] = vec3<f32>(0f, 0f, 0f);
-                                local[8u] = vec3<f32>(0f, 0f, 0f);
-                                local[9u] = vec3<f32>(0f, 0f, 0f);
-                                let _e2249 = local_6.member_1;
-                                let _e2250 = (_e2249 - 1u);
-                                if (_e2250 < 10u) {
-                                } else {
-                                    phi_6039_ = true;
-                                    break;
-                                }
-                                let _e2254 = local_6.member[_e2250];
-                                let _e2258 = local_6.member_1;
-                                phi_3485_ = type_12(0u, _e2258);
-                                phi_3488_ = ((-1f * _e2254.z) + 1f);
-                                phi_3490_ = _e2254;
-                                phi_3492_ = 0u;
-                                loop {
-                                    let _e2261 = phi_3485_;
-                                    let _e2263 = phi_3488_;
-                                    let _e2265 = phi_3490_;
-                                    let _e2267 = phi_3492_;
-                                    local_30 = _e2267;
-                                    if (_e2261.member < _e2261.member_1) {
-                                        phi_3486_ = type_12((_e2261.member + 1u), _e2261.member_1);
-                                        phi_3515_ = type_12(1u, _e2261.member);
-                                    } else {
-                                        phi_3486_ = _e2261;
-                                        phi_3515_ = type_12(0u, type_12().member_1);
-                                    }
-                                    let _e2280 = phi_3486_;
-                                    let _e2282 = phi_3515_;
-                                    let _e2286 = (bitcast<i32>(_e2282.member) != 0i);
-                                    if _e2286 {
-                                        if (_e2282.member_1 < 10u) {
-                                        } else {
-                                            phi_6021_ = true;
-                                            break;
-                                        }
-                                        let _e2290 = local_6.member[_e2282.member_1];
-                                        let _e2295 = ((-1f * _e2290.z) + 1f);
-                                        if ((_e2295 < 0f) != (_e2263 < 0f)) {
-                                            let _e2299 = (_e2267 < 10u);
-                                            if _e2299 {
-                                                let _e2307 = (_e2263 / (_e2263 - _e2295));
-                                                if _e2299 {
-                                                } else {
-                                                    phi_6021_ = true;
-                                                    break;
-                                                }
-                                                local[_e2267] = (_e2265 + vec3<f32>(((_e2290.x - _e2265.x) * _e2307), ((_e2290.y - _e2265.y) * _e2307), ((_e2290.z - _e2265.z) * _e2307)));
-                                                phi_3572_ = (_e2267 + 1u);
-                                            } else {
-                                                phi_3572_ = _e2267;
-                                            }
-                                            let _e2316 = phi_3572_;
-                                            phi_3573_ = _e2316;
-                                        } else {
-                                            phi_3573_ = _e2267;
-                                        }
-                                        let _e2318 = phi_3573_;
-                                        if (_e2295 >= 0f) {
-                                            let _e2320 = (_e2318 < 10u);
-                                            if _e2320 {
-                                                if _e2320 {
-                                                } else {
-                                                    phi_6021_ = true;
-                                                    break;
-                                                }
-                                                local[_e2318] = _e2290;
-                                                phi_3589_ = (_e2318 + 1u);
-                                            } else {
-                                                phi_3589_ = _e2318;
-                                            }
-                                            let _e2324 = phi_3589_;
-                                            phi_3590_ = _e2324;
-                                        } else {
-                                            phi_3590_ = _e2318;
-                                        }
-                                        let _e2326 = phi_3590_;
-                                        phi_3489_ = _e2295;
-                                        phi_3491_ = _e2290;
-                                        phi_3493_ = _e2326;
-                                    } else {
-                                        phi_3489_ = f32();
-                                        phi_3491_ = vec3<f32>();
-                                        phi_3493_ = u32();
-                                    }
-                                    let _e2328 = phi_3489_;
-                                    let _e2330 = phi_3491_;
-                                    let _e2332 = phi_3493_;
-                                    continue;
-                                    continuing {
-                                        phi_3485_ = _e2280;
-                                        phi_3488_ = _e2328;
-                                        phi_3490_ = _e2330;
-                                        phi_3492_ = _e2332;
-                                        phi_6021_ = _e2233;
-                                        break if !(_e2286);
-                                    }
-                                }
-                                let _e2335 = phi_6021_;
-                                phi_6039_ = _e2335;
-                                if _e2335 {
-                                    break;
-                                }
-                                let _e2336 = local;
-                                local_6.member = _e2336;
-                                let _e2338 = local_30;
-                                local_6.member_1 = _e2338;
-                                phi_6034_ = _e2335;
-                            }
-                            let _e2340 = phi_6034_;
-                            phi_6033_ = _e2340;
-                        }
-                        let _e2342 = phi_6033_;
-                        let _e2345 = local_6.member[0u];
-                        let _e2349 = local_6.member_1;
-                        phi_3602_ = type_12(1u, _e2349);
-                        phi_3605_ = vec3<f32>(0f, 0f, 0f);
-                        phi_3607_ = _e2345.z;
-                        phi_3609_ = _e2345.y;
-                        phi_3611_ = _e2345.x;
-                        phi_3613_ = 0f;
-                        loop {
-                            let _e2352 = phi_3602_;
-                            let _e2354 = phi_3605_;
-                            let _e2356 = phi_3607_;
-                            let _e2358 = phi_3609_;
-                            let _e2360 = phi_3611_;
-                            let _e2362 = phi_3613_;
-                            local_31 = _e2360;
-                            local_32 = _e2358;
-                            local_33 = _e2356;
-                            local_34 = _e2362;
-                            local_35 = _e2354;
-                            local_36 = _e2362;
-                            local_37 = _e2354;
-                            local_38 = _e2362;
-                            local_39 = _e2354;
-                            local_40 = _e2362;
-                            local_41 = _e2362;
-                            if (_e2352.member < _e2352.member_1) {
-                                phi_3603_ = type_12((_e2352.member + 1u), _e2352.member_1);
-                                phi_3636_ = type_12(1u, _e2352.member);
-                            } else {
-                                phi_3603_ = _e2352;
-                                phi_3636_ = type_12(0u, type_12().member_1);
-                            }
-                            let _e2375 = phi_3603_;
-                            let _e2377 = phi_3636_;
-                            let _e2381 = (bitcast<i32>(_e2377.member) != 0i);
-                            if _e2381 {
-                                if (_e2377.member_1 < 10u) {
-                                } else {
-                                    phi_6029_ = true;
-                                    break;
-                                }
-                                let _e2385 = local_6.member[_e2377.member_1];
-                                let _e2395 = (_e2377.member_1 + 1u);
-                                let _e2396 = local_6.member_1;
-                                if (_e2395 < _e2396) {
-                                    if (_e2395 < 10u) {
-                                    } else {
-                                        phi_6029_ = true;
+                                        phi_4918_ = true;
                                         break;
                                     }
-                                    let _e2401 = local_6.member[_e2395];
-                                    let _e2402 = (_e2385.x - _e2345.x);
-                                    let _e2403 = (_e2385.y - _e2345.y);
-                                    let _e2404 = (_e2385.z - _e2345.z);
-                                    let _e2406 = (_e2401.x - _e2345.x);
-                                    let _e2408 = (_e2401.y - _e2345.y);
-                                    let _e2410 = (_e2401.z - _e2345.z);
-                                    let _e2413 = ((_e2403 * _e2410) - (_e2408 * _e2404));
-                                    let _e2416 = ((_e2404 * _e2406) - (_e2410 * _e2402));
-                                    let _e2419 = ((_e2402 * _e2408) - (_e2406 * _e2403));
-                                    let _e2425 = sqrt((((_e2413 * _e2413) + (_e2416 * _e2416)) + (_e2419 * _e2419)));
-                                    let _e2437 = (_e2425 * 0.16666667f);
-                                    phi_3750_ = vec3<f32>((_e2354.x + (((_e2385.x + _e2401.x) - (_e2345.x * 2f)) * _e2437)), (_e2354.y + (((_e2385.y + _e2401.y) - (_e2345.y * 2f)) * _e2437)), (_e2354.z + (((_e2385.z + _e2401.z) - (_e2345.z * 2f)) * _e2437)));
-                                    phi_3751_ = (_e2362 + (0.5f * _e2425));
+                                    let _e1727 = local_1.member[_e1721];
+                                    let _e1728 = (_e1711.x - _e1671.x);
+                                    let _e1729 = (_e1711.y - _e1671.y);
+                                    let _e1730 = (_e1711.z - _e1671.z);
+                                    let _e1732 = (_e1727.x - _e1671.x);
+                                    let _e1734 = (_e1727.y - _e1671.y);
+                                    let _e1736 = (_e1727.z - _e1671.z);
+                                    let _e1739 = ((_e1729 * _e1736) - (_e1734 * _e1730));
+                                    let _e1742 = ((_e1730 * _e1732) - (_e1736 * _e1728));
+                                    let _e1745 = ((_e1728 * _e1734) - (_e1732 * _e1729));
+                                    let _e1751 = sqrt((((_e1739 * _e1739) + (_e1742 * _e1742)) + (_e1745 * _e1745)));
+                                    let _e1763 = (_e1751 * 0.16666667f);
+                                    phi_2717_ = vec3<f32>((_e1680.x + (((_e1711.x + _e1727.x) - (_e1671.x * 2f)) * _e1763)), (_e1680.y + (((_e1711.y + _e1727.y) - (_e1671.y * 2f)) * _e1763)), (_e1680.z + (((_e1711.z + _e1727.z) - (_e1671.z * 2f)) * _e1763)));
+                                    phi_2718_ = (_e1688 + (0.5f * _e1751));
                                 } else {
-                                    phi_3750_ = _e2354;
-                                    phi_3751_ = _e2362;
+                                    phi_2717_ = _e1680;
+                                    phi_2718_ = _e1688;
                                 }
-                                let _e2449 = phi_3750_;
-                                let _e2451 = phi_3751_;
-                                phi_3606_ = _e2449;
-                                phi_3608_ = select(_e2385.z, _e2356, (_e2356 < _e2385.z));
-                                phi_3610_ = select(_e2385.y, _e2358, (_e2358 < _e2385.y));
-                                phi_3612_ = select(_e2385.x, _e2360, (_e2360 < _e2385.x));
-                                phi_3614_ = _e2451;
+                                let _e1775 = phi_2717_;
+                                let _e1777 = phi_2718_;
+                                phi_2573_ = _e1775;
+                                phi_2575_ = select(_e1711.z, _e1682, (_e1682 < _e1711.z));
+                                phi_2577_ = select(_e1711.y, _e1684, (_e1684 < _e1711.y));
+                                phi_2579_ = select(_e1711.x, _e1686, (_e1686 < _e1711.x));
+                                phi_2581_ = _e1777;
                             } else {
-                                phi_3606_ = vec3<f32>();
-                                phi_3608_ = f32();
-                                phi_3610_ = f32();
-                                phi_3612_ = f32();
-                                phi_3614_ = f32();
+                                phi_2573_ = vec3<f32>();
+                                phi_2575_ = f32();
+                                phi_2577_ = f32();
+                                phi_2579_ = f32();
+                                phi_2581_ = f32();
                             }
-                            let _e2453 = phi_3606_;
-                            let _e2455 = phi_3608_;
-                            let _e2457 = phi_3610_;
-                            let _e2459 = phi_3612_;
-                            let _e2461 = phi_3614_;
+                            let _e1779 = phi_2573_;
+                            let _e1781 = phi_2575_;
+                            let _e1783 = phi_2577_;
+                            let _e1785 = phi_2579_;
+                            let _e1787 = phi_2581_;
                             continue;
                             continuing {
-                                phi_3602_ = _e2375;
-                                phi_3605_ = _e2453;
-                                phi_3607_ = _e2455;
-                                phi_3609_ = _e2457;
-                                phi_3611_ = _e2459;
-                                phi_3613_ = _e2461;
-                                phi_6029_ = _e2342;
-                                break if !(_e2381);
+                                phi_2569_ = _e1701;
+                                phi_2572_ = _e1779;
+                                phi_2574_ = _e1781;
+                                phi_2576_ = _e1783;
+                                phi_2578_ = _e1785;
+                                phi_2580_ = _e1787;
+                                phi_4918_ = _e1668;
+                                break if !(_e1707);
                             }
                         }
-                        let _e2464 = phi_6029_;
-                        phi_6039_ = _e2464;
-                        if _e2464 {
+                        let _e1790 = phi_4918_;
+                        phi_4926_ = _e1790;
+                        if _e1790 {
                             break;
                         }
-                        let _e2465 = local_6.member_1;
-                        if (_e2465 == 0u) {
-                            phi_3770_ = bool();
-                            phi_3771_ = true;
+                        let _e1791 = local_1.member_1;
+                        if (_e1791 == 0u) {
+                            phi_2737_ = bool();
+                            phi_2738_ = true;
                         } else {
-                            let _e2468 = local_31;
-                            if (_e2468 >= 1f) {
-                                phi_3768_ = bool();
-                                phi_3769_ = true;
+                            let _e1794 = local_16;
+                            if (_e1794 >= 1f) {
+                                phi_2735_ = bool();
+                                phi_2736_ = true;
                             } else {
-                                let _e2471 = local_32;
-                                let _e2472 = (_e2471 >= 1f);
-                                if _e2472 {
-                                    phi_3767_ = bool();
+                                let _e1797 = local_17;
+                                let _e1798 = (_e1797 >= 1f);
+                                if _e1798 {
+                                    phi_2734_ = bool();
                                 } else {
-                                    let _e2474 = local_33;
-                                    phi_3767_ = (_e2474 >= 1f);
+                                    let _e1800 = local_18;
+                                    phi_2734_ = (_e1800 >= 1f);
                                 }
-                                let _e2477 = phi_3767_;
-                                phi_3768_ = _e2477;
-                                phi_3769_ = _e2472;
+                                let _e1803 = phi_2734_;
+                                phi_2735_ = _e1803;
+                                phi_2736_ = _e1798;
                             }
-                            let _e2479 = phi_3768_;
-                            let _e2481 = phi_3769_;
-                            phi_3770_ = _e2479;
-                            phi_3771_ = _e2481;
+                            let _e1805 = phi_2735_;
+                            let _e1807 = phi_2736_;
+                            phi_2737_ = _e1805;
+                            phi_2738_ = _e1807;
                         }
-                        let _e2483 = phi_3770_;
-                        let _e2485 = phi_3771_;
-                        let _e2488 = local_34;
-                        if (_e2488 > 0f) {
-                            let _e2491 = local_35;
-                            let _e2494 = local_36;
-                            let _e2497 = local_37;
-                            let _e2500 = local_38;
-                            let _e2503 = local_39;
-                            let _e2506 = local_40;
-                            phi_3788_ = (_e2345 + vec3<f32>((_e2491.x / _e2494), (_e2497.y / _e2500), (_e2503.z / _e2506)));
+                        let _e1809 = phi_2737_;
+                        let _e1811 = phi_2738_;
+                        let _e1814 = local_19;
+                        if (_e1814 > 0f) {
+                            let _e1817 = local_20;
+                            let _e1820 = local_21;
+                            let _e1823 = local_22;
+                            let _e1826 = local_23;
+                            let _e1829 = local_24;
+                            let _e1832 = local_25;
+                            phi_2755_ = (_e1671 + vec3<f32>((_e1817.x / _e1820), (_e1823.y / _e1826), (_e1829.z / _e1832)));
                         } else {
-                            phi_3788_ = _e2345;
+                            phi_2755_ = _e1671;
                         }
-                        let _e2511 = phi_3788_;
-                        let _e2513 = local_41;
-                        let _e2517 = select(0f, _e2511.x, (_e2511.x > 0f));
-                        let _e2519 = select(1f, _e2517, (_e2517 < 1f));
-                        let _e2522 = select(0f, _e2511.y, (_e2511.y > 0f));
-                        let _e2524 = select(1f, _e2522, (_e2522 < 1f));
-                        let _e2527 = select(0f, _e2511.z, (_e2511.z > 0f));
-                        let _e2529 = select(1f, _e2527, (_e2527 < 1f));
-                        let _e2534 = local_42;
-                        if (_e2534 < arrayLength((&attributes.member))) {
+                        let _e1837 = phi_2755_;
+                        let _e1839 = local_26;
+                        let _e1843 = select(0f, _e1837.x, (_e1837.x > 0f));
+                        let _e1845 = select(1f, _e1843, (_e1843 < 1f));
+                        let _e1848 = select(0f, _e1837.y, (_e1837.y > 0f));
+                        let _e1850 = select(1f, _e1848, (_e1848 < 1f));
+                        let _e1853 = select(0f, _e1837.z, (_e1837.z > 0f));
+                        let _e1855 = select(1f, _e1853, (_e1853 < 1f));
+                        let _e1860 = local_27;
+                        if (_e1860 < arrayLength((&attributes.member))) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e2536 = ((_e2519 + _e1429) - _e245.x);
-                        let _e2537 = ((_e2524 + _e1432) - _e245.y);
-                        let _e2540 = ((_e494 * _e503) - (_e495 * _e502));
-                        if (abs(_e2540) > 0f) {
-                            phi_3860_ = (1f / _e2540);
+                        let _e1862 = ((_e1845 + _e1424) - _e240.x);
+                        let _e1863 = ((_e1850 + _e1427) - _e240.y);
+                        let _e1866 = ((_e489 * _e498) - (_e490 * _e497));
+                        if (abs(_e1866) > 0f) {
+                            phi_2827_ = (1f / _e1866);
                         } else {
-                            phi_3860_ = 0f;
+                            phi_2827_ = 0f;
                         }
-                        let _e2545 = phi_3860_;
-                        let _e2549 = (((_e2536 * _e503) - (_e2537 * _e502)) * _e2545);
-                        let _e2551 = select(0f, _e2549, (_e2549 > 0f));
-                        let _e2553 = select(1f, _e2551, (_e2551 < 1f));
-                        let _e2557 = (((_e494 * _e2537) - (_e495 * _e2536)) * _e2545);
-                        let _e2559 = select(0f, _e2557, (_e2557 > 0f));
-                        let _e2561 = select(1f, _e2559, (_e2559 < 1f));
-                        let _e2563 = ((1f - _e2553) - _e2561);
-                        let _e2566 = local_43;
-                        let _e2570 = attributes.member[_e2566].member[0u];
-                        let _e2574 = local_44;
-                        let _e2578 = attributes.member[_e2574].member[2u];
-                        let _e2583 = local_45;
-                        let _e2587 = attributes.member[_e2583].member[4u];
-                        let _e2589 = (((_e2570 * _e2563) + (_e2578 * _e2553)) + (_e2587 * _e2561));
-                        let _e2592 = local_46;
-                        let _e2596 = attributes.member[_e2592].member[1u];
-                        let _e2600 = local_47;
-                        let _e2604 = attributes.member[_e2600].member[3u];
-                        let _e2609 = local_48;
-                        let _e2613 = attributes.member[_e2609].member[5u];
-                        let _e2615 = (((_e2596 * _e2563) + (_e2604 * _e2553)) + (_e2613 * _e2561));
-                        if (_e391 == 4294967295u) {
-                            phi_4209_ = type_30(vec3<f32>(_e374, _e380, _e386), _e420);
+                        let _e1871 = phi_2827_;
+                        let _e1875 = (((_e1862 * _e498) - (_e1863 * _e497)) * _e1871);
+                        let _e1877 = select(0f, _e1875, (_e1875 > 0f));
+                        let _e1879 = select(1f, _e1877, (_e1877 < 1f));
+                        let _e1883 = (((_e489 * _e1863) - (_e490 * _e1862)) * _e1871);
+                        let _e1885 = select(0f, _e1883, (_e1883 > 0f));
+                        let _e1887 = select(1f, _e1885, (_e1885 < 1f));
+                        let _e1889 = ((1f - _e1879) - _e1887);
+                        let _e1892 = local_28;
+                        let _e1896 = attributes.member[_e1892].member[0u];
+                        let _e1900 = local_29;
+                        let _e1904 = attributes.member[_e1900].member[2u];
+                        let _e1909 = local_30;
+                        let _e1913 = attributes.member[_e1909].member[4u];
+                        let _e1915 = (((_e1896 * _e1889) + (_e1904 * _e1879)) + (_e1913 * _e1887));
+                        let _e1918 = local_31;
+                        let _e1922 = attributes.member[_e1918].member[1u];
+                        let _e1926 = local_32;
+                        let _e1930 = attributes.member[_e1926].member[3u];
+                        let _e1935 = local_33;
+                        let _e1939 = attributes.member[_e1935].member[5u];
+                        let _e1941 = (((_e1922 * _e1889) + (_e1930 * _e1879)) + (_e1939 * _e1887));
+                        if (_e386 == 4294967295u) {
+                            phi_3176_ = type_30(vec3<f32>(_e369, _e375, _e381), _e415);
                         } else {
-                            let _e2618 = (_e414 & 65535u);
-                            let _e2620 = (_e414 >> bitcast<u32>(16i));
-                            let _e2622 = (_e2589 - floor(_e2589));
-                            let _e2627 = ((select(0f, _e2622, (_e2622 <= 1f)) * f32(_e2618)) - 0.5f);
-                            let _e2628 = floor(_e2627);
-                            let _e2629 = (_e2627 - _e2628);
-                            let _e2630 = (_e2618 - 1u);
-                            if (_e2628 < 0f) {
-                                phi_3950_ = _e2630;
+                            let _e1944 = (_e409 & 65535u);
+                            let _e1946 = (_e409 >> bitcast<u32>(16i));
+                            let _e1948 = (_e1915 - floor(_e1915));
+                            let _e1953 = ((select(0f, _e1948, (_e1948 <= 1f)) * f32(_e1944)) - 0.5f);
+                            let _e1954 = floor(_e1953);
+                            let _e1955 = (_e1953 - _e1954);
+                            let _e1956 = (_e1944 - 1u);
+                            if (_e1954 < 0f) {
+                                phi_2917_ = _e1956;
                             } else {
-                                let _e2636 = select(select(u32(_e2628), 0u, (_e2628 < 0f)), 4294967295u, (_e2628 > 4294967000f));
-                                phi_3950_ = select(_e2636, _e2630, (_e2630 < _e2636));
+                                let _e1962 = select(select(u32(_e1954), 0u, (_e1954 < 0f)), 4294967295u, (_e1954 > 4294967000f));
+                                phi_2917_ = select(_e1962, _e1956, (_e1956 < _e1962));
                             }
-                            let _e2640 = phi_3950_;
-                            if (_e2640 == _e2630) {
-                                phi_3956_ = 0u;
+                            let _e1966 = phi_2917_;
+                            if (_e1966 == _e1956) {
+                                phi_2923_ = 0u;
                             } else {
-                                phi_3956_ = (_e2640 + 1u);
+                                phi_2923_ = (_e1966 + 1u);
                             }
-                            let _e2644 = phi_3956_;
-                            let _e2646 = (_e2615 - floor(_e2615));
-                            let _e2651 = ((select(0f, _e2646, (_e2646 <= 1f)) * f32(_e2620)) - 0.5f);
-                            let _e2652 = floor(_e2651);
-                            let _e2653 = (_e2651 - _e2652);
-                            let _e2654 = (_e2620 - 1u);
-                            if (_e2652 < 0f) {
-                                phi_3986_ = _e2654;
+                            let _e1970 = phi_2923_;
+                            let _e1972 = (_e1941 - floor(_e1941));
+                            let _e1977 = ((select(0f, _e1972, (_e1972 <= 1f)) * f32(_e1946)) - 0.5f);
+                            let _e1978 = floor(_e1977);
+                            let _e1979 = (_e1977 - _e1978);
+                            let _e1980 = (_e1946 - 1u);
+                            if (_e1978 < 0f) {
+                                phi_2953_ = _e1980;
                             } else {
-                                let _e2660 = select(select(u32(_e2652), 0u, (_e2652 < 0f)), 4294967295u, (_e2652 > 4294967000f));
-                                phi_3986_ = select(_e2660, _e2654, (_e2654 < _e2660));
+                                let _e1986 = select(select(u32(_e1978), 0u, (_e1978 < 0f)), 4294967295u, (_e1978 > 4294967000f));
+                                phi_2953_ = select(_e1986, _e1980, (_e1980 < _e1986));
                             }
-                            let _e2664 = phi_3986_;
-                            if (_e2664 == _e2654) {
-                                phi_3992_ = 0u;
+                            let _e1990 = phi_2953_;
+                            if (_e1990 == _e1980) {
+                                phi_2959_ = 0u;
                             } else {
-                                phi_3992_ = (_e2664 + 1u);
+                                phi_2959_ = (_e1990 + 1u);
                             }
-                            let _e2668 = phi_3992_;
-                            let _e2670 = (_e391 + (_e2664 * _e2618));
-                            let _e2672 = (_e391 + (_e2668 * _e2618));
-                            let _e2673 = (_e2670 + _e2640);
-                            let _e2674 = (_e2670 + _e2644);
-                            let _e2675 = (_e2672 + _e2640);
-                            let _e2676 = (_e2672 + _e2644);
-                            if (_e2673 < _e98) {
+                            let _e1994 = phi_2959_;
+                            let _e1996 = (_e386 + (_e1990 * _e1944));
+                            let _e1998 = (_e386 + (_e1994 * _e1944));
+                            let _e1999 = (_e1996 + _e1966);
+                            let _e2000 = (_e1996 + _e1970);
+                            let _e2001 = (_e1998 + _e1966);
+                            let _e2002 = (_e1998 + _e1970);
+                            if (_e1999 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2680 = surfaces.member[_e2673];
-                            if (_e2674 < _e98) {
+                            let _e2006 = surfaces.member[_e1999];
+                            if (_e2000 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2684 = surfaces.member[_e2674];
-                            if (_e2675 < _e98) {
+                            let _e2010 = surfaces.member[_e2000];
+                            if (_e2001 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2688 = surfaces.member[_e2675];
-                            if (_e2676 < _e98) {
+                            let _e2014 = surfaces.member[_e2001];
+                            if (_e2002 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2692 = surfaces.member[_e2676];
-                            let _e2693 = (_e2680 & 255u);
-                            if (_e2693 < _e98) {
+                            let _e2018 = surfaces.member[_e2002];
+                            let _e2019 = (_e2006 & 255u);
+                            if (_e2019 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2697 = surfaces.member[_e2693];
-                            let _e2701 = ((_e2680 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2701 < _e98) {
+                            let _e2023 = surfaces.member[_e2019];
+                            let _e2027 = ((_e2006 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2027 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2705 = surfaces.member[_e2701];
-                            let _e2709 = ((_e2680 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2709 < _e98) {
+                            let _e2031 = surfaces.member[_e2027];
+                            let _e2035 = ((_e2006 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2035 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2713 = surfaces.member[_e2709];
-                            let _e2715 = (1f - _e2629);
-                            let _e2719 = (_e2684 & 255u);
-                            if (_e2719 < _e98) {
+                            let _e2039 = surfaces.member[_e2035];
+                            let _e2041 = (1f - _e1955);
+                            let _e2045 = (_e2010 & 255u);
+                            if (_e2045 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2723 = surfaces.member[_e2719];
-                            let _e2727 = ((_e2684 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2727 < _e98) {
+                            let _e2049 = surfaces.member[_e2045];
+                            let _e2053 = ((_e2010 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2053 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2731 = surfaces.member[_e2727];
-                            let _e2735 = ((_e2684 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2735 < _e98) {
+                            let _e2057 = surfaces.member[_e2053];
+                            let _e2061 = ((_e2010 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2061 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2739 = surfaces.member[_e2735];
-                            let _e2747 = (_e2688 & 255u);
-                            if (_e2747 < _e98) {
+                            let _e2065 = surfaces.member[_e2061];
+                            let _e2073 = (_e2014 & 255u);
+                            if (_e2073 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2751 = surfaces.member[_e2747];
-                            let _e2755 = ((_e2688 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2755 < _e98) {
+                            let _e2077 = surfaces.member[_e2073];
+                            let _e2081 = ((_e2014 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2081 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2759 = surfaces.member[_e2755];
-                            let _e2763 = ((_e2688 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2763 < _e98) {
+                            let _e2085 = surfaces.member[_e2081];
+                            let _e2089 = ((_e2014 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2089 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2767 = surfaces.member[_e2763];
-                            let _e2772 = (_e2692 & 255u);
-                            if (_e2772 < _e98) {
+                            let _e2093 = surfaces.member[_e2089];
+                            let _e2098 = (_e2018 & 255u);
+                            if (_e2098 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2776 = surfaces.member[_e2772];
-                            let _e2780 = ((_e2692 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2780 < _e98) {
+                            let _e2102 = surfaces.member[_e2098];
+                            let _e2106 = ((_e2018 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2106 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2784 = surfaces.member[_e2780];
-                            let _e2788 = ((_e2692 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2788 < _e98) {
+                            let _e2110 = surfaces.member[_e2106];
+                            let _e2114 = ((_e2018 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2114 < _e93) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2792 = surfaces.member[_e2788];
-                            let _e2800 = (1f - _e2653);
-                            phi_4209_ = type_30(vec3<f32>((_e374 * ((((bitcast<f32>(_e2697) * _e2715) + (bitcast<f32>(_e2723) * _e2629)) * _e2800) + (((bitcast<f32>(_e2751) * _e2715) + (bitcast<f32>(_e2776) * _e2629)) * _e2653))), (_e380 * ((((bitcast<f32>(_e2705) * _e2715) + (bitcast<f32>(_e2731) * _e2629)) * _e2800) + (((bitcast<f32>(_e2759) * _e2715) + (bitcast<f32>(_e2784) * _e2629)) * _e2653))), (_e386 * ((((bitcast<f32>(_e2713) * _e2715) + (bitcast<f32>(_e2739) * _e2629)) * _e2800) + (((bitcast<f32>(_e2767) * _e2715) + (bitcast<f32>(_e2792) * _e2629)) * _e2653)))), (_e420 * (((((f32((_e2680 >> bitcast<u32>(24i))) * 0.003921569f) * _e2715) + ((f32((_e2684 >> bitcast<u32>(24i))) * 0.003921569f) * _e2629)) * _e2800) + ((((f32((_e2688 >> bitcast<u32>(24i))) * 0.003921569f) * _e2715) + ((f32((_e2692 >> bitcast<u32>(24i))) * 0.003921569f) * _e2629)) * _e2653))));
+                            let _e2118 = surfaces.member[_e2114];
+                            let _e2126 = (1f - _e1979);
+                            phi_3176_ = type_30(vec3<f32>((_e369 * ((((bitcast<f32>(_e2023) * _e2041) + (bitcast<f32>(_e2049) * _e1955)) * _e2126) + (((bitcast<f32>(_e2077) * _e2041) + (bitcast<f32>(_e2102) * _e1955)) * _e1979))), (_e375 * ((((bitcast<f32>(_e2031) * _e2041) + (bitcast<f32>(_e2057) * _e1955)) * _e2126) + (((bitcast<f32>(_e2085) * _e2041) + (bitcast<f32>(_e2110) * _e1955)) * _e1979))), (_e381 * ((((bitcast<f32>(_e2039) * _e2041) + (bitcast<f32>(_e2065) * _e1955)) * _e2126) + (((bitcast<f32>(_e2093) * _e2041) + (bitcast<f32>(_e2118) * _e1955)) * _e1979)))), (_e415 * (((((f32((_e2006 >> bitcast<u32>(24i))) * 0.003921569f) * _e2041) + ((f32((_e2010 >> bitcast<u32>(24i))) * 0.003921569f) * _e1955)) * _e2126) + ((((f32((_e2014 >> bitcast<u32>(24i))) * 0.003921569f) * _e2041) + ((f32((_e2018 >> bitcast<u32>(24i))) * 0.003921569f) * _e1955)) * _e1979))));
                         }
-                        let _e2843 = phi_4209_;
-                        if (_e220 == 2u) {
-                            phi_4239_ = 2u;
+                        let _e2169 = phi_3176_;
+                        if (_e215 == 2u) {
+                            phi_3206_ = 2u;
                         } else {
-                            phi_4239_ = (1u - _e220);
+                            phi_3206_ = (1u - _e215);
                         }
-                        let _e2862 = phi_4239_;
-                        if (_e2862 == 0u) {
-                            phi_4251_ = vec3<f32>(_e2524, _e2529, _e2519);
+                        let _e2188 = phi_3206_;
+                        if (_e2188 == 0u) {
+                            phi_3218_ = vec3<f32>(_e1850, _e1855, _e1845);
                         } else {
-                            if (_e2862 == 1u) {
-                                phi_4250_ = vec3<f32>(_e2529, _e2519, _e2524);
+                            if (_e2188 == 1u) {
+                                phi_3217_ = vec3<f32>(_e1855, _e1845, _e1850);
                             } else {
-                                phi_4250_ = vec3<f32>(_e2519, _e2524, _e2529);
+                                phi_3217_ = vec3<f32>(_e1845, _e1850, _e1855);
                             }
-                            let _e2867 = phi_4250_;
-                            phi_4251_ = _e2867;
+                            let _e2193 = phi_3217_;
+                            phi_3218_ = _e2193;
                         }
-                        let _e2870 = phi_4251_;
-                        let _e2874 = params.member.member_2[0u];
-                        let _e2888 = (((_e2874.z + (_e1454 >> bitcast<u32>(2i))) + (_e2874.x * (_e1460 >> bitcast<u32>(2i)))) + (_e2874.y * (_e1466 >> bitcast<u32>(1i))));
-                        let _e2911 = cells.member[((2u * _e2888) + 1u)];
-                        phi_4286_ = type_12(0u, 6u);
-                        phi_4289_ = _e2911;
+                        let _e2196 = phi_3218_;
+                        let _e2200 = params.member.member_2[0u];
+                        let _e2214 = (((_e2200.z + (_e1449 >> bitcast<u32>(2i))) + (_e2200.x * (_e1455 >> bitcast<u32>(2i)))) + (_e2200.y * (_e1461 >> bitcast<u32>(1i))));
+                        let _e2237 = cells.member[((2u * _e2214) + 1u)];
+                        phi_3253_ = type_12(0u, 6u);
+                        phi_3256_ = _e2237;
                         loop {
-                            let _e2913 = phi_4286_;
-                            let _e2915 = phi_4289_;
-                            local_49 = _e2915;
-                            if (_e2913.member < _e2913.member_1) {
-                                phi_4287_ = type_12((_e2913.member + 1u), _e2913.member_1);
-                                phi_4312_ = type_12(1u, _e2913.member);
+                            let _e2239 = phi_3253_;
+                            let _e2241 = phi_3256_;
+                            local_34 = _e2241;
+                            if (_e2239.member < _e2239.member_1) {
+                                phi_3254_ = type_12((_e2239.member + 1u), _e2239.member_1);
+                                phi_3279_ = type_12(1u, _e2239.member);
                             } else {
-                                phi_4287_ = _e2913;
-                                phi_4312_ = type_12(0u, type_12().member_1);
+                                phi_3254_ = _e2239;
+                                phi_3279_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2928 = phi_4287_;
-                            let _e2930 = phi_4312_;
-                            let _e2934 = (bitcast<i32>(_e2930.member) != 0i);
-                            if _e2934 {
-                                let _e2938 = facet_bits.member[((_e2888 * 6u) + _e2930.member_1)];
-                                let _e2939 = ((((((_e1454 & 1u) | ((_e1460 & 1u) << bitcast<u32>(1i))) | ((_e1466 & 1u) << bitcast<u32>(2i))) | ((_e1454 & 2u) << bitcast<u32>(2i))) | ((_e1460 & 2u) << bitcast<u32>(3i))) & 31u);
-                                let _e2945 = (_e2915 + countOneBits((_e2938 & ((1u << bitcast<u32>(_e2939)) - 1u))));
-                                if (_e2930.member_1 < ((2u * _e338) + select(0u, 1u, (_e343 < 0f)))) {
-                                    phi_4337_ = (_e2945 + ((_e2938 >> bitcast<u32>(_e2939)) & 1u));
+                            let _e2254 = phi_3254_;
+                            let _e2256 = phi_3279_;
+                            let _e2260 = (bitcast<i32>(_e2256.member) != 0i);
+                            if _e2260 {
+                                let _e2264 = facet_bits.member[((_e2214 * 6u) + _e2256.member_1)];
+                                let _e2265 = ((((((_e1449 & 1u) | ((_e1455 & 1u) << bitcast<u32>(1i))) | ((_e1461 & 1u) << bitcast<u32>(2i))) | ((_e1449 & 2u) << bitcast<u32>(2i))) | ((_e1455 & 2u) << bitcast<u32>(3i))) & 31u);
+                                let _e2271 = (_e2241 + countOneBits((_e2264 & ((1u << bitcast<u32>(_e2265)) - 1u))));
+                                if (_e2256.member_1 < ((2u * _e333) + select(0u, 1u, (_e338 < 0f)))) {
+                                    phi_3304_ = (_e2271 + ((_e2264 >> bitcast<u32>(_e2265)) & 1u));
                                 } else {
-                                    phi_4337_ = _e2945;
+                                    phi_3304_ = _e2271;
                                 }
-                                let _e2952 = phi_4337_;
-                                phi_4290_ = _e2952;
+                                let _e2278 = phi_3304_;
+                                phi_3257_ = _e2278;
                             } else {
-                                phi_4290_ = u32();
+                                phi_3257_ = u32();
                             }
-                            let _e2954 = phi_4290_;
+                            let _e2280 = phi_3257_;
                             continue;
                             continuing {
-                                phi_4286_ = _e2928;
-                                phi_4289_ = _e2954;
-                                break if !(_e2934);
+                                phi_3253_ = _e2254;
+                                phi_3256_ = _e2280;
+                                break if !(_e2260);
                             }
                         }
-                        let _e2958 = local_49;
-                        let _e2959 = (_e2958 * 13u);
-                        let _e2962 = params.member.member_7;
-                        let _e2965 = floor((((select(_e2513, 0f, select(_e2483, true, _e2485)) * select(1f, 0f, (_e2843.member_1 < bitcast<f32>(_e425)))) * _e2962) + 0.5f));
-                        let _e2967 = select(_e2965, 1f, (_e2965 < 1f));
-                        let _e2972 = select(select(u32(_e2967), 0u, (_e2967 < 0f)), 4294967295u, (_e2967 > 4294967000f));
-                        if (_e2959 < _e102) {
+                        let _e2284 = local_34;
+                        let _e2285 = (_e2284 * 13u);
+                        let _e2288 = params.member.member_7;
+                        let _e2291 = floor((((select(_e1839, 0f, select(_e1809, true, _e1811)) * select(1f, 0f, (_e2169.member_1 < bitcast<f32>(_e420)))) * _e2288) + 0.5f));
+                        let _e2293 = select(_e2291, 1f, (_e2291 < 1f));
+                        let _e2298 = select(select(u32(_e2293), 0u, (_e2293 < 0f)), 4294967295u, (_e2293 > 4294967000f));
+                        if (_e2285 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e2976 = atomicAdd((&sums.member[_e2959]), _e2972);
-                        if (_e2976 >= (2147483648u - select(_e2972, 2147483648u, (2147483648u < _e2972)))) {
-                            let _e2983 = params.member.member_5;
-                            let _e2984 = (_e2983 * 13u);
-                            if (_e2984 < _e102) {
+                        let _e2302 = atomicAdd((&sums.member[_e2285]), _e2298);
+                        if (_e2302 >= (2147483648u - select(_e2298, 2147483648u, (2147483648u < _e2298)))) {
+                            let _e2309 = params.member.member_5;
+                            let _e2310 = (_e2309 * 13u);
+                            if (_e2310 < _e97) {
                             } else {
-                                phi_6039_ = true;
+                                phi_4926_ = true;
                                 break;
                             }
-                            let _e2988 = atomicOr((&sums.member[_e2984]), 1u);
+                            let _e2314 = atomicOr((&sums.member[_e2310]), 1u);
                         }
-                        let _e2989 = (_e2959 + 1u);
-                        let _e2997 = floor(((_e361.x * _e2967) + 0.5f));
-                        if (_e2989 < _e102) {
+                        let _e2315 = (_e2285 + 1u);
+                        let _e2323 = floor(((_e356.x * _e2293) + 0.5f));
+                        if (_e2315 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3009 = atomicAdd((&sums.member[_e2989]), bitcast<u32>(select(0i, select(select(i32(_e2997), i32(-2147483648), (_e2997 < -2147483600f)), 2147483647i, (_e2997 > 2147483500f)), (_e2997 == _e2997))));
-                        let _e3010 = (_e2959 + 2u);
-                        let _e3012 = floor(((_e361.y * _e2967) + 0.5f));
-                        if (_e3010 < _e102) {
+                        let _e2335 = atomicAdd((&sums.member[_e2315]), bitcast<u32>(select(0i, select(select(i32(_e2323), i32(-2147483648), (_e2323 < -2147483600f)), 2147483647i, (_e2323 > 2147483500f)), (_e2323 == _e2323))));
+                        let _e2336 = (_e2285 + 2u);
+                        let _e2338 = floor(((_e356.y * _e2293) + 0.5f));
+                        if (_e2336 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3024 = atomicAdd((&sums.member[_e3010]), bitcast<u32>(select(0i, select(select(i32(_e3012), i32(-2147483648), (_e3012 < -2147483600f)), 2147483647i, (_e3012 > 2147483500f)), (_e3012 == _e3012))));
-                        let _e3025 = (_e2959 + 3u);
-                        let _e3027 = floor(((_e361.z * _e2967) + 0.5f));
-                        if (_e3025 < _e102) {
+                        let _e2350 = atomicAdd((&sums.member[_e2336]), bitcast<u32>(select(0i, select(select(i32(_e2338), i32(-2147483648), (_e2338 < -2147483600f)), 2147483647i, (_e2338 > 2147483500f)), (_e2338 == _e2338))));
+                        let _e2351 = (_e2285 + 3u);
+                        let _e2353 = floor(((_e356.z * _e2293) + 0.5f));
+                        if (_e2351 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3039 = atomicAdd((&sums.member[_e3025]), bitcast<u32>(select(0i, select(select(i32(_e3027), i32(-2147483648), (_e3027 < -2147483600f)), 2147483647i, (_e3027 > 2147483500f)), (_e3027 == _e3027))));
-                        let _e3040 = (_e2959 + 4u);
-                        let _e3048 = floor(((_e2870.x * _e2967) + 0.5f));
-                        if (_e3040 < _e102) {
+                        let _e2365 = atomicAdd((&sums.member[_e2351]), bitcast<u32>(select(0i, select(select(i32(_e2353), i32(-2147483648), (_e2353 < -2147483600f)), 2147483647i, (_e2353 > 2147483500f)), (_e2353 == _e2353))));
+                        let _e2366 = (_e2285 + 4u);
+                        let _e2374 = floor(((_e2196.x * _e2293) + 0.5f));
+                        if (_e2366 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3060 = atomicAdd((&sums.member[_e3040]), bitcast<u32>(select(0i, select(select(i32(_e3048), i32(-2147483648), (_e3048 < -2147483600f)), 2147483647i, (_e3048 > 2147483500f)), (_e3048 == _e3048))));
-                        let _e3061 = (_e2959 + 5u);
-                        let _e3063 = floor(((_e2870.y * _e2967) + 0.5f));
-                        if (_e3061 < _e102) {
+                        let _e2386 = atomicAdd((&sums.member[_e2366]), bitcast<u32>(select(0i, select(select(i32(_e2374), i32(-2147483648), (_e2374 < -2147483600f)), 2147483647i, (_e2374 > 2147483500f)), (_e2374 == _e2374))));
+                        let _e2387 = (_e2285 + 5u);
+                        let _e2389 = floor(((_e2196.y * _e2293) + 0.5f));
+                        if (_e2387 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3075 = atomicAdd((&sums.member[_e3061]), bitcast<u32>(select(0i, select(select(i32(_e3063), i32(-2147483648), (_e3063 < -2147483600f)), 2147483647i, (_e3063 > 2147483500f)), (_e3063 == _e3063))));
-                        let _e3076 = (_e2959 + 6u);
-                        let _e3078 = floor(((_e2870.z * _e2967) + 0.5f));
-                        if (_e3076 < _e102) {
+                        let _e2401 = atomicAdd((&sums.member[_e2387]), bitcast<u32>(select(0i, select(select(i32(_e2389), i32(-2147483648), (_e2389 < -2147483600f)), 2147483647i, (_e2389 > 2147483500f)), (_e2389 == _e2389))));
+                        let _e2402 = (_e2285 + 6u);
+                        let _e2404 = floor(((_e2196.z * _e2293) + 0.5f));
+                        if (_e2402 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3090 = atomicAdd((&sums.member[_e3076]), bitcast<u32>(select(0i, select(select(i32(_e3078), i32(-2147483648), (_e3078 < -2147483600f)), 2147483647i, (_e3078 > 2147483500f)), (_e3078 == _e3078))));
-                        let _e3091 = (_e2959 + 7u);
-                        let _e3096 = floor(((select(1f, _e2843.member.x, (_e2843.member.x < 1f)) * _e2967) + 0.5f));
-                        if (_e3091 < _e102) {
+                        let _e2416 = atomicAdd((&sums.member[_e2402]), bitcast<u32>(select(0i, select(select(i32(_e2404), i32(-2147483648), (_e2404 < -2147483600f)), 2147483647i, (_e2404 > 2147483500f)), (_e2404 == _e2404))));
+                        let _e2417 = (_e2285 + 7u);
+                        let _e2422 = floor(((select(1f, _e2169.member.x, (_e2169.member.x < 1f)) * _e2293) + 0.5f));
+                        if (_e2417 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3108 = atomicAdd((&sums.member[_e3091]), bitcast<u32>(select(0i, select(select(i32(_e3096), i32(-2147483648), (_e3096 < -2147483600f)), 2147483647i, (_e3096 > 2147483500f)), (_e3096 == _e3096))));
-                        let _e3109 = (_e2959 + 8u);
-                        let _e3111 = floor(((select(1f, _e2843.member.y, (_e2843.member.y < 1f)) * _e2967) + 0.5f));
-                        if (_e3109 < _e102) {
+                        let _e2434 = atomicAdd((&sums.member[_e2417]), bitcast<u32>(select(0i, select(select(i32(_e2422), i32(-2147483648), (_e2422 < -2147483600f)), 2147483647i, (_e2422 > 2147483500f)), (_e2422 == _e2422))));
+                        let _e2435 = (_e2285 + 8u);
+                        let _e2437 = floor(((select(1f, _e2169.member.y, (_e2169.member.y < 1f)) * _e2293) + 0.5f));
+                        if (_e2435 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3123 = atomicAdd((&sums.member[_e3109]), bitcast<u32>(select(0i, select(select(i32(_e3111), i32(-2147483648), (_e3111 < -2147483600f)), 2147483647i, (_e3111 > 2147483500f)), (_e3111 == _e3111))));
-                        let _e3124 = (_e2959 + 9u);
-                        let _e3126 = floor(((select(1f, _e2843.member.z, (_e2843.member.z < 1f)) * _e2967) + 0.5f));
-                        if (_e3124 < _e102) {
+                        let _e2449 = atomicAdd((&sums.member[_e2435]), bitcast<u32>(select(0i, select(select(i32(_e2437), i32(-2147483648), (_e2437 < -2147483600f)), 2147483647i, (_e2437 > 2147483500f)), (_e2437 == _e2437))));
+                        let _e2450 = (_e2285 + 9u);
+                        let _e2452 = floor(((select(1f, _e2169.member.z, (_e2169.member.z < 1f)) * _e2293) + 0.5f));
+                        if (_e2450 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3138 = atomicAdd((&sums.member[_e3124]), bitcast<u32>(select(0i, select(select(i32(_e3126), i32(-2147483648), (_e3126 < -2147483600f)), 2147483647i, (_e3126 > 2147483500f)), (_e3126 == _e3126))));
-                        let _e3139 = (_e2959 + 10u);
-                        let _e3142 = params.member.member_8;
-                        let _e3143 = (_e2967 / _e3142);
-                        let _e3148 = floor(((bitcast<f32>(_e396) * _e3143) + 0.5f));
-                        if (_e3139 < _e102) {
+                        let _e2464 = atomicAdd((&sums.member[_e2450]), bitcast<u32>(select(0i, select(select(i32(_e2452), i32(-2147483648), (_e2452 < -2147483600f)), 2147483647i, (_e2452 > 2147483500f)), (_e2452 == _e2452))));
+                        let _e2465 = (_e2285 + 10u);
+                        let _e2468 = params.member.member_8;
+                        let _e2469 = (_e2293 / _e2468);
+                        let _e2474 = floor(((bitcast<f32>(_e391) * _e2469) + 0.5f));
+                        if (_e2465 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3160 = atomicAdd((&sums.member[_e3139]), bitcast<u32>(select(0i, select(select(i32(_e3148), i32(-2147483648), (_e3148 < -2147483600f)), 2147483647i, (_e3148 > 2147483500f)), (_e3148 == _e3148))));
-                        let _e3161 = (_e2959 + 11u);
-                        let _e3163 = floor(((bitcast<f32>(_e402) * _e3143) + 0.5f));
-                        if (_e3161 < _e102) {
+                        let _e2486 = atomicAdd((&sums.member[_e2465]), bitcast<u32>(select(0i, select(select(i32(_e2474), i32(-2147483648), (_e2474 < -2147483600f)), 2147483647i, (_e2474 > 2147483500f)), (_e2474 == _e2474))));
+                        let _e2487 = (_e2285 + 11u);
+                        let _e2489 = floor(((bitcast<f32>(_e397) * _e2469) + 0.5f));
+                        if (_e2487 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3175 = atomicAdd((&sums.member[_e3161]), bitcast<u32>(select(0i, select(select(i32(_e3163), i32(-2147483648), (_e3163 < -2147483600f)), 2147483647i, (_e3163 > 2147483500f)), (_e3163 == _e3163))));
-                        let _e3176 = (_e2959 + 12u);
-                        let _e3178 = floor(((bitcast<f32>(_e408) * _e3143) + 0.5f));
-                        if (_e3176 < _e102) {
+                        let _e2501 = atomicAdd((&sums.member[_e2487]), bitcast<u32>(select(0i, select(select(i32(_e2489), i32(-2147483648), (_e2489 < -2147483600f)), 2147483647i, (_e2489 > 2147483500f)), (_e2489 == _e2489))));
+                        let _e2502 = (_e2285 + 12u);
+                        let _e2504 = floor(((bitcast<f32>(_e403) * _e2469) + 0.5f));
+                        if (_e2502 < _e97) {
                         } else {
-                            phi_6039_ = true;
+                            phi_4926_ = true;
                             break;
                         }
-                        let _e3190 = atomicAdd((&sums.member[_e3176]), bitcast<u32>(select(0i, select(select(i32(_e3178), i32(-2147483648), (_e3178 < -2147483600f)), 2147483647i, (_e3178 > 2147483500f)), (_e3178 == _e3178))));
-                        phi_6040_ = _e2464;
+                        let _e2516 = atomicAdd((&sums.member[_e2502]), bitcast<u32>(select(0i, select(select(i32(_e2504), i32(-2147483648), (_e2504 < -2147483600f)), 2147483647i, (_e2504 > 2147483500f)), (_e2504 == _e2504))));
+                        phi_4927_ = _e1790;
                     } else {
-                        phi_6040_ = _e637;
+                        phi_4927_ = _e632;
                     }
-                    let _e3192 = phi_6040_;
+                    let _e2518 = phi_4927_;
                     continue;
                     continuing {
-                        phi_5747_ = _e3192;
-                        let _e3233 = local_50;
-                        phi_5365_ = _e3233;
-                        let _e3236 = local_51;
-                        phi_5362_ = _e3236;
-                        let _e3239 = local_52;
-                        phi_5359_ = _e3239;
-                        let _e3242 = local_53;
-                        phi_5356_ = _e3242;
-                        phi_6039_ = _e3192;
-                        break if !(_e1426);
+                        phi_4698_ = _e2518;
+                        let _e2559 = local_35;
+                        phi_4314_ = _e2559;
+                        let _e2562 = local_36;
+                        phi_4311_ = _e2562;
+                        let _e2565 = local_37;
+                        phi_4308_ = _e2565;
+                        let _e2568 = local_38;
+                        phi_4305_ = _e2568;
+                        phi_4926_ = _e2518;
+                        break if !(_e1421);
                     }
                 }
-                let _e3195 = phi_6039_;
-                if _e3195 {
+                let _e2521 = phi_4926_;
+                if _e2521 {
                     break;
                 }
             }

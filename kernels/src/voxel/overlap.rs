@@ -8,6 +8,7 @@
 //! [`clip`]: Sutherland & Hodgman 1974 against the six sides. A piece that lies in a side belongs to the voxel above it,
 //! so that areas add up to the triangle's whichever way it lies.
 
+use super::grid::of_axis;
 use crate::math::float::{abs, max, min};
 use crate::math::vector::length;
 use glam::Vec3;
@@ -95,26 +96,32 @@ pub struct Piece {
 
 /// Area and centroid of the part of a triangle inside the cube 0 … 1, in the cube's coordinates. The centroid lies inside
 /// the cube.
+#[inline(always)]
 pub fn clip(a: Vec3, b: Vec3, c: Vec3) -> Piece {
     let mut corners = [Vec3::ZERO; MAX_CORNERS];
     corners[0] = a;
     corners[1] = b;
     corners[2] = c;
     let mut polygon = Polygon { corners, count: 3 };
-    cut(&mut polygon, Vec3::X, 0.0);
-    cut(&mut polygon, -Vec3::X, 1.0);
-    cut(&mut polygon, Vec3::Y, 0.0);
-    cut(&mut polygon, -Vec3::Y, 1.0);
-    cut(&mut polygon, Vec3::Z, 0.0);
-    cut(&mut polygon, -Vec3::Z, 1.0);
+    for side in 0..6 {
+        cut(&mut polygon, side);
+    }
     measure(&polygon)
 }
 
-/// Keeps what lies on the side `normal·p + offset ≥ 0`.
-fn cut(polygon: &mut Polygon, normal: Vec3, offset: f32) {
+/// Distance of a point from a side of the cube (x = 0, x = 1, y = 0, …), positive on the cube's.
+#[inline(always)]
+fn inside(p: Vec3, side: u32) -> f32 {
+    let along = of_axis(side >> 1, p.x, p.y, p.z);
+    if side & 1 == 1 { 1.0 - along } else { along }
+}
+
+/// Keeps what lies on the cube's side of one of its sides.
+#[inline(always)]
+fn cut(polygon: &mut Polygon, side: u32) {
     let mut lowest = 0.0f32;
     for i in 0..polygon.count {
-        lowest = min(lowest, normal.dot(polygon.corners[i]) + offset);
+        lowest = min(lowest, inside(polygon.corners[i], side));
     }
     if lowest >= 0.0 || polygon.count == 0 {
         return;
@@ -122,26 +129,27 @@ fn cut(polygon: &mut Polygon, normal: Vec3, offset: f32) {
     let mut kept = [Vec3::ZERO; MAX_CORNERS];
     let mut count = 0;
     let mut previous = polygon.corners[polygon.count - 1];
-    let mut previous_side = normal.dot(previous) + offset;
+    let mut previous_distance = inside(previous, side);
     for i in 0..polygon.count {
         let corner = polygon.corners[i];
-        let side = normal.dot(corner) + offset;
-        if (side < 0.0) != (previous_side < 0.0) && count < MAX_CORNERS {
-            kept[count] = previous + (corner - previous) * (previous_side / (previous_side - side));
+        let distance = inside(corner, side);
+        if (distance < 0.0) != (previous_distance < 0.0) && count < MAX_CORNERS {
+            kept[count] = previous + (corner - previous) * (previous_distance / (previous_distance - distance));
             count += 1;
         }
-        if side >= 0.0 && count < MAX_CORNERS {
+        if distance >= 0.0 && count < MAX_CORNERS {
             kept[count] = corner;
             count += 1;
         }
         previous = corner;
-        previous_side = side;
+        previous_distance = distance;
     }
     polygon.corners = kept;
     polygon.count = count;
 }
 
 /// Area and centroid by a fan of triangles.
+#[inline(always)]
 fn measure(polygon: &Polygon) -> Piece {
     let first = polygon.corners[0];
     let mut lowest = first;
