@@ -1,4 +1,5 @@
-//! The search itself.
+//! The search itself: ladders are climbed, then single steps are explored beside whatever was tried, then finalists are
+//! confirmed. It knows settings only by what its [`Source`] gave for them, and is tested on made-up ones.
 
 use super::model::Prediction;
 use super::{
