@@ -18,6 +18,10 @@ const REPEATS: usize = 7;
 const STEPS: u32 = 16;
 /// Texels along each side of a light's map in the table of lights.
 const MAP: &str = "32";
+/// Numbers of lights: those of paper 000's tables, and 1.
+const LIGHTS: [u32; 7] = [1, 5, 10, 25, 50, 100, 250];
+/// Name of all that is computed once.
+const PRECOMPUTE: &str = "precompute";
 
 /// All tables.
 pub fn run(bench: &mut Bench) -> Result<Value> {
@@ -80,9 +84,9 @@ fn propagation(bench: &mut Bench) -> Result<Value> {
     Ok(Value::Array(rows))
 }
 
-/// Milliseconds of each stage of a light change, and of a frame's fetch for `pixels` pixels; a stage that runs several
+/// Milliseconds of each stage of a light change, of `moving` lights or of such that stand still; a stage that runs several
 /// times is added up.
-fn stage_times(bench: &mut Bench, scene: &Scene, changes: &[(&str, &str)]) -> Result<Vec<(String, f64)>> {
+fn stage_times(bench: &mut Bench, scene: &Scene, changes: &[(&str, &str)], moving: bool) -> Result<Vec<(String, f64)>> {
     let exec: &mut dyn Executor = &mut bench.cpu;
     let mark = exec.mark();
     let buffers = SceneBuffers::upload(exec, scene)?;
@@ -95,7 +99,8 @@ fn stage_times(bench: &mut Bench, scene: &Scene, changes: &[(&str, &str)]) -> Re
     for turn in 0..=REPEATS as u32 {
         let mut clock = StageClock::default();
         // Another seed, so that every map is traced again.
-        method.light_change(exec, &input(turn + 1), &mut clock)?;
+        let seed = if moving { turn + 1 } else { 1 };
+        method.light_change(exec, &input(seed), &mut clock)?;
         let mut sums: Vec<(String, f64)> = Vec::new();
         for (name, ms) in clock.stages {
             let name = if name.starts_with("bounce") { "bounce".to_string() } else { name };
@@ -112,22 +117,28 @@ fn stage_times(bench: &mut Bench, scene: &Scene, changes: &[(&str, &str)]) -> Re
     let names: Vec<String> = runs[0].iter().map(|(name, _)| name.clone()).collect();
     let medians = names.into_iter().enumerate().map(|(k, name)| (name, median(runs.iter().map(|r| r[k].1).collect())));
     let precompute: f64 = clock.stages.iter().map(|s| s.1).sum();
-    Ok([("precompute".to_string(), precompute)].into_iter().chain(medians).collect())
+    Ok([(PRECOMPUTE.to_string(), precompute)].into_iter().chain(medians).collect())
 }
 
-/// Shadow maps and injection by number of lights.
+/// Shadow maps and injection by number of lights, and all that is to do before a frame.
 fn lights(bench: &mut Bench) -> Result<Value> {
-    println!("\n{:<10} {:>12} {:>12} {:>14}", "lights", "maps ms", "inject ms", "ms per light");
+    const HEAD: [&str; 6] = ["lights", "maps ms", "inject ms", "ms per light", "moving ms", "static ms"];
+    println!("\n{:<10} {:>12} {:>12} {:>14} {:>12} {:>12}", HEAD[0], HEAD[1], HEAD[2], HEAD[3], HEAD[4], HEAD[5]);
     let mut rows = Vec::new();
-    for count in [1, 10, 100] {
+    for count in LIGHTS {
         let scene = many_lights(count);
-        let times = stage_times(bench, &scene, &[("rsm", MAP), ("bounces", "1"), ("geometry", "voxels")])?;
+        let settings = [("resolution", "32"), ("rsm", MAP), ("bounces", "1"), ("geometry", "voxels")];
+        let times = stage_times(bench, &scene, &settings, true)?;
         let ms = |name: &str| times.iter().filter(|(n, _)| n == name).map(|t| t.1).sum::<f64>();
         let (maps, inject) = (ms("shadow maps"), ms("inject"));
         let each = (maps + inject) / f64::from(count);
-        println!("{count:<10} {maps:>12.2} {inject:>12.2} {each:>14.3}");
-        rows.push(json!({ "lights": count, "maps_ms": maps, "inject_ms": inject, "ms_per_light": each }));
+        let whole = |times: &[(String, f64)]| times.iter().filter(|t| t.0 != PRECOMPUTE).map(|t| t.1).sum::<f64>();
+        let (moving, still) = (whole(&times), whole(&stage_times(bench, &scene, &settings, false)?));
+        println!("{count:<10} {maps:>12.2} {inject:>12.2} {each:>14.3} {moving:>12.2} {still:>12.2}");
+        rows.push(json!({ "lights": count, "maps_ms": maps, "inject_ms": inject, "ms_per_light": each,
+                          "moving_ms": moving, "static_ms": still }));
     }
+    println!("(static: the same lights again; only what changed is computed)");
     println!("paper 000 (GTX 780, i7-6700K, Sponza 32³, per frame): moving, 0/5/10/25 spots 6.1/18.2/71.4/111.1 ms;");
     println!("  static, 0/50/100/250 spots 2.4/7.1/20.0/50.0 ms");
     Ok(json!({
@@ -144,7 +155,7 @@ fn lights(bench: &mut Bench) -> Result<Value> {
 fn stages(bench: &mut Bench) -> Result<Value> {
     let mut tables = Vec::new();
     for scene in [cornell_box(), colonnade()] {
-        let times = stage_times(bench, &scene, &[("resolution", "32"), ("bounces", "1"), ("rsm", "128")])?;
+        let times = stage_times(bench, &scene, &[("resolution", "32"), ("bounces", "1"), ("rsm", "128")], true)?;
         println!("\n{:<22} {:>10}", format!("stages, {}", scene.name), "ms");
         times.iter().for_each(|(name, ms)| println!("{name:<22} {ms:>10.2}"));
         tables.push(json!({ "scene": scene.name, "stages_ms": times }));
