@@ -11,6 +11,7 @@ use crate::real::Real;
 use interreflect_shared::smoke::SmokeParams;
 
 /// What the canary stores at element `i`.
+#[inline(always)]
 pub fn fill(i: u32, p: &SmokeParams) -> u32 {
     i.wrapping_mul(747_796_405) ^ p.seed
 }
@@ -106,6 +107,7 @@ pub fn histogram_items(p: &SmokeParams) -> u32 {
 }
 
 /// Counts one value in the bin of its low bits.
+#[inline(always)]
 pub fn histogram(i: u32, p: &SmokeParams, values: &[u32], bins: &mut impl AtomicWords) {
     bins.add((values[i as usize] ^ p.seed) % HISTOGRAM_BINS, 1);
 }

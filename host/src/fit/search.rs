@@ -234,9 +234,7 @@ impl<'a, S: Source> Search<'a, S> {
             if self.is_patience_over() || self.is_given_up() {
                 break;
             }
-            if self.run_clear(row, &settings)?.is_none() {
-                self.refused.push((row.name, settings));
-            }
+            self.run_clear(row, &settings)?;
         }
         Ok(())
     }
@@ -362,28 +360,28 @@ impl<'a, S: Source> Search<'a, S> {
         fitting.min_by(better).cloned()
     }
 
-    /// Glances at settings unless they were run; `None` where the method refuses, with the reason kept.
+    /// Glances at settings unless they were run; `None` where the method refuses, or has refused, with the reason kept.
     fn run(&mut self, row: &'static MethodRow, settings: &Settings) -> Option<Candidate> {
         if let Some(known) = self.tried.iter().find(|c| c.row == row.name && c.settings == *settings) {
             return Some(known.clone());
         }
+        if self.is_known(row, settings) {
+            return None;
+        }
         let evidence = &mut *self.evidence;
         let work = || evidence.try_settings(row, settings, Effort::Glance);
-        match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
+        let reason = match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
             Ok(Ok(candidate)) => {
                 (self.news)(&candidate);
                 self.tried.push(candidate.clone());
-                Some(candidate)
+                return Some(candidate);
             }
-            Ok(Err(error)) => {
-                self.rejected.push(Rejected { method: row.name.into(), reason: error.to_string() });
-                None
-            }
-            Err(_) => {
-                self.rejected.push(Rejected { method: row.name.into(), reason: "it crashed".into() });
-                None
-            }
-        }
+            Ok(Err(error)) => error.to_string(),
+            Err(_) => "it crashed".into(),
+        };
+        self.rejected.push(Rejected { method: row.name.into(), reason });
+        self.refused.push((row.name, settings.clone()));
+        None
     }
 
     /// [`Self::run`], until it is clear on which side of the limit the error lies.

@@ -71,7 +71,7 @@ pub struct ByteKinds {
 impl ByteKinds {
     /// Number of facets of one of the voxels.
     #[inline(always)]
-    pub fn of(self, voxel: u32) -> u32 {
+    pub fn count(self, voxel: u32) -> u32 {
         (self.low >> voxel & 0x0101_0101).count_ones() + (self.high >> voxel & 0x0101).count_ones()
     }
 }

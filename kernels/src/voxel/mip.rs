@@ -119,12 +119,12 @@ pub fn mip_base(
     let cell = child >> 2;
     let first_bit = 8 * (child & 3);
     let bits = *fetch(cells, (2 * cell) as usize) >> first_bit;
-    let (mut next, counts) = facets_of_byte(cells, facet_bits, cell, first_bit);
+    let (mut next, kinds) = facets_of_byte(cells, facet_bits, cell, first_bit);
     let looking = axis_direction(direction >> 1, direction & 1 == 1);
     let mut v = [Vec4::ZERO; 8];
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
-            let count = counts.of(K as u32);
+            let count = kinds.count(K as u32);
             let seen = facets_seen(next, count, looking, p.direction_count == 1, facets, radiance);
             v[K] = at_most_covered(seen);
             next += count;

@@ -111,7 +111,7 @@ pub fn clip(a: Vec3, b: Vec3, c: Vec3) -> Piece {
 
 /// Distance of a point from a side of the cube (x = 0, x = 1, y = 0, …), positive on the cube's.
 #[inline(always)]
-fn inside(p: Vec3, side: u32) -> f32 {
+fn distance_within(p: Vec3, side: u32) -> f32 {
     let along = of_axis(side >> 1, p.x, p.y, p.z);
     if side & 1 == 1 { 1.0 - along } else { along }
 }
@@ -121,7 +121,7 @@ fn inside(p: Vec3, side: u32) -> f32 {
 fn cut(polygon: &mut Polygon, side: u32) {
     let mut lowest = 0.0f32;
     for i in 0..polygon.count {
-        lowest = min(lowest, inside(polygon.corners[i], side));
+        lowest = min(lowest, distance_within(polygon.corners[i], side));
     }
     if lowest >= 0.0 || polygon.count == 0 {
         return;
@@ -129,10 +129,10 @@ fn cut(polygon: &mut Polygon, side: u32) {
     let mut kept = [Vec3::ZERO; MAX_CORNERS];
     let mut count = 0;
     let mut previous = polygon.corners[polygon.count - 1];
-    let mut previous_distance = inside(previous, side);
+    let mut previous_distance = distance_within(previous, side);
     for i in 0..polygon.count {
         let corner = polygon.corners[i];
-        let distance = inside(corner, side);
+        let distance = distance_within(corner, side);
         if (distance < 0.0) != (previous_distance < 0.0) && count < MAX_CORNERS {
             kept[count] = previous + (corner - previous) * (previous_distance / (previous_distance - distance));
             count += 1;
