@@ -3,7 +3,7 @@
 use super::ReferenceError;
 use super::path::cosine_direction;
 use super::sampler::Sampler;
-use super::surface::surface;
+use super::surface::Surfaces;
 use super::trace::{NO_TRIANGLE, Tracer};
 use crate::scene::{Camera, Scene};
 use glam::Vec3;
@@ -44,6 +44,7 @@ pub fn rays_per_second(
     let start = Instant::now();
     let tracer = Tracer::new(scene)?;
     let build_ms = start.elapsed().as_secs_f64() * 1e3;
+    let surfaces = Surfaces::new(scene);
     let primary: Vec<(Vec3, Vec3, u32)> = (0..width * height)
         .map(|i| {
             let (o, d) = camera.ray((i % width) as f32 + 0.5, (i / width) as f32 + 0.5, width, height);
@@ -55,7 +56,7 @@ pub fn rays_per_second(
         .enumerate()
         .filter_map(|(i, &(origin, direction, _))| {
             let hit = tracer.closest(origin, direction, f32::MAX, NO_TRIANGLE)?;
-            let (vertex, _) = surface(scene, &hit, direction);
+            let (vertex, _) = surfaces.at(&hit, direction);
             let (wi, _) = cosine_direction(vertex.normal, Sampler::new(0, i as u32, 0, 0, 1).pair(0));
             Some((vertex.leave(wi), wi, vertex.triangle))
         })

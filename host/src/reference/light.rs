@@ -1,8 +1,7 @@
 //! Light sources and how a path samples them.
 
-use super::surface::{geometric_normal, position_error};
-use super::trace::Tracer;
-use crate::scene::{Light, Scene};
+use super::surface::{alpha_passes, geometric_normal, position_error};
+use crate::scene::{Alpha, Light, Scene};
 use glam::Vec3;
 use std::f32::consts::PI;
 
@@ -19,7 +18,7 @@ pub struct Lights {
 
 enum Source {
     /// Front side of a triangle.
-    Triangle { index: u32, corners: [Vec3; 3], normal: Vec3, area: f32, radiance: Vec3, offset: f32 },
+    Triangle { index: u32, corners: [Vec3; 3], normal: Vec3, area: f32, radiance: Vec3, offset: f32, masked: bool },
     /// A light without a surface.
     Delta(Light),
 }
@@ -51,12 +50,13 @@ impl Lights {
             powers.push(luminance(power(light, radius)));
         }
         for (i, triangle) in scene.triangles.iter().enumerate() {
-            let radiance = scene.materials[triangle.material as usize].emission;
+            let material = &scene.materials[triangle.material as usize];
+            let (radiance, masked) = (material.emission, matches!(material.alpha, Alpha::Mask(_)));
             let corners = scene.corners(triangle);
             let area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).length();
             if radiance.max_element() > 0.0 && area > 0.0 {
                 let (normal, offset) = (geometric_normal(corners), position_error(corners));
-                sources.push(Source::Triangle { index: i as u32, corners, normal, area, radiance, offset });
+                sources.push(Source::Triangle { index: i as u32, corners, normal, area, radiance, offset, masked });
                 powers.push(PI * luminance(radiance) * area);
             }
         }
@@ -77,19 +77,21 @@ impl Lights {
     }
 
     /// Density over area with which [`Lights::sample`] chooses a point of an emissive triangle of this radiance.
+    #[inline(always)]
     pub fn area_pdf(&self, radiance: Vec3) -> f32 {
         PI * luminance(radiance) / self.total_power
     }
 
     /// Samples one source as seen from `position`; `select` chooses the source, `point` the place on it. `None` where
     /// the chosen one sends no light there.
-    pub fn sample(&self, tracer: &Tracer<'_>, position: Vec3, select: f32, point: [f32; 2]) -> Option<LightSample> {
+    #[inline(always)]
+    pub fn sample(&self, scene: &Scene, position: Vec3, select: f32, point: [f32; 2]) -> Option<LightSample> {
         let i = self.cumulative.partition_point(|&c| c <= select);
         let source = self.sources.get(i)?;
         let probability = self.probability[i];
         match source {
             Source::Delta(light) => delta_sample(light, position, probability),
-            Source::Triangle { index, corners, normal, radiance, offset, area } => {
+            Source::Triangle { index, corners, normal, radiance, offset, area, masked } => {
                 let barycentric = uniform_barycentric(point);
                 let [a, b, c] = *corners;
                 let on_light = a * barycentric.x + b * barycentric.y + c * barycentric.z;
@@ -98,7 +100,7 @@ impl Lights {
                 let wi = to_light / distance2.sqrt();
                 let cos_light = -wi.dot(*normal);
                 // Back side, grazing, or a point on the light itself.
-                if cos_light <= 0.0 || distance2 == 0.0 || tracer.passes(*index, barycentric) {
+                if cos_light <= 0.0 || distance2 == 0.0 || (*masked && alpha_passes(scene, *index, barycentric)) {
                     return None;
                 }
                 let pdf = probability / area * distance2 / cos_light;
@@ -159,12 +161,16 @@ fn delta_sample(light: &Light, position: Vec3, probability: f32) -> Option<Light
 
 /// Maps the unit square to corner weights, uniformly over the area, with little distortion: Heitz, "A Low-Distortion
 /// Map Between Triangle and Square", 2019.
+#[inline(always)]
 fn uniform_barycentric([u, v]: [f32; 2]) -> Vec3 {
-    let (x, y) = if v > u { (0.5 * u, v - 0.5 * u) } else { (u - 0.5 * v, 0.5 * v) };
+    // By the smaller one, without a branch that chance would decide.
+    let half = 0.5 * if v > u { u } else { v };
+    let (x, y) = (u - half, v - half);
     Vec3::new(x, y, 1.0 - x - y)
 }
 
 /// Rec. 709 luminance of a spectrum, the measure by which sources are chosen; never 0 for a light that emits.
+#[inline(always)]
 fn luminance(rgb: Vec3) -> f32 {
     rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722)).max(1e-3 * rgb.max_element())
 }

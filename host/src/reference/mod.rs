@@ -28,11 +28,13 @@ pub mod bench;
 mod cache;
 mod light;
 mod path;
+mod ray;
 mod rounds;
 mod sampler;
 mod surface;
 pub mod trace;
 mod tree;
+mod walk;
 
 pub use cache::{Cached, CachedIrradiance, cached, cached_irradiance, default_dir};
 pub use light::spot_falloff;
@@ -40,6 +42,7 @@ pub use light::spot_falloff;
 use crate::scene::{Camera, Light, Scene};
 use glam::{DVec3, Vec3};
 use interreflect_shared::scene::Surfel;
+use multiversion::multiversion;
 use path::{IRRADIANCE_PER_RADIANCE, Paths, Start};
 use rounds::{BatchMean, MAX_SPP, Measure, Rounds};
 use sampler::Sampler;
@@ -238,7 +241,7 @@ pub fn render(
     let paths = Paths::new(trace::Tracer::new(scene)?, settings.max_bounces);
     let sample = |pixel: u32, batch: u32, count: u32| {
         let (x, y) = ((pixel % width) as f32, (pixel / width) as f32);
-        batch_mean(&paths, settings.seed, pixel, batch, count, 1.0, |sampler| {
+        batch_mean(&paths, settings.seed, pixel, batch, count, 1.0, &|sampler| {
             let [dx, dy] = sampler.pair(0);
             let (origin, direction) = camera.ray(x + dx, y + dy, width, height);
             Start::Ray(origin, direction)
@@ -268,7 +271,7 @@ pub fn irradiance(
             return BatchMean::default();
         }
         let vertex = receiver.vertex(extent);
-        batch_mean(&paths, settings.seed, i, batch, count, IRRADIANCE_PER_RADIANCE, |_| Start::Receiver(vertex))
+        batch_mean(&paths, settings.seed, i, batch, count, IRRADIANCE_PER_RADIANCE, &|_| Start::Receiver(vertex))
     };
     let rounds = rounds::run(receivers.len(), settings, Measure::Indirect, sample, progress)?;
     let value = |i| {
@@ -294,7 +297,9 @@ impl Receiver {
     }
 }
 
-/// Mean of one batch of paths from an element.
+/// Mean of one batch of paths from an element. What is inlined here is compiled for AVX2 too: the same bits, as nothing is
+/// contracted.
+#[multiversion(targets("x86_64+avx2+fma+bmi1+bmi2+lzcnt"))]
 fn batch_mean(
     paths: &Paths<'_>,
     seed: u32,
@@ -302,7 +307,7 @@ fn batch_mean(
     batch: u32,
     count: u32,
     scale: f32,
-    start: impl Fn(&Sampler) -> Start,
+    start: &dyn Fn(&Sampler) -> Start,
 ) -> BatchMean {
     let mut mean = BatchMean::default();
     for i in 0..count {

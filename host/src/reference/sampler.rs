@@ -8,7 +8,7 @@
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     scramble: u32,
-    index: u32,
+    reversed_index: u32,
     index_mask: u32,
 }
 
@@ -16,23 +16,42 @@ impl Sampler {
     /// Sample `index` of `count` in a batch. `count` need not be a power of two, but stratifies best if it is.
     pub fn new(seed: u32, element: u32, batch: u32, index: u32, count: u32) -> Self {
         let scramble = hash(hash(hash(seed ^ 0x9e37_79b9).wrapping_add(element)).wrapping_add(batch));
-        Self { scramble, index, index_mask: count.max(1).next_power_of_two().wrapping_sub(1) }
+        let index_mask = count.max(1).next_power_of_two().wrapping_sub(1);
+        Self { scramble, reversed_index: index.reverse_bits(), index_mask }
     }
 
     /// A stratified point of the unit square [0, 1)² in dimension pair `pair`.
-    #[inline]
+    #[inline(always)]
     pub fn pair(&self, pair: u32) -> [f32; 2] {
         let seed = hash(self.scramble.wrapping_add(pair.wrapping_mul(0x85eb_ca6b)));
         // Shuffle within the batch only: the points stay the net's first ones.
-        let i = owen(self.index, seed) & self.index_mask;
+        let i = laine_karras(self.reversed_index, seed).reverse_bits() & self.index_mask;
         let x = laine_karras(i, hash(seed ^ 0x68bc_21eb)).reverse_bits();
-        let y = owen(sobol_second(i), hash(seed ^ 0x02e5_be93));
+        let y = laine_karras(sobol_second_reversed(i), hash(seed ^ 0x02e5_be93)).reverse_bits();
         [unit(x), unit(y)]
+    }
+
+    /// The points of reflection number `reflection`: pairs 3, 4 and 5 are those of reflection 1.
+    #[inline(always)]
+    pub fn points(&self, reflection: u32) -> Points {
+        let first = 3 * reflection;
+        Points { direction: self.pair(first), place: self.pair(first + 1), choice: self.pair(first + 2) }
     }
 }
 
+/// The stratified points of a reflection.
+#[derive(Clone, Copy, Debug)]
+pub struct Points {
+    /// For the direction that leads there.
+    pub direction: [f32; 2],
+    /// For the place on a light source.
+    pub place: [f32; 2],
+    /// Which light source, and whether the path goes on.
+    pub choice: [f32; 2],
+}
+
 /// 32-bit finalizer with good avalanche (Wellons, "lowbias32").
-#[inline]
+#[inline(always)]
 pub fn hash(mut x: u32) -> u32 {
     x ^= x >> 16;
     x = x.wrapping_mul(0x7feb_352d);
@@ -42,30 +61,24 @@ pub fn hash(mut x: u32) -> u32 {
 }
 
 /// Top 24 bits as a number in [0, 1).
-#[inline]
+#[inline(always)]
 fn unit(x: u32) -> f32 {
     (x >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// Second Sobol dimension: bit `j` from the top is the parity of all index bits `k ⊇ j` (Pascal's triangle mod 2).
-#[inline]
-fn sobol_second(index: u32) -> u32 {
-    let mut y = index.reverse_bits();
-    y ^= (y << 1) & 0xaaaa_aaaa;
-    y ^= (y << 2) & 0xcccc_cccc;
-    y ^= (y << 4) & 0xf0f0_f0f0;
-    y ^= (y << 8) & 0xff00_ff00;
-    y ^ ((y << 16) & 0xffff_0000)
+/// Second Sobol dimension with its bits reversed: bit `j` is the parity of all index bits `k ⊇ j` (Pascal's triangle mod 2).
+#[inline(always)]
+fn sobol_second_reversed(mut index: u32) -> u32 {
+    index ^= (index >> 1) & 0x5555_5555;
+    index ^= (index >> 2) & 0x3333_3333;
+    index ^= (index >> 4) & 0x0f0f_0f0f;
+    index ^= (index >> 8) & 0x00ff_00ff;
+    index ^ ((index >> 16) & 0x0000_ffff)
 }
 
-/// Owen scramble: flips each bit by a hash of the bits above it.
-#[inline]
-fn owen(x: u32, seed: u32) -> u32 {
-    laine_karras(x.reverse_bits(), seed).reverse_bits()
-}
-
-/// Permutation in which each bit depends on the bits below it, constants by Vegdahl (2021).
-#[inline]
+/// Permutation in which each bit depends on the bits below it, constants by Vegdahl (2021). Between two reversals of the bits
+/// it is an Owen scramble: each bit flipped by a hash of the bits above it.
+#[inline(always)]
 fn laine_karras(mut x: u32, seed: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(seed);

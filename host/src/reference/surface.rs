@@ -1,7 +1,7 @@
 //! What a ray finds: position, normals, reflectance, emission.
 
 use super::trace::Hit;
-use crate::scene::{Alpha, Scene, Texture};
+use crate::scene::{Alpha, Scene, Texture, Triangle};
 use glam::{Vec2, Vec3, Vec4};
 use std::sync::LazyLock;
 
@@ -24,6 +24,7 @@ pub struct Vertex {
 
 impl Vertex {
     /// Origin of a ray that leaves towards `direction`.
+    #[inline(always)]
     pub fn leave(&self, direction: Vec3) -> Vec3 {
         let side = if direction.dot(self.geometric_normal) < 0.0 { -self.offset } else { self.offset };
         self.position + self.geometric_normal * side
@@ -35,6 +36,7 @@ impl Vertex {
 const POSITION_ERROR: f32 = 14.0 * 0.5 * f32::EPSILON;
 
 /// The unit geometric normal of a triangle's front.
+#[inline(always)]
 pub fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
     let n = (b - a).cross(c - a);
     // The cross product of a tiny triangle underflows in f32.
@@ -42,34 +44,77 @@ pub fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
 }
 
 /// Largest error of a position on a triangle (m).
+#[inline(always)]
 pub fn position_error([a, b, c]: [Vec3; 3]) -> f32 {
     POSITION_ERROR * a.abs().max(b.abs()).max(c.abs()).max_element()
 }
 
-/// The surface at a hit of a ray along `direction`, and the radiance that it emits against it.
-pub fn surface(scene: &Scene, hit: &Hit, direction: Vec3) -> (Vertex, Vec3) {
-    let triangle = &scene.triangles[hit.triangle as usize];
-    let corners = scene.corners(triangle);
-    let material = &scene.materials[triangle.material as usize];
-    let geometric = geometric_normal(corners);
-    let [n0, n1, n2] = triangle.vertices.map(|v| scene.normals[v as usize]);
-    let w = hit.barycentric;
-    let shading = (n0 * w.x + n1 * w.y + n2 * w.z).try_normalize().unwrap_or(geometric);
-    let albedo = match material.texture {
-        Some(texture) => material.albedo * sample(&scene.textures[texture as usize], uv(scene, hit)).truncate(),
-        None => material.albedo,
-    };
-    let [a, b, c] = corners;
-    let vertex = Vertex {
-        position: a * w.x + b * w.y + c * w.z,
-        offset: position_error(corners),
-        geometric_normal: geometric,
-        normal: if shading.dot(direction) > 0.0 { -shading } else { shading },
-        albedo,
-        triangle: hit.triangle,
-    };
-    let emission = if geometric.dot(direction) < 0.0 { material.emission } else { Vec3::ZERO };
-    (vertex, emission)
+/// What paths ask of a triangle again and again, in one line of a processor's cache.
+#[repr(align(64))]
+struct Face {
+    corners: [Vec3; 3],
+    /// Unit geometric normal of the front.
+    normal: Vec3,
+    /// Largest error of a position (m).
+    offset: f32,
+    material: u32,
+    /// Whether the shading normal is another than the geometric one.
+    smooth: bool,
+}
+
+/// A scene's surfaces, ready to be looked up.
+pub struct Surfaces<'a> {
+    scene: &'a Scene,
+    faces: Vec<Face>,
+}
+
+impl<'a> Surfaces<'a> {
+    /// Prepares a scene's triangles, whose indices are valid.
+    pub fn new(scene: &'a Scene) -> Self {
+        let face = |triangle: &Triangle| {
+            let corners = scene.corners(triangle);
+            let normal = geometric_normal(corners);
+            let along =
+                |side: Vec3| triangle.vertices.iter().all(|v| scene.normals[*v as usize].abs_diff_eq(side, 1e-6));
+            let smooth = !along(normal) && !along(-normal);
+            Face { corners, normal, offset: position_error(corners), material: triangle.material, smooth }
+        };
+        Self { scene, faces: scene.triangles.iter().map(face).collect() }
+    }
+
+    /// The surface at a hit of a ray along `direction`, and the radiance that it emits against it.
+    #[inline(always)]
+    pub fn at(&self, hit: &Hit, direction: Vec3) -> (Vertex, Vec3) {
+        let face = &self.faces[hit.triangle as usize];
+        let material = &self.scene.materials[face.material as usize];
+        let ([a, b, c], w) = (face.corners, hit.barycentric);
+        let shading = if face.smooth { self.shading_normal(hit).unwrap_or(face.normal) } else { face.normal };
+        let albedo = match material.texture {
+            Some(texture) => material.albedo * self.texel(texture, hit).truncate(),
+            None => material.albedo,
+        };
+        let vertex = Vertex {
+            position: a * w.x + b * w.y + c * w.z,
+            offset: face.offset,
+            geometric_normal: face.normal,
+            normal: if shading.dot(direction) > 0.0 { -shading } else { shading },
+            albedo,
+            triangle: hit.triangle,
+        };
+        let emission = if face.normal.dot(direction) < 0.0 { material.emission } else { Vec3::ZERO };
+        (vertex, emission)
+    }
+
+    /// The interpolated normal, where there is one.
+    fn shading_normal(&self, hit: &Hit) -> Option<Vec3> {
+        let vertices = self.scene.triangles[hit.triangle as usize].vertices;
+        let ([a, b, c], w) = (vertices.map(|v| self.scene.normals[v as usize]), hit.barycentric);
+        (a * w.x + b * w.y + c * w.z).try_normalize()
+    }
+
+    fn texel(&self, texture: u32, hit: &Hit) -> Vec4 {
+        sample(&self.scene.textures[texture as usize], uv(self.scene, hit))
+    }
 }
 
 /// Whether the material's alpha lets a ray pass at a hit.
@@ -79,13 +124,14 @@ pub fn alpha_passes(scene: &Scene, triangle: u32, barycentric: Vec3) -> bool {
     let alpha = match material.texture {
         Some(texture) => {
             let hit = Hit { t: 0.0, triangle, barycentric };
-            sample(&scene.textures[texture as usize], uv(scene, &hit)).w
+            sample_alpha(&scene.textures[texture as usize], uv(scene, &hit))
         }
         None => 1.0,
     };
     material.alpha_factor * alpha < cutoff
 }
 
+#[inline(always)]
 fn uv(scene: &Scene, hit: &Hit) -> Vec2 {
     let [a, b, c] = scene.triangles[hit.triangle as usize].vertices.map(|v| scene.uvs[v as usize]);
     a * hit.barycentric.x + b * hit.barycentric.y + c * hit.barycentric.z
@@ -93,20 +139,34 @@ fn uv(scene: &Scene, hit: &Hit) -> Vec2 {
 
 /// Bilinear sample of a repeating texture: linear RGB and alpha. `uv` = (0, 0) is the upper left corner of the upper
 /// left texel; texels are filtered after the sRGB curve was undone.
+#[inline(always)]
 pub fn sample(texture: &Texture, uv: Vec2) -> Vec4 {
+    let (texels, f) = around(texture, uv);
+    let [top, bottom] = texels.map(|[left, right]| linear(left).lerp(linear(right), f.x));
+    top.lerp(bottom, f.y)
+}
+
+/// Alpha of [`sample`]: the same bits without the colours.
+fn sample_alpha(texture: &Texture, uv: Vec2) -> f32 {
+    let (texels, f) = around(texture, uv);
+    let lerp = |a: f32, b: f32, s: f32| a * (1.0 - s) + b * s;
+    let [top, bottom] = texels.map(|[left, right]| lerp(unit(left[3]), unit(right[3]), f.x));
+    lerp(top, bottom, f.y)
+}
+
+/// The four texels around a point, `[row][column]`, and where it lies between them.
+#[inline(always)]
+fn around(texture: &Texture, uv: Vec2) -> ([[[u8; 4]; 2]; 2], Vec2) {
     let size = Vec2::new(texture.width as f32, texture.height as f32);
     // A coordinate that is not finite reads the corner.
     let wrapped = if uv.is_finite() { uv - uv.floor() } else { Vec2::ZERO };
     let p = wrapped * size - 0.5;
     let base = p.floor();
-    let f = p - base;
-    let column = |i: i32| i.rem_euclid(texture.width as i32) as usize;
-    let row = |i: i32| i.rem_euclid(texture.height as i32) as usize * texture.width as usize;
-    let (x, y) = (base.x as i32, base.y as i32);
-    let texel = |x: i32, y: i32| linear(texture.srgba[row(y) + column(x)]);
-    let top = texel(x, y).lerp(texel(x + 1, y), f.x);
-    let bottom = texel(x, y + 1).lerp(texel(x + 1, y + 1), f.x);
-    top.lerp(bottom, f.y)
+    // From −1 to the size: one step beyond either end.
+    let wrap = |i: i32, size: u32| (if i < 0 { size - 1 } else { i as u32 % size }) as usize;
+    let columns = [0, 1].map(|k| wrap(base.x as i32 + k, texture.width));
+    let rows = [0, 1].map(|k| wrap(base.y as i32 + k, texture.height) * texture.width as usize);
+    (rows.map(|row| columns.map(|column| texture.srgba[row + column])), p - base)
 }
 
 /// Linear values of the 256 sRGB codes (IEC 61966-2-1).
@@ -117,9 +177,15 @@ static SRGB_TO_LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 
+#[inline(always)]
 fn linear([r, g, b, a]: [u8; 4]) -> Vec4 {
     let curve = &*SRGB_TO_LINEAR;
-    Vec4::new(curve[r as usize], curve[g as usize], curve[b as usize], f32::from(a) / 255.0)
+    Vec4::new(curve[r as usize], curve[g as usize], curve[b as usize], unit(a))
+}
+
+#[inline(always)]
+fn unit(code: u8) -> f32 {
+    f32::from(code) / 255.0
 }
 
 #[cfg(test)]
@@ -151,6 +217,10 @@ mod tests {
         assert!((half - Vec4::new(0.5, 0.5, 0.0, 0.5)).abs().max_element() < 1e-6);
         let across_the_border = sample(&t, Vec2::new(0.0, 0.25));
         assert!((across_the_border - half).abs().max_element() < 1e-6);
+        for k in 0..100 {
+            let uv = Vec2::new(0.037 * k as f32 - 1.0, 2.0 - 0.051 * k as f32);
+            assert_eq!(sample_alpha(&t, uv), sample(&t, uv).w, "{uv}");
+        }
         let far = sample(&t, Vec2::new(-2.75, 5.25));
         assert!((far - sample(&t, Vec2::new(0.25, 0.25))).abs().max_element() < 1e-5);
         assert!(sample(&t, Vec2::new(f32::NAN, 0.0)).is_finite());

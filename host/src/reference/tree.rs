@@ -5,7 +5,8 @@
 //! block is tested as fast as a single triangle.
 
 use super::ReferenceError;
-use crate::scene::Scene;
+use crate::scene::{Alpha, Scene};
+use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec3A, Vec4};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -22,6 +23,8 @@ pub const BLOCK: usize = 4;
 pub const STACK: usize = 1024;
 /// Marks a reference to a block of triangles.
 pub const LEAF: u32 = 1 << 31;
+/// Marks a triangle that lets rays pass by its alpha, so that others need not be looked up.
+pub const MASKED: u32 = 1 << 31;
 
 /// Scenes of fewer triangles are not pre-split: there is nothing to gain.
 const PRESPLIT_FROM: usize = 64;
@@ -31,7 +34,7 @@ const REINSERTION_RATIO: [f32; 2] = [0.5, 0.1];
 const LARGE_SCENE: usize = 400_000;
 
 /// Eight children's boxes and where they are.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Node {
     /// `planes[2·axis + side]`: side 0 is the lower plane. An empty slot's box is inverted: no ray enters it.
@@ -41,12 +44,21 @@ pub struct Node {
 }
 
 /// Four triangles, one per lane; a lane without one holds NaN, which no ray hits.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
 pub struct Block {
     /// `corners[corner][axis]`.
     pub corners: [[Vec4; 3]; 3],
-    /// Index into [`Scene::triangles`].
+    /// Index into [`Scene::triangles`], and [`MASKED`].
     pub triangles: [u32; BLOCK],
+}
+
+impl Block {
+    /// Whether the triangle in a lane lets rays pass by its alpha.
+    #[inline(always)]
+    pub fn is_masked(&self, lane: usize) -> bool {
+        self.triangles[lane] & MASKED != 0
+    }
 }
 
 /// Nodes and blocks. Node 0 is the root; a tree of no triangles has no node.
@@ -235,8 +247,10 @@ impl Folding<'_> {
         for lane in 0..BLOCK {
             let corners = match triangles.get(lane) {
                 Some(&t) => {
-                    block.triangles[lane] = t;
-                    self.scene.corners(&self.scene.triangles[t as usize])
+                    let triangle = &self.scene.triangles[t as usize];
+                    let material = &self.scene.materials[triangle.material as usize];
+                    block.triangles[lane] = if matches!(material.alpha, Alpha::Mask(_)) { t | MASKED } else { t };
+                    self.scene.corners(triangle)
                 }
                 None => [Vec3::NAN; 3],
             };
