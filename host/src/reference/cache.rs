@@ -14,9 +14,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Version of the estimator and of the file format: a change of either makes old files unknown.
-const MAGIC: &[u8; 8] = b"irtruth1";
+const MAGIC: &[u8; 8] = b"irtruth2";
 /// The same for irradiance at receivers.
-const MAGIC_IRRADIANCE: &[u8; 8] = b"irirrad1";
+const MAGIC_IRRADIANCE: &[u8; 8] = b"irirrad2";
 /// Bytes before the payload: magic, length, SHA-256.
 const HEADER_BYTES: usize = 8 + 8 + 32;
 /// Bytes of the payload before the pictures.

@@ -240,7 +240,7 @@ mod tests {
     fn directions_are_unit_and_follow_the_cosine_law() {
         let normals = [Vec3::X, -Vec3::Z, Vec3::new(0.6, -0.64, 0.48), Vec3::new(1e-4, 0.0, -1.0).normalize()];
         for normal in normals {
-            let (mut mean, n) = (Vec3::ZERO, 64);
+            let (mut mean, n) = (Vec3::ZERO, 256);
             for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
                 let [u, v] = [i, j].map(|k| (k as f32 + 0.5) / n as f32);
                 let (direction, pdf) = cosine_direction(normal, [u, v]);

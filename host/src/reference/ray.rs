@@ -185,3 +185,107 @@ fn exact_edges(edges: &mut [Vec4; 3], corners: &[[Vec4; 2]; 3], lanes: u32) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::sampler::hash;
+    use super::*;
+    use glam::DVec3;
+
+    /// Numbers from −1 to 1.
+    struct Random(u32);
+
+    impl Random {
+        fn next(&mut self) -> f32 {
+            self.0 += 1;
+            hash(self.0) as f32 / 2_147_483_648.0 - 1.0
+        }
+
+        fn vector(&mut self) -> Vec3 {
+            Vec3::new(self.next(), self.next(), self.next())
+        }
+    }
+
+    /// Where a ray enters and leaves a box, in f64; it meets the box where it enters it before it leaves it, and not behind.
+    fn exact([low, high]: [Vec3; 2], origin: Vec3, direction: Vec3) -> [f64; 2] {
+        let (o, d) = (origin.as_dvec3(), direction.as_dvec3());
+        let [a, b] = [low, high].map(|p| (p.as_dvec3() - o) / d);
+        [a.min(b).max(DVec3::ZERO).max_element(), a.max(b).min_element()]
+    }
+
+    fn node(boxes: &[[Vec3; 2]; WIDTH]) -> Node {
+        let plane = |side: usize, axis: usize| boxes.map(|b| b[side][axis]);
+        let planes = [plane(0, 0), plane(1, 0), plane(0, 1), plane(1, 1), plane(0, 2), plane(1, 2)];
+        Node { planes, children: [0; WIDTH] }
+    }
+
+    /// What each way of testing boxes finds.
+    fn ways(ray: &WalkRay, node: &Node) -> Vec<Met> {
+        let mut ways = vec![ray.meets(node)];
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            // SAFETY: the processor was asked.
+            #[allow(unsafe_code)]
+            ways.push(unsafe { ray.meets_by_avx2(node) });
+        }
+        ways
+    }
+
+    #[test]
+    fn no_box_is_missed_and_few_are_met_in_vain() {
+        let mut random = Random(1);
+        let (mut met, mut in_vain, mut missed_exactly) = (0, 0, 0);
+        for trial in 0..200_000 {
+            // Thin boxes, and origins near to them and far away: where rounding shows.
+            let distance = [1.0, 30.0, 1e4][trial % 3];
+            let boxes: [[Vec3; 2]; WIDTH] = std::array::from_fn(|_| {
+                let (centre, half) = (random.vector(), random.vector().abs() * Vec3::new(1.0, 1e-3, 0.3));
+                [centre - half, centre + half]
+            });
+            let origin = random.vector() * distance;
+            // Towards a corner of one of the boxes, which the ray hits or misses by rounding alone.
+            let towards = boxes[trial % WIDTH][trial / 8 % 2] - origin;
+            let direction = if trial % 5 == 0 { towards * Vec3::new(1.0, 1.0, 0.0) } else { towards };
+            if direction.min_element() == 0.0 && direction.max_element() == 0.0 {
+                continue;
+            }
+            let ray = WalkRay::new(origin, direction, f32::MAX);
+            let node = node(&boxes);
+            for way in ways(&ray, &node) {
+                for (k, bounds) in boxes.iter().enumerate() {
+                    let [enter, leave] = exact(*bounds, origin, direction);
+                    let found = way.slots >> k & 1 == 1;
+                    if enter <= leave {
+                        assert!(found, "{bounds:?} from {origin} along {direction}: {enter} to {leave}");
+                        assert!(
+                            f64::from(way.enter.0[k]) <= enter * (1.0 + 1e-6) + 1e-30,
+                            "{} > {enter}",
+                            way.enter.0[k]
+                        );
+                        met += 1;
+                    } else {
+                        missed_exactly += 1;
+                        in_vain += u32::from(found);
+                    }
+                }
+            }
+        }
+        assert!(met > 100_000 && missed_exactly > 1_000_000, "{met} met, {missed_exactly} not");
+        // One corner in sixteen boxes is aimed at; half of those are missed by less than rounding.
+        assert!(in_vain < missed_exactly / 10, "{in_vain} of {missed_exactly} met in vain");
+    }
+
+    #[test]
+    fn boxes_behind_or_beyond_the_end_are_not_met() {
+        let unit = [Vec3::splat(-1.0), Vec3::ONE];
+        let boxes = node(&[unit; WIDTH]);
+        let slots = |x: f32, tmax: f32| {
+            let ray = WalkRay::new(Vec3::new(x, 0.1, 0.2), Vec3::X, tmax);
+            ways(&ray, &boxes).iter().map(|m| m.slots).collect::<Vec<_>>()
+        };
+        assert!(slots(-3.0, 10.0).iter().all(|&s| s == 255));
+        assert!(slots(0.0, 0.1).iter().all(|&s| s == 255), "from inside");
+        assert!(slots(-3.0, 1.9).iter().all(|&s| s == 0), "ends before");
+        assert!(slots(1.1, 10.0).iter().all(|&s| s == 0), "behind");
+    }
+}

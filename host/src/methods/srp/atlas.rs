@@ -129,6 +129,7 @@ impl Atlas {
 
     /// The texel that holds a point of a triangle, if it is of the triangle's chart: an index into `texels`. For
     /// precomputation: a lightmap from a file does not know.
+    #[inline(always)]
     pub fn texel_of(&self, triangle: u32, weights: [f32; 3], front: bool) -> u32 {
         let at = self.place(triangle, weights, true).floor().as_ivec2();
         let [columns, rows] = self.charts.size.map(|s| s as i32);
@@ -160,6 +161,7 @@ impl Atlas {
     }
 
     /// Place of a surface point in the lightmap, in texels.
+    #[inline(always)]
     fn place(&self, triangle: u32, weights: [f32; 3], front: bool) -> Vec2 {
         let [a, b, c] = self.charts.corners[triangle as usize];
         let p = a * weights[0] + b * weights[1] + c * weights[2];

@@ -171,6 +171,7 @@ impl RoundTrip {
     }
 
     /// The texel with a receiver that stands for a point; `texel` is its own, if it has one.
+    #[inline(always)]
     pub fn texel(&self, world: &World<'_>, seen: &Seen, texel: u32) -> u32 {
         self.stand_ins.of_texel(world, seen, texel)
     }
@@ -186,6 +187,7 @@ impl RoundTrip {
     }
 
     /// Adds a texel, seen with a weight, to a row of form factors.
+    #[inline(always)]
     pub fn add(&self, factors: &mut [f32], texel: u32, weight: f32) {
         let Some(patch) = self.patch_of.get(texel as usize).filter(|p| **p != NO_PATCH) else { return };
         factors[*patch as usize] += weight * self.states.deviation[texel as usize];
@@ -194,6 +196,7 @@ impl RoundTrip {
     }
 
     /// Asks for what [`Self::add`] reads of a texel: texels are many, and each has some hundred numbers.
+    #[inline(always)]
     pub fn prefetch(&self, texel: u32) {
         if (texel as usize) < self.patch_of.len() {
             self.states.prefetch(texel);

@@ -108,12 +108,14 @@ impl States {
     }
 
     /// Asks for what [`Self::of`] gives for a texel, which does not lie in a cache after another.
+    #[inline(always)]
     pub fn prefetch(&self, texel: u32) {
         let first = texel as usize * self.count();
         (first..first + self.count()).step_by(CACHE_LINE).for_each(|i| prefetch(&self.light, i));
     }
 
     /// Irradiance of a texel in all states.
+    #[inline(always)]
     pub fn of(&self, texel: u32) -> &[f32] {
         &self.light[texel as usize * self.count()..][..self.count()]
     }

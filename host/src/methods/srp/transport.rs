@@ -84,6 +84,7 @@ struct Sum {
 impl Sum {
     /// Weight of a ray: 1, or which half it belongs to. Neighbours among the directions, which lie one beside the other, belong
     /// to different halves: both are stratified like the whole.
+    #[inline(always)]
     fn weight(&self, ray: u32) -> f32 {
         self.halves.map_or(1.0, |mean| sign(ray) - mean)
     }
@@ -167,8 +168,7 @@ impl Transport<'_> {
     /// Sends a receiver's rays and asks what the probes of `support` see of what they meet; [`Transport::rows`] then says
     /// what comes of it.
     pub fn send(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> Rays {
-        self.trace(r, &frame(r.normal), &mut scratch.met);
-        let asked = self.weigh(r, support, scratch);
+        let asked = trace_and_weigh(self, r, support, scratch);
         self.traced.fetch_add(self.directions.len() as u64 + asked, Relaxed);
         let met = &scratch.met;
         let all = self.directions.len().max(1) as f32;
@@ -199,19 +199,21 @@ impl Transport<'_> {
         let stride = met.sum.len();
         for (slot, probe) in support.iter().enumerate() {
             let weights = &scratch.weights[slot * stride..(slot + 1) * stride];
-            self.sample(&scratch.met, weights, self.probes[*probe as usize], &frame, &sum, &mut scratch.samples);
+            let position = self.probes[*probe as usize];
+            sample_one(self, &scratch.met, weights, position, &frame, &sum, &mut scratch.samples);
             for row in 0..self.rows as usize {
                 let at = (row * support.len() + slot) * k;
                 scratch.samples.project(self.order, row, sum.per_ray, &mut rows[at..at + k]);
             }
         }
         if let Some((kinds, factors)) = kinds {
-            self.form_factors(&scratch.met, &frame, &sum, kinds, factors);
+            form_factors(self, &scratch.met, &frame, &sum, kinds, factors);
         }
         rows
     }
 
     /// What a receiver's rays met, by kind of light.
+    #[inline(always)]
     fn form_factors(&self, met: &Met, frame: &Frame, sum: &Sum, kinds: &RoundTrip, factors: &mut [f32]) {
         let count = kinds.factor_count();
         // Neighbours among the rays often meet the same texel: they are added together.
@@ -239,6 +241,7 @@ impl Transport<'_> {
     }
 
     /// Sends a receiver's rays.
+    #[inline(always)]
     fn trace(&self, r: &Receiver, frame: &Frame, met: &mut Met) {
         met.clear();
         for (ray, local) in self.directions.iter().enumerate() {
@@ -254,6 +257,7 @@ impl Transport<'_> {
     }
 
     /// Weights of the probes in support for everything that was met, and their sums. Gives the number of rays that it took.
+    #[inline(always)]
     fn weigh(&self, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> u64 {
         let mut asked = 0;
         let stride = scratch.met.sum.len();
@@ -274,6 +278,7 @@ impl Transport<'_> {
     }
 
     /// Takes away the weights of what a probe does not see, and adds the others to the sums. Gives the number of rays that it took.
+    #[inline(always)]
     fn hide(&self, met: &mut Met, weights: &mut [f32], probe: u32) -> u64 {
         let of = Asked { world: self.world, atlas: self.atlas, probes: self.probes };
         let mut asked = 0;
@@ -296,6 +301,7 @@ impl Transport<'_> {
     }
 
     /// What one probe contributes.
+    #[inline(always)]
     fn sample(&self, met: &Met, weights: &[f32], probe: Vec3, frame: &Frame, sum: &Sum, samples: &mut Samples) {
         let count = met.seen.len();
         samples.resize(count, self.rows as usize);
@@ -327,6 +333,40 @@ impl Transport<'_> {
         };
         PI * (0..count).filter(leaves).count() as f32 / count.max(1) as f32
     }
+}
+
+/// [`Transport::trace`], then [`Transport::weigh`]: what is inlined here and below is compiled for AVX2 too, the same bits.
+#[multiversion(targets("x86_64+avx2+fma+bmi1+bmi2+lzcnt"))]
+fn trace_and_weigh(transport: &Transport<'_>, r: &Receiver, support: &[u32], scratch: &mut Scratch) -> u64 {
+    transport.trace(r, &frame(r.normal), &mut scratch.met);
+    transport.weigh(r, support, scratch)
+}
+
+/// [`Transport::sample`].
+#[multiversion(targets("x86_64+avx2+fma+bmi1+bmi2+lzcnt"))]
+fn sample_one(
+    transport: &Transport<'_>,
+    met: &Met,
+    weights: &[f32],
+    probe: Vec3,
+    frame: &Frame,
+    sum: &Sum,
+    samples: &mut Samples,
+) {
+    transport.sample(met, weights, probe, frame, sum, samples);
+}
+
+/// [`Transport::form_factors`].
+#[multiversion(targets("x86_64+avx2+fma+bmi1+bmi2+lzcnt"))]
+fn form_factors(
+    transport: &Transport<'_>,
+    met: &Met,
+    frame: &Frame,
+    sum: &Sum,
+    kinds: &RoundTrip,
+    factors: &mut [f32],
+) {
+    transport.form_factors(met, frame, sum, kinds, factors);
 }
 
 /// How finely a probe resolves the surface at each point: solid angle per area, `cos θ / d²`, times `scale`; 0 or less
@@ -371,6 +411,7 @@ impl Met {
         (0..self.seen.len()).filter(|i| self.sum[*i] <= 0.0).count()
     }
 
+    #[inline(always)]
     fn push(&mut self, seen: Seen, texel: u32, ray: u32) {
         for axis in 0..3 {
             self.position[axis].push(seen.position[axis]);

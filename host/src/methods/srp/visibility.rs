@@ -37,7 +37,7 @@ impl Visibility {
     }
 
     /// Whether a probe sees a point of a texel (an index into [`Atlas::texels`]). Adds the rays that it took to `asked`.
-    #[inline]
+    #[inline(always)]
     pub fn sees(&self, of: &Asked<'_>, texel: u32, probe: u32, at: &Seen, asked: &mut u64) -> bool {
         let place = &self.known[texel as usize * self.probe_count + probe as usize];
         let mut state = place.load(Relaxed);
@@ -73,7 +73,7 @@ pub struct Asked<'a> {
 
 impl Asked<'_> {
     /// Whether a probe sees a point.
-    #[inline]
+    #[inline(always)]
     pub fn sees(&self, at: &Seen, probe: u32, asked: &mut u64) -> bool {
         *asked += 1;
         self.world.sees(at, self.probes[probe as usize])

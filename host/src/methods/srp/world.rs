@@ -112,6 +112,7 @@ impl<'a> World<'a> {
     }
 
     /// What a ray that leaves a receiver meets first.
+    #[inline(always)]
     pub fn closest_from(&self, r: &Receiver, direction: Vec3) -> Option<Seen> {
         let from = leave_surface(r.position, r.geometric_normal, r.error, direction);
         // No triangle has the number of a receiver in free space.
@@ -119,6 +120,7 @@ impl<'a> World<'a> {
     }
 
     /// What a ray meets first, but for one triangle.
+    #[inline(always)]
     pub fn closest_but(&self, origin: Vec3, direction: Vec3, own: u32) -> Option<Seen> {
         let hit = self.tracer.closest(origin, direction, f32::MAX, own)?;
         Some(self.on_side(hit.triangle, hit.barycentric.to_array(), |outward| outward.dot(direction) < 0.0))
@@ -130,6 +132,7 @@ impl<'a> World<'a> {
         self.on_side(triangle, weights, |_| front)
     }
 
+    #[inline(always)]
     fn on_side(&self, triangle: u32, weights: [f32; 3], is_front: impl Fn(Vec3) -> bool) -> Seen {
         let f = &self.faces[triangle as usize];
         let front = is_front(f.outward);
@@ -144,6 +147,7 @@ impl<'a> World<'a> {
     }
 
     /// Whether nothing lies between a surface point and a point in free space.
+    #[inline(always)]
     pub fn sees(&self, from: &Seen, point: Vec3) -> bool {
         let start = leave_surface(from.position, from.normal, from.error, point - from.position);
         !self.tracer.occluded(start, point - start, BEFORE_THE_POINT, [from.triangle, NO_TRIANGLE])
