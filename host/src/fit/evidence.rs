@@ -5,7 +5,7 @@
 use super::live::Live;
 use super::truth::{BlockTruth, Truth};
 use crate::error::Error;
-use crate::methods::{MethodRow, Settings, Terms};
+use crate::methods::{MethodRow, SetUp, Settings, Terms};
 use glam::{DVec3, Vec4};
 use std::ops::Range;
 
@@ -63,6 +63,29 @@ pub struct Candidate {
     pub(super) irradiance: Vec<Vec4>,
 }
 
+impl Candidate {
+    /// Before anything is known of it.
+    pub fn unjudged(row: &'static str, settings: &Settings, effort: Effort) -> Self {
+        Self {
+            row,
+            settings: settings.clone(),
+            error: 0.0,
+            bounds: [0.0; 2],
+            blocks: 0,
+            precompute_ms: 0.0,
+            dynamic_ms: 0.0,
+            frame_ms: 0.0,
+            memory_bytes: 0,
+            wall_s: 0.0,
+            took_s: 0.0,
+            terms: Vec::new(),
+            means: Vec::new(),
+            effort,
+            irradiance: Vec::new(),
+        }
+    }
+}
+
 /// Where settings run and truths are traced.
 pub trait Source {
     /// Blocks of the picture that show something.
@@ -76,6 +99,9 @@ pub trait Source {
 
     /// Whether settings can be asked without precomputing anything.
     fn is_prepared(&mut self, row: &MethodRow, settings: &Settings) -> bool;
+
+    /// What precomputing settings will take, where their method knows it beforehand.
+    fn set_up(&mut self, row: &MethodRow, settings: &Settings) -> Option<SetUp>;
 
     /// The truth of some blocks.
     ///

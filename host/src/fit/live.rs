@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::evaluate::{Prepared, Repeats, View};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::image_io::{Image, ImageError, ToneMap, png_bytes};
-use crate::methods::{Input, MethodRow, Settings, SharedParts, StageClock};
+use crate::methods::{Input, MethodRow, SetUp, Settings, SharedParts, StageClock};
 use crate::metrics::BLOCK_PX;
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::Scene;
@@ -220,11 +220,6 @@ impl Source for Live {
             known.map(|b| mean_of(b.len(), values.by_ref().take(b.len()))).collect()
         };
         Ok(Candidate {
-            row: row.name,
-            settings: settings.clone(),
-            error: 0.0,
-            bounds: [0.0; 2],
-            blocks: 0,
             precompute_ms: run.times.precompute,
             dynamic_ms: light_ms + frame_ms,
             frame_ms,
@@ -233,13 +228,21 @@ impl Source for Live {
             took_s,
             terms: run.terms,
             means,
-            effort,
             irradiance: if whole { run.irradiance } else { Vec::new() },
+            ..Candidate::unjudged(row.name, settings, effort)
         })
     }
 
     fn is_prepared(&mut self, row: &MethodRow, settings: &Settings) -> bool {
         self.kept.iter_mut().any(|p| p.serves(row, settings))
+    }
+
+    fn set_up(&mut self, row: &MethodRow, settings: &Settings) -> Option<SetUp> {
+        let input = Input { scene: &self.scene, buffers: &self.buffers, seed: self.seed, true_mean: None };
+        let mut method = (row.new)(settings).ok()?;
+        method.share(self.parts.entry(row.name).or_default());
+        // Who fails here says why when it is run.
+        method.set_up(self.exec.as_mut(), &input).ok()?
     }
 
     fn blocks(&self) -> usize {

@@ -1,7 +1,7 @@
 //! What one setting does to a method's picture and time, learnt where it is cheap to ask, and what several do together.
 //!
 //! Pictures add up: the change that a setting makes to the mean of each block at a small size is added to the picture at the
-//! size in question, so that errors which cancel are seen to cancel. Times multiply, each phase's by its own ratio. Both are
+//! size in question, so that errors which cancel are seen to cancel. Times multiply, each phase's by its own ratio, and so does memory. Both are
 //! guesses: they decide what is tried, never what is chosen.
 
 use super::{Candidate, Goal};
@@ -24,6 +24,8 @@ pub struct Effect {
     picture: Vec<DVec3>,
     /// Factors on the times of a light change and of a frame.
     ratios: [f64; 2],
+    /// Factor on the bytes of the method's buffers.
+    memory_ratio: f64,
 }
 
 impl Effect {
@@ -41,6 +43,7 @@ impl Effect {
                 ratio(before.dynamic_ms - before.frame_ms, after.dynamic_ms - after.frame_ms),
                 ratio(before.frame_ms, after.frame_ms),
             ],
+            memory_ratio: after.memory_bytes.max(1) as f64 / before.memory_bytes.max(1) as f64,
         }
     }
 }
@@ -52,18 +55,25 @@ pub struct Prediction {
     pub means: Vec<DVec3>,
     /// Times of a light change and of a frame (ms).
     pub times: [f64; 2],
+    /// The method's buffers.
+    pub memory_bytes: f64,
 }
 
 impl Prediction {
     /// What was measured.
     pub fn measured(c: &Candidate) -> Self {
-        Self { means: c.means.clone(), times: [c.dynamic_ms - c.frame_ms, c.frame_ms] }
+        Self {
+            means: c.means.clone(),
+            times: [c.dynamic_ms - c.frame_ms, c.frame_ms],
+            memory_bytes: c.memory_bytes as f64,
+        }
     }
 
     /// With one more setting changed.
     pub fn with(&self, effect: &Effect) -> Self {
         let means = self.means.iter().zip(&effect.picture).map(|(m, d)| (*m + *d).max(DVec3::ZERO)).collect();
-        Self { means, times: [0, 1].map(|k| self.times[k] * effect.ratios[k]) }
+        let times = [0, 1].map(|k| self.times[k] * effect.ratios[k]);
+        Self { means, times, memory_bytes: self.memory_bytes * effect.memory_ratio }
     }
 
     /// Time of a frame under a goal (ms).
@@ -80,21 +90,11 @@ mod tests {
     fn candidate(size: &str, cones: &str, mean: f64, [light, frame]: [f64; 2]) -> Candidate {
         let settings = [("size", size), ("cones", cones)].map(|(k, v)| (k.to_string(), v.to_string()));
         Candidate {
-            row: "m",
-            settings: Settings::from(settings),
-            error: 0.0,
-            bounds: [0.0; 2],
-            blocks: 0,
-            precompute_ms: 0.0,
             dynamic_ms: light + frame,
             frame_ms: frame,
-            memory_bytes: 0,
-            wall_s: 0.0,
-            took_s: 0.0,
-            terms: Vec::new(),
+            memory_bytes: (1024.0 * frame) as u64,
             means: vec![DVec3::splat(mean)],
-            effort: Effort::Glance,
-            irradiance: Vec::new(),
+            ..Candidate::unjudged("m", &Settings::from(settings), Effort::Glance)
         }
     }
 
@@ -107,6 +107,7 @@ mod tests {
         let predicted = Prediction::measured(&large).with(&effect);
         assert_eq!(predicted.means, vec![DVec3::splat(2.5)]);
         assert_eq!(predicted.times, [100.0, 4.0]);
+        assert_eq!(predicted.memory_bytes, 4096.0);
         assert_eq!(predicted.cost(&Goal::default()), 104.0);
         assert_eq!(predicted.cost(&Goal { still: true, ..Goal::default() }), 4.0);
     }

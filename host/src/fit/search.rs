@@ -7,7 +7,8 @@ use super::{
     words,
 };
 use crate::error::Error;
-use crate::methods::{MethodRow, Settings};
+use crate::methods::{MethodRow, SetUp, Settings};
+use std::collections::BTreeMap;
 
 /// Share of the cost that a step must leave at most: less is the clock's noise, and not worth an error.
 const SAVES: f64 = 0.97;
@@ -37,6 +38,8 @@ const HOPE: f64 = 2.0;
 /// Overrun of a rung up to which one dearer parameter is tried before the next rung, and how many such.
 const NARROW: f64 = 1.25;
 const BESIDE: usize = 3;
+/// Estimate of a precomputation over its limit from which on it is not tried.
+const MISJUDGED: f64 = 1.25;
 /// Ratio of times from rung to rung where only one is known.
 const GROWTH: f64 = 2.0;
 /// Least ratio of errors from rung to rung that a ladder is expected to go on with, and how much better than that it may
@@ -66,6 +69,8 @@ pub(super) struct Search<'a, S> {
     rejected: Vec<Rejected>,
     /// Settings that their method refused.
     refused: Vec<(&'static str, Settings)>,
+    /// By method: precomputation of its last trial over what it was estimated to take.
+    misjudged: BTreeMap<&'static str, f64>,
     /// Whether steps beside what was tried had their turn, where no rung fits.
     explored: bool,
     /// Seconds after which the ladders were climbed.
@@ -80,6 +85,9 @@ struct Ladder {
     next: usize,
     /// Cost of the last rung: rungs are ordered by it.
     cost: f64,
+    memory_bytes: u64,
+    /// Seconds that the next rung's precomputation will take, as far as its method knows.
+    set_up_s: f64,
     errors: Vec<f64>,
 }
 
@@ -111,6 +119,7 @@ impl<'a, S: Source> Search<'a, S> {
             tried,
             rejected,
             refused: Vec::new(),
+            misjudged: BTreeMap::new(),
             explored: false,
             climbed_s: 0.0,
             spared,
@@ -120,26 +129,32 @@ impl<'a, S: Source> Search<'a, S> {
     /// Seconds that a sweep of every rung and its neighbours would take at least: rungs that were not run as long as the last
     /// that was, up to the one that, as times grow from rung to rung, would not keep the limits. Its trials would share as much
     /// with each other as those of the search did.
-    fn sweep_s(&self) -> f64 {
+    fn sweep_s(&mut self) -> f64 {
         let mut sum = 0.0;
         for row in self.methods {
             let own = || self.tried.iter().filter(|c| c.row == row.name);
             let own_share = own().map(|c| c.took_s).sum::<f64>() / own().map(|c| c.wall_s).sum::<f64>().max(1e-9);
-            let mut each_s = 0.0;
+            let mut each_s: f64 = 0.0;
             // Of precomputation and of a frame, rung by rung (ms).
             let mut times: Vec<[f64; 2]> = Vec::new();
             for (_, changes) in row.ladder {
                 let Ok(rung) = row.with(changes.iter().copied()) else { continue };
                 let ran = self.tried.iter().find(|c| c.row == row.name && c.settings == rung);
-                let grown = [0, 1].map(|k| grown(times.iter().map(|t| t[k])));
-                let [precompute, frame] = ran.map_or(grown, |c| [c.precompute_ms, self.goal.cost(c)]);
-                times.push([precompute, frame]);
-                if self.goal.precompute_ms.is_some_and(|limit| precompute > limit)
-                    || self.goal.ms.is_some_and(|limit| frame > limit)
+                let ran = ran.map(|c| ([c.precompute_ms, self.goal.cost(c)], c.wall_s));
+                let (times_ms, wall_s) = ran.unwrap_or_else(|| {
+                    let [precompute, frame] = [0, 1].map(|k| grown(times.iter().map(|t| t[k])));
+                    let told_s = self.set_up(row, &rung).map(|told| told.whole_s);
+                    ([told_s.map_or(precompute, |s| 1e3 * s), frame], each_s.max(told_s.unwrap_or(0.0)))
+                });
+                each_s = wall_s;
+                times.push(times_ms);
+                if self.goal.precompute_ms.is_some_and(|limit| times_ms[0] > limit)
+                    || self.goal.ms.is_some_and(|limit| times_ms[1] > limit)
                 {
+                    // It is by asking this one that a sweep sees it.
+                    sum += each_s;
                     break;
                 }
-                each_s = ran.map_or(each_s, |c| c.wall_s);
                 let beside = |axis: &Axis| [-1, 1].into_iter().filter(|d| step(&rung, axis, *d).is_some()).count();
                 sum += each_s * (1.0 + own_share * axes(row, &rung).iter().map(beside).sum::<usize>() as f64);
             }
@@ -181,8 +196,30 @@ impl<'a, S: Source> Search<'a, S> {
         over
     }
 
+    /// Seconds for which the search would go on at most, with what it has found.
+    fn patience_left_s(&mut self) -> f64 {
+        if self.patience.is_infinite() {
+            return f64::INFINITY;
+        }
+        let hope = if self.best().is_some() { 1.0 } else { HOPE };
+        let whole_s = (hope * self.patience * self.sweep_s()).max((1.0 + EXPLORED) * self.climbed_s);
+        whole_s - self.evidence.source.elapsed_s()
+    }
+
+    /// What precomputing settings will take, where their method knows: by as much more than it says as it last did.
+    fn set_up(&mut self, row: &MethodRow, settings: &Settings) -> Option<SetUp> {
+        let SetUp { whole_s, left_s } = self.evidence.source.set_up(row, settings)?;
+        let off = self.misjudged.get(row.name).copied().unwrap_or(1.0);
+        Some(SetUp { whole_s: off * whole_s, left_s: off * left_s })
+    }
+
+    /// Whether precomputation would surely take longer than it may.
+    fn is_too_long(&self, set_up: &SetUp) -> bool {
+        self.goal.precompute_ms.is_some_and(|limit| 1e3 * set_up.whole_s > MISJUDGED * limit)
+    }
+
     /// Seconds that a finer truth may take.
-    fn refining_s(&self) -> f64 {
+    fn refining_s(&mut self) -> f64 {
         if self.patience.is_infinite() { f64::INFINITY } else { REFINING * self.sweep_s() }
     }
 
@@ -208,17 +245,19 @@ impl<'a, S: Source> Search<'a, S> {
 
     /// The best settings that keep the limits; `None` where none were found.
     pub(super) fn find(&mut self) -> Result<Option<Candidate>, Error> {
-        let start = |row: &&'static MethodRow| Ladder { row, next: 0, cost: 0.0, errors: Vec::new() };
+        let start = |row: &&'static MethodRow| Ladder {
+            row,
+            next: 0,
+            cost: 0.0,
+            memory_bytes: 0,
+            set_up_s: 0.0,
+            errors: Vec::new(),
+        };
         let mut open: Vec<Ladder> = self.methods.iter().map(start).collect();
         loop {
             self.climb(&mut open)?;
             self.climbed_s = self.evidence.source.elapsed_s();
-            if self.goal.error.is_some() || self.best().is_none() {
-                self.explore()?;
-            }
-            if let (None, Some(best)) = (self.goal.error, self.best()) {
-                self.raise(best)?;
-            }
+            self.explore()?;
             let found = self.confirmed()?;
             // Where a closer look turned everything down there may be rungs left that were too dear before.
             if found.is_some() || open.is_empty() {
@@ -241,65 +280,108 @@ impl<'a, S: Source> Search<'a, S> {
 
     /// The step that promises most for its time; `None` where none promises anything.
     fn most_promising(&mut self) -> Option<(&'static MethodRow, Settings)> {
-        let best = self.best().map(|b| self.goal.cost(&b));
-        let (tried, pairs) = (self.tried.clone(), self.pairs());
-        let mut most: Option<(f64, &'static MethodRow, Settings)> = None;
-        for at in &tried {
+        let (best, left_s) = (self.best(), self.patience_left_s());
+        let mut most: Option<(f64, Step)> = None;
+        for step in self.steps() {
+            let Some(promise) = self.promise(&step, best.as_ref(), left_s) else { continue };
+            if most.as_ref().is_none_or(|m| promise > m.0) {
+                most = Some((promise, step));
+            }
+        }
+        most.map(|(_, step)| (step.row, step.to))
+    }
+
+    /// Every step beside what was tried that is not known yet, and not known to change nothing.
+    fn steps(&mut self) -> Vec<Step> {
+        let (pairs, mut steps, mut spared) = (self.pairs(), Vec::new(), Vec::new());
+        for at in &self.tried {
             let Some(row) = self.row(at.row) else { continue };
             for axis in axes(row, &at.settings) {
                 for direction in [-1, 1] {
-                    let Some(settings) = step(&at.settings, &axis, direction) else { continue };
-                    if self.is_known(row, &settings) || (direction > 0 && self.carries_nothing(at, &axis.key)) {
+                    let Some(to) = step(&at.settings, &axis, direction) else { continue };
+                    if self.is_known(row, &to) {
                         continue;
                     }
-                    let expected = self.expected(&pairs, at, &axis.key, &settings, direction);
-                    let Some(promise) = self.promise(row, at, &settings, expected, best) else { continue };
-                    if most.as_ref().is_none_or(|m| promise > m.0) {
-                        most = Some((promise, row, settings));
+                    if let Some(words) = carries_nothing(at, &axis.key).filter(|_| direction > 0) {
+                        spared.push(words);
+                        continue;
                     }
+                    let expected = self.expected(&pairs, at, &axis.key, &to, direction);
+                    let (cost, affordable) = (self.goal.cost(at), self.goal.affords(at));
+                    steps.push(Step { row, to, expected, cost, affordable, wall_s: at.wall_s });
                 }
             }
         }
-        most.map(|(_, row, settings)| (row, settings))
+        spared.into_iter().for_each(|words| self.spare_step(words));
+        steps
     }
 
     /// What a step is expected to give: what the same step did to the settings that are most like these, or little where
     /// that is not known.
     fn expected(&self, pairs: &[[usize; 2]], at: &Candidate, key: &str, to: &Settings, direction: isize) -> Expected {
         let Some((distance, effect)) = self.nearest_effect(pairs, at, key, &to[key]) else {
-            let cost = self.goal.cost(at) * if direction < 0 { 1.0 / UNKNOWN } else { UNKNOWN };
-            return Expected { error: at.error, cost, spread: SPREAD_UNKNOWN };
+            let factor = if direction < 0 { 1.0 / UNKNOWN } else { UNKNOWN };
+            let (cost, memory_bytes) = (factor * self.goal.cost(at), factor * at.memory_bytes as f64);
+            return Expected { error: at.error, cost, memory_bytes, spread: SPREAD_UNKNOWN };
         };
         let predicted = Prediction::measured(at).with(&effect);
         let error = self.evidence.error_of(&predicted.means);
-        Expected { error, cost: predicted.cost(&self.goal), spread: SPREAD * (1 + distance) as f64 }
+        let (cost, memory_bytes) = (predicted.cost(&self.goal), predicted.memory_bytes);
+        Expected { error, cost, memory_bytes, spread: SPREAD * (1 + distance) as f64 }
     }
 
-    /// What a step promises for each second: the probability that it keeps the limit, times the part of the best's cost that it
-    /// would save (a logarithm). `None` where that is not worth a trial.
-    fn promise(
-        &mut self,
-        row: &MethodRow,
-        at: &Candidate,
-        to: &Settings,
-        expected: Expected,
-        best: Option<f64>,
-    ) -> Option<f64> {
-        let Expected { error, cost, spread } = expected;
-        let dearer = cost >= self.goal.cost(at);
+    /// What a step promises for each second: the probability that it is good enough, times what it would then save. `None` where
+    /// that is not worth a trial, or the trial takes longer than there is patience.
+    fn promise(&mut self, step: &Step, best: Option<&Candidate>, left_s: f64) -> Option<f64> {
+        let Step { expected, cost, .. } = step;
         // What is too slow or too large asks for less; what is not must not become so.
-        let too_slow = self.goal.ms.is_some_and(|ms| cost > ms);
-        if dearer && (too_slow || !self.goal.affords(at)) {
+        let over = |limit: Option<f64>, value: f64| limit.is_some_and(|limit| value > limit);
+        let too_large = over(self.goal.memory_bytes.map(|m| m as f64), expected.memory_bytes);
+        let too_much = over(self.goal.ms, expected.cost) || too_large;
+        if expected.cost >= *cost && (too_much || !step.affordable) {
             return None;
         }
-        let gain = best.map_or(1.0, |best| (SAVES * best / cost.max(1e-6)).ln());
-        let chance = self.goal.error.map_or(1.0, |limit| logistic((limit / error).ln() / spread));
+        let (chance, gain) = match self.goal.error {
+            Some(limit) => self.saving(expected, limit, best),
+            None => self.improving(expected, too_much, best),
+        };
         if gain <= 0.0 || chance < LEAST_CHANCE {
             return None;
         }
-        let prepared = self.evidence.source.is_prepared(row, to);
-        let takes_s = if prepared { 4e-3 * cost } else { at.wall_s * cost / self.goal.cost(at).max(1e-6) };
-        Some(chance * gain / (takes_s + LEAST_S))
+        let takes_s = self.takes_s(step)?;
+        // Where nothing is known to fit, hope ends by other means.
+        (best.is_none() || takes_s <= left_s).then(|| chance * gain / (takes_s + LEAST_S))
+    }
+
+    /// The probability that a step keeps the error, and the part of the best's cost that it would save (a logarithm).
+    fn saving(&self, expected: &Expected, limit: f64, best: Option<&Candidate>) -> (f64, f64) {
+        let gain = best.map_or(1.0, |best| (SAVES * self.goal.cost(best) / expected.cost.max(1e-6)).ln());
+        (logistic((limit / expected.error).ln() / expected.spread), gain)
+    }
+
+    /// The probability that a step errs less than the best does, and how much less if so (a logarithm): what is not known to be
+    /// better may be by its spread.
+    fn improving(&self, expected: &Expected, too_much: bool, best: Option<&Candidate>) -> (f64, f64) {
+        match best {
+            _ if too_much && best.is_some() => (0.0, 0.0),
+            Some(best) => {
+                let gain = (SAVES * best.error / expected.error.max(1e-6)).ln();
+                (logistic(gain / expected.spread), gain.max(expected.spread))
+            }
+            None => (1.0, 1.0),
+        }
+    }
+
+    /// Seconds of a step's trial; `None` where precomputation would take longer than it may.
+    fn takes_s(&mut self, step: &Step) -> Option<f64> {
+        let runs_s = 4e-3 * step.expected.cost;
+        if self.evidence.source.is_prepared(step.row, &step.to) {
+            return Some(runs_s);
+        }
+        match self.set_up(step.row, &step.to) {
+            Some(set_up) => (!self.is_too_long(&set_up)).then_some(set_up.left_s + runs_s),
+            None => Some(step.wall_s * step.expected.cost / step.cost.max(1e-6)),
+        }
     }
 
     /// Pairs of trials of one method that differ in one setting.
@@ -368,11 +450,15 @@ impl<'a, S: Source> Search<'a, S> {
         if self.is_known(row, settings) {
             return None;
         }
+        let estimate = self.evidence.source.set_up(row, settings);
         let evidence = &mut *self.evidence;
         let work = || evidence.try_settings(row, settings, Effort::Glance);
         let reason = match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
             Ok(Ok(candidate)) => {
                 (self.news)(&candidate);
+                if let Some(estimate) = estimate.filter(|e| e.whole_s > 0.0) {
+                    self.misjudged.insert(row.name, candidate.precompute_ms / 1e3 / estimate.whole_s);
+                }
                 self.tried.push(candidate.clone());
                 return Some(candidate);
             }
@@ -409,12 +495,20 @@ impl<'a, S: Source> Search<'a, S> {
         let limit = self.goal.error.unwrap_or(0.0);
         let hopeless = |l: &Ladder| limit > 0.0 && l.expected().is_some_and(|e| e > limit);
         loop {
-            open.retain(|l| l.next < l.row.ladder.len() && self.goal.ms.is_none_or(|ms| l.cost <= ms));
+            open.retain(|l| {
+                let within = self.goal.ms.is_none_or(|ms| l.cost <= ms)
+                    && self.goal.memory_bytes.is_none_or(|bytes| l.memory_bytes <= bytes);
+                l.next < l.row.ladder.len() && within
+            });
+            self.ask_set_ups(open);
             // A ladder whose last rung costs more than what fits cannot win.
             let best = self.best().filter(|_| limit > 0.0).map_or(f64::INFINITY, |b| self.goal.cost(&b));
+            let spent_s = self.evidence.source.elapsed_s();
             let order = |a: &usize, b: &usize| {
                 let (a, b) = (&open[*a], &open[*b]);
-                hopeless(a).cmp(&hopeless(b)).then(a.cost.total_cmp(&b.cost))
+                // Who takes longer to ask than all so far waits for those who do not.
+                let key = |l: &Ladder| (hopeless(l), l.set_up_s > spent_s);
+                key(a).cmp(&key(b)).then(a.cost.total_cmp(&b.cost))
             };
             let Some(at) = (0..open.len()).filter(|k| open[*k].cost < best).min_by(order) else { return Ok(()) };
             if hopeless(&open[at]) && best.is_finite() {
@@ -430,12 +524,21 @@ impl<'a, S: Source> Search<'a, S> {
                 open.clear();
                 return Ok(());
             }
+            if open[at].set_up_s > spent_s && self.best().is_some() && open[at].set_up_s > self.patience_left_s() {
+                let ladder = open.remove(at);
+                self.spare_set_up(
+                    ladder.row,
+                    ladder.set_up_s,
+                    "longer than there is patience for, with what fits already",
+                );
+                continue;
+            }
             let ladder = &mut open[at];
             let row = ladder.row;
             let settings = row.with(row.ladder[ladder.next].1.iter().copied())?;
             ladder.next += 1;
             let Some(candidate) = self.run_clear(row, &settings)? else { continue };
-            ladder.cost = self.goal.cost(&candidate);
+            (ladder.cost, ladder.memory_bytes) = (self.goal.cost(&candidate), candidate.memory_bytes);
             ladder.errors.push(candidate.error);
             // Less than a rung may be missing.
             if let Some(beside) = self.beside(row, &candidate)? {
@@ -456,7 +559,11 @@ impl<'a, S: Source> Search<'a, S> {
         // The size is what costs most to ask for.
         for axis in axes.into_iter().skip(1) {
             let Some(settings) = step(&rung.settings, &axis, 1) else { continue };
-            if asked >= BESIDE || self.carries_nothing(rung, &axis.key) {
+            if asked >= BESIDE {
+                break;
+            }
+            if let Some(words) = carries_nothing(rung, &axis.key) {
+                self.spare_step(words);
                 continue;
             }
             asked += 1;
@@ -465,6 +572,27 @@ impl<'a, S: Source> Search<'a, S> {
             }
         }
         Ok(None)
+    }
+
+    /// Learns what the next rungs' precomputation will take, and leaves those ladders where it would surely take too long.
+    fn ask_set_ups(&mut self, open: &mut Vec<Ladder>) {
+        open.retain_mut(|ladder| {
+            let rung = ladder.row.with(ladder.row.ladder[ladder.next].1.iter().copied());
+            let Some(set_up) = rung.ok().and_then(|rung| self.set_up(ladder.row, &rung)) else { return true };
+            ladder.set_up_s = set_up.left_s;
+            let too_long = self.is_too_long(&set_up);
+            if too_long {
+                self.spare_set_up(ladder.row, set_up.whole_s, "more than it may");
+            }
+            !too_long
+        });
+    }
+
+    fn spare_set_up(&mut self, row: &MethodRow, seconds: f64, why: &str) {
+        let name = row.name;
+        let reason = format!("its next rung would take about {seconds:.1} s to precompute, {why}: not tried");
+        self.spared.push(format!("{name}: {reason}"));
+        self.rejected.push(Rejected { method: name.into(), reason });
     }
 
     fn spare_ladder(&mut self, ladder: &Ladder) {
@@ -485,29 +613,12 @@ impl<'a, S: Source> Search<'a, S> {
         least(&mut self.tried.iter().filter(|c| self.goal.affords(c))).or_else(|| least(&mut self.tried.iter()))
     }
 
-    /// Whether the terms beyond a setting's value carry too little to matter for the error; says so.
-    fn carries_nothing(&mut self, at: &Candidate, key: &str) -> bool {
-        let Some((terms, share)) = beyond(at, key).filter(|(_, share)| *share < NEGLIGIBLE * at.error) else {
-            return false;
-        };
-        let step = format!("{} {key} {}", at.row, at.settings[key]);
-        if !self.spared.iter().any(|s| s.starts_with(&step)) {
-            let share = words::percent(share);
-            self.spared
-                .push(format!("{step}: all {terms} beyond it carry {share} of the light: higher values not tried"));
+    /// Says what is not tried, and why, unless it is said already.
+    fn spare_step(&mut self, words: String) {
+        let step = words.split(':').next().unwrap_or_default();
+        if !self.spared.iter().any(|s| s.starts_with(step)) {
+            self.spared.push(words);
         }
-        true
-    }
-
-    /// Says what a step would do that is not tried.
-    fn spare(&mut self, at: &Candidate, effect: &Effect, predicted: &Prediction) {
-        let step = format!("{} {} {} -> {}", at.row, effect.key, at.settings[&effect.key], effect.value);
-        if self.spared.iter().any(|s| s.starts_with(&step)) {
-            return;
-        }
-        let errors = [at.error, self.evidence.error_of(&predicted.means)];
-        let costs = [self.goal.cost(at), predicted.cost(&self.goal)];
-        self.spared.push(words::spared(&step, &effect.learnt_at, errors, costs, self.goal.error));
     }
 
     /// The same settings at the method's smallest size, where that is much faster: where effects are learnt.
@@ -543,37 +654,6 @@ impl<'a, S: Source> Search<'a, S> {
     fn known_effect(&self, at: &Candidate, key: &str, value: &str) -> Option<Effect> {
         let nearest = self.nearest_effect(&self.pairs(), at, key, value);
         nearest.filter(|(distance, _)| *distance < FAR).map(|(_, effect)| effect)
-    }
-
-    /// More accurate settings within the limits of time and memory: every axis up while the error falls.
-    fn raise(&mut self, mut best: Candidate) -> Result<(), Error> {
-        let Some(row) = self.row(best.row) else { return Ok(()) };
-        for axis in axes(row, &best.settings) {
-            while let Some(settings) = step(&best.settings, &axis, 1) {
-                if self.is_patience_over() {
-                    return Ok(());
-                }
-                if self.carries_nothing(&best, &axis.key) {
-                    break;
-                }
-                let size = axes(row, &best.settings).first().is_some_and(|a| a.key == axis.key);
-                if let Some(effect) =
-                    (!size).then(|| self.effect(row, &best, &axis.key, &settings[&axis.key])).flatten()
-                {
-                    let predicted = Prediction::measured(&best).with(&effect);
-                    if self.evidence.error_of(&predicted.means) > best.error {
-                        self.spare(&best, &effect, &predicted);
-                        break;
-                    }
-                }
-                let Some(next) = self.run(row, &settings) else { break };
-                if !(self.goal.affords(&next) && next.error < 0.99 * best.error) {
-                    break;
-                }
-                best = next;
-            }
-        }
-        Ok(())
     }
 
     /// The best of all tried that fits, the finalists being run for the whole picture and timed again.
@@ -684,12 +764,24 @@ fn grown(times: impl DoubleEndedIterator<Item = f64>) -> f64 {
     }
 }
 
+/// One setting changed beside something that was tried.
+struct Step {
+    row: &'static MethodRow,
+    to: Settings,
+    expected: Expected,
+    /// Cost of what was tried, whether it keeps time and memory, and seconds of its trial.
+    cost: f64,
+    affordable: bool,
+    wall_s: f64,
+}
+
 /// What a step is expected to give.
 #[derive(Clone, Copy)]
 struct Expected {
     error: f64,
     /// Time of a frame (ms).
     cost: f64,
+    memory_bytes: f64,
     /// Spread of the logarithm of the error.
     spread: f64,
 }
@@ -708,6 +800,13 @@ fn differences(a: &Settings, b: &Settings) -> usize {
 fn beyond(at: &Candidate, key: &str) -> Option<(&'static str, f64)> {
     let terms = at.terms.iter().find(|t| t.key == key)?;
     Some((terms.name, terms.left_out(at.settings.get(key)?)?))
+}
+
+/// Says so where the terms beyond a setting's value carry too little to matter for the error.
+fn carries_nothing(at: &Candidate, key: &str) -> Option<String> {
+    let (terms, share) = beyond(at, key).filter(|(_, share)| *share < NEGLIGIBLE * at.error)?;
+    let (value, share) = (&at.settings[key], words::percent(share));
+    Some(format!("{} {key} {value}: all {terms} beyond it carry {share} of the light: higher values not tried", at.row))
 }
 
 /// Settings with one value changed.

@@ -3,7 +3,7 @@
 use super::{BlockTruth, Candidate, Care, Effort, Evidence, FitReport, Goal, Source, fit};
 use crate::error::Error;
 use crate::exec::{BufferId, Executor};
-use crate::methods::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock};
+use crate::methods::{Input, Method, MethodError, MethodRow, SearchAxis, SetUp, Setting, Settings, StageClock};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -18,6 +18,8 @@ struct Gives {
     error: f64,
     ms: f64,
     precompute_s: f64,
+    /// Whether the method knows beforehand what precomputing takes.
+    told: bool,
 }
 
 /// Runs formulas instead of methods, on a clock of its own.
@@ -41,7 +43,7 @@ impl Source for Table {
     }
 
     fn execute(&mut self, row: &'static MethodRow, settings: &Settings, effort: Effort) -> Result<Candidate, Error> {
-        let Some(Gives { error, ms, precompute_s }) = (self.gives)(row.name, settings) else {
+        let Some(Gives { error, ms, precompute_s, .. }) = (self.gives)(row.name, settings) else {
             return Err(Error::Usage("does not like it".into()));
         };
         let changed = settings.iter().filter(|(k, v)| row.settings.iter().any(|s| s.key == *k && s.default != *v));
@@ -50,26 +52,24 @@ impl Source for Table {
         let took_s = precompute_s + 4e-3 * ms;
         self.clock_s += took_s;
         Ok(Candidate {
-            row: row.name,
-            settings: settings.clone(),
-            error: 0.0,
-            bounds: [0.0; 2],
-            blocks: 0,
             precompute_ms: 1e3 * precompute_s,
             dynamic_ms: ms,
             frame_ms: 0.5 * ms,
             memory_bytes: (1024.0 * ms) as u64,
             wall_s: took_s,
             took_s,
-            terms: Vec::new(),
             means: vec![DVec3::splat(1.0 + error); BLOCKS],
-            effort,
-            irradiance: Vec::new(),
+            ..Candidate::unjudged(row.name, settings, effort)
         })
     }
 
     fn is_prepared(&mut self, _: &MethodRow, _: &Settings) -> bool {
         false
+    }
+
+    fn set_up(&mut self, row: &MethodRow, settings: &Settings) -> Option<SetUp> {
+        let gives = (self.gives)(row.name, settings).filter(|g| g.told)?;
+        Some(SetUp { whole_s: gives.precompute_s, left_s: gives.precompute_s })
     }
 
     fn traced(&mut self, blocks: Range<usize>, spp: u32, _: u32) -> Result<Vec<BlockTruth>, Error> {
@@ -169,10 +169,15 @@ fn gives(row: &str, settings: &Settings) -> Option<Gives> {
     Some(if row == "rough" {
         let [size, steps, rays] = ["size", "steps", "rays"].map(|key| number(settings, key));
         let off = if steps == 2.0 { 0.0 } else { 0.15 };
-        Gives { error: 0.05 + 2.0 / size + off + 0.2 / rays, ms: 0.02 * size * (steps + rays), precompute_s: 0.1 }
+        Gives {
+            error: 0.05 + 2.0 / size + off + 0.2 / rays,
+            ms: 0.02 * size * (steps + rays),
+            precompute_s: 0.1,
+            told: false,
+        }
     } else {
         let rays = number(settings, "rays");
-        Gives { error: 1.0 / rays.sqrt(), ms: 10.0 * rays, precompute_s: 0.01 * rays }
+        Gives { error: 1.0 / rays.sqrt(), ms: 10.0 * rays, precompute_s: 0.01 * rays, told: false }
     })
 }
 
@@ -260,7 +265,7 @@ fn where_the_noise_leaves_everything_in_doubt_the_likeliest_is_taken() {
     let gives = |row: &str, settings: &Settings| {
         let at_limit = row == "exact" && settings["rays"] == "16";
         let error = if at_limit { 0.09995 } else { 0.5 };
-        Some(Gives { error, ms: 10.0, precompute_s: 0.1 })
+        Some(Gives { error, ms: 10.0, precompute_s: 0.1, told: false })
     };
     let mut evidence = Table::new(gives);
     evidence.source.variance = 1e-5;
@@ -295,6 +300,94 @@ fn a_slow_method_does_not_keep_quick_ones_from_being_explored() {
     let report = search(&mut evidence, error(0.3), false);
     let ms = report.choice.expect("a choice").ms[0];
     assert!(report.found && ms <= super::MOST_COST * cheapest(0.3), "{ms} of {}", cheapest(0.3));
+}
+
+/// The exact method's precomputation takes 30 s on each rung; it says so if it is `told`.
+fn slow(row: &str, settings: &Settings, told: bool) -> Option<Gives> {
+    let gives = gives(row, settings)?;
+    Some(if row == "exact" { Gives { precompute_s: 30.0, told, ..gives } } else { gives })
+}
+
+#[test]
+fn what_says_that_it_takes_too_long_to_prepare_is_not_asked() {
+    let goal = Goal { precompute_ms: Some(4000.0), ..error(0.3) };
+    let mut evidence = Table::new(|row, settings| slow(row, settings, true));
+    let report = search(&mut evidence, goal, true);
+    assert!(report.found && !glances(&evidence).iter().any(|g| g.starts_with("exact")), "{:?}", glances(&evidence));
+    let rejected = report.rejected.iter().find(|r| r.method == "exact").expect("a reason");
+    assert!(rejected.reason.contains("30.0 s to precompute"), "{rejected:?}");
+    // Who does not say is asked once.
+    let mut evidence = Table::new(|row, settings| slow(row, settings, false));
+    assert!(search(&mut evidence, goal, true).found);
+    assert_eq!(glances(&evidence).iter().filter(|g| g.starts_with("exact")).count(), 1);
+}
+
+#[test]
+fn what_says_that_it_takes_long_waits_for_the_others() {
+    // Where they fit, there is no patience for it.
+    let mut evidence = Table::new(|row, settings| slow(row, settings, true));
+    let report = search(&mut evidence, error(0.3), true);
+    let glances_of = |evidence: &Evidence<Table>| glances(evidence).into_iter().map(String::from).collect::<Vec<_>>();
+    let order = glances_of(&evidence);
+    assert!(report.found && order[0].starts_with("rough"), "{order:?}");
+    // Where they do not, it has its turn.
+    let mut evidence = Table::new(|row, settings| slow(row, settings, true));
+    let report = search(&mut evidence, error(0.04), false);
+    let (order, choice) = (glances_of(&evidence), report.choice.expect("a choice"));
+    assert!(report.found && choice.method == "exact" && order[0].starts_with("rough"), "{order:?}");
+}
+
+#[test]
+fn a_time_limit_is_explored_beside_the_ladders() {
+    // Within 3 ms no rung but the first two: what is best there lies beside them.
+    let best = |limit: f64| {
+        let mut least = f64::INFINITY;
+        for size in ["8", "16", "32", "64", "128"] {
+            for steps in ["1", "2", "4", "8"] {
+                for rays in ["4", "16", "64"] {
+                    let set = [("size", size), ("steps", steps), ("rays", rays)].map(|(k, v)| (k.into(), v.into()));
+                    let gives = gives("rough", &Settings::from(set)).expect("it gives");
+                    least = if gives.ms <= limit { least.min(gives.error) } else { least };
+                }
+            }
+        }
+        least
+    };
+    for limit in [3.0, 5.0, 8.0, 20.0] {
+        for goal in [
+            Goal { ms: Some(limit), ..Goal::default() },
+            // Bytes are 1024 times the milliseconds here.
+            Goal { memory_bytes: Some((1024.0 * limit) as u64), ..Goal::default() },
+        ] {
+            let mut evidence = Table::new(gives);
+            let report = search(&mut evidence, goal, true);
+            let choice = report.choice.expect("a choice");
+            assert!(report.found && choice.ms[0] <= limit, "{choice:?}");
+            let best = best(limit);
+            assert!(choice.error <= 1.05 * best, "{goal:?}: {} of {best}, {:?}", choice.error, glances(&evidence));
+        }
+    }
+}
+
+#[test]
+fn a_search_without_hope_ends_early() {
+    // Everything comes near the limit and nothing keeps it, so that there is always a step left to try.
+    let near = |row: &str, settings: &Settings| {
+        let gives = gives(row, settings).filter(|_| row == "rough")?;
+        Some(Gives { error: 0.101, ..gives })
+    };
+    let took = |thorough: bool| {
+        let mut evidence = Table::new(near);
+        let report = search(&mut evidence, error(0.1), thorough);
+        assert!(!report.found && report.choice.is_some());
+        (evidence.source.clock_s, evidence.source.asked.len(), report)
+    };
+    let ((short_s, few, report), (long_s, many, thorough)) = (took(false), took(true));
+    assert!(short_s < 0.4 * long_s && 2 * few < many, "{short_s} s of {long_s} s, {few} trials of {many}");
+    // It says that it gave up; one that does not has tried all there is.
+    let said = |report: &FitReport| report.spared.iter().any(|s| s.starts_with("nothing fits so far"));
+    assert!(said(&report) && !said(&thorough), "{:?} {:?}", report.spared, thorough.spared);
+    assert_eq!(many, 5 * 4 * 3, "every set of the method that is not refused");
 }
 
 #[test]

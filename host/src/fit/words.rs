@@ -69,20 +69,6 @@ fn source(n: &Neighbour) -> String {
     n.estimated_at.as_ref().map_or_else(String::new, |at| format!(" (estimated with {at})"))
 }
 
-/// Why a step was not tried.
-pub(super) fn spared(step: &str, at: &str, errors: [f64; 2], costs: [f64; 2], limit: Option<f64>) -> String {
-    let [error, predicted] = errors;
-    let change = change(error, predicted);
-    let saved = 100.0 * (1.0 - costs[1] / costs[0]);
-    let verdict = match limit {
-        Some(limit) if predicted > limit => "over the limit",
-        Some(_) => "no time saved",
-        None => "not needed",
-    };
-    let at = if at.is_empty() { String::new() } else { format!(" (estimated with {at})") };
-    format!("{step} {change} and saves {saved:.0} % of the time{at}: {verdict}, not tried")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -213,6 +213,15 @@ pub struct SearchAxis {
     pub values: &'static [&'static str],
 }
 
+/// Seconds that [`Method::precompute`] is expected to take.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SetUp {
+    /// From nothing.
+    pub whole_s: f64,
+    /// Without what others left in shared parts ([`Method::share`]).
+    pub left_s: f64,
+}
+
 /// What methods of one kind share ([`Method::share`]); nothing until the first of them puts something there.
 pub type SharedParts = Option<Arc<dyn Any + Send + Sync>>;
 
@@ -237,6 +246,16 @@ pub trait Method: Send {
     /// scene and seed, that were given the same `parts`, and are left there for them. What is taken over is bit for bit what
     /// would have been computed, and its time is told to the clock ([`StageClock::spared_ms`]). Nothing by default.
     fn share(&mut self, _parts: &mut SharedParts) {}
+
+    /// Before [`Method::precompute`]: what that will take in this scene, told without doing it, from what is to be counted and
+    /// a short measured sample of the work. `fit` asks it of everything that it might try: all questions together after the
+    /// first must cost little, which is what shared parts can be used for. `None` (the default): quick, or not known.
+    ///
+    /// # Errors
+    /// What reading back returns.
+    fn set_up(&self, _: &mut dyn Executor, _: &Input<'_>) -> Result<Option<SetUp>, MethodError> {
+        Ok(None)
+    }
 
     /// Computes what depends on lights and materials.
     fn light_change(

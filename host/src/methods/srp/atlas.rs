@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Charts smaller than this (texels) have no receivers of their own.
-const SMALLEST_CHART: f32 = 0.25;
+pub(super) const SMALLEST_CHART: f32 = 0.25;
 /// Texels of which less than this share is covered are left out where their chart has others.
 const SMALLEST_SHARE: f32 = 0.02;
 /// Points per side of a texel at which its reflectance is sampled.

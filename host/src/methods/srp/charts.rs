@@ -110,6 +110,22 @@ impl Patches {
         Self { chart, count, plane, from_file: false }
     }
 
+    /// About how many texels of a side they touch that let `count` of them cover their area: a chart touches some beyond its
+    /// border, half as many as its box has along its sides. Charts of less than `smallest` texels are left out.
+    pub fn texels(&self, count: u32, smallest: f32) -> f32 {
+        let mut charts = vec![(0.0f32, Vec2::MAX, Vec2::MIN); self.count as usize];
+        for (corners, chart) in self.plane.iter().zip(&self.chart) {
+            let (area, low, high) = &mut charts[*chart as usize];
+            *area += 0.5 * doubled_area(*corners).abs();
+            (*low, *high) = corners.iter().fold((*low, *high), |(low, high), p| (low.min(*p), high.max(*p)));
+        }
+        let texel_area = charts.iter().map(|c| c.0).sum::<f32>() / count.max(1) as f32;
+        let touched = |(area, low, high): &(f32, Vec2, Vec2)| {
+            area / texel_area + 0.5 * (*high - *low).element_sum() / texel_area.sqrt()
+        };
+        charts.iter().filter(|c| c.0 >= smallest * texel_area).map(touched).sum()
+    }
+
     /// Gives every chart that `used` names a place in a lightmap whose texels are `texel_size` (m) wide.
     /// `area`: surface of all used charts (m²), which sets the resolution of a file's own set.
     pub fn pack(&self, used: &dyn Fn(u32) -> bool, texel_size: f32, area: f32) -> Charts {

@@ -1,6 +1,7 @@
 //! Parts of plans that others for the same scene may take over: who looks for settings asks for many bakes that differ in
 //! little. Each part is kept with all that it depends on, so that what is taken over is what would have been made.
 
+use super::charts::Patches;
 use super::plan::{BakeOptions, Ground, Places};
 use super::reach::Reach;
 use super::round_trip::RoundTrip;
@@ -14,6 +15,10 @@ const KEPT: usize = 6;
 /// Parts of plans for one scene.
 #[derive(Default)]
 pub struct Memo {
+    /// By receivers.
+    pub(super) patches: Shelf<u32, Patches>,
+    /// Seconds of one ray; of the scene alone.
+    pub(super) ray_s: Shelf<(), f64>,
     /// By seed, and chart of each triangle.
     pub(super) reach: Shelf<(u32, Vec<u32>), Reach>,
     pub(super) ground: Shelf<BakeOptions, Ground>,
@@ -31,6 +36,16 @@ impl<K, T> Default for Shelf<K, T> {
 }
 
 impl<K: PartialEq, T> Shelf<K, T> {
+    /// The part that was asked for last, and the milliseconds that it took.
+    pub(super) fn last(&self) -> Option<(Arc<T>, f64)> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).first().map(|p| (p.1.clone(), p.2))
+    }
+
+    /// Whether the part of a key is there.
+    pub(super) fn holds(&self, key: &K) -> bool {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|p| p.0 == *key)
+    }
+
     /// The part of a key, found or made; what it took is added to `spared_ms` if it was found.
     pub(super) fn get(
         &self,
@@ -76,8 +91,10 @@ mod tests {
             assert!(!made || spared_ms == 0.0);
             (!made).then_some(spared_ms)
         };
+        assert!(!shelf.holds(&0) && shelf.last().is_none());
         for key in 0..KEPT {
             assert_eq!(ask(key), None, "{key}");
+            assert!(shelf.holds(&key) && shelf.last().is_some_and(|(part, _)| *part == 10 * key));
         }
         let first = ask(0);
         assert!(first.is_some() && first == ask(0));

@@ -4,11 +4,11 @@ use super::atlas::Lookup;
 use super::feedback::Feedback;
 use super::model::{Blend, SrpBake};
 use super::runtime::{Points, RuntimeOptions, SrpRuntime};
-use super::{BakeOptions, Compression, Memo, NAME, Placement, Plan, Window, file};
+use super::{BakeOptions, Compression, Memo, NAME, Placement, Plan, Window, estimate, file};
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::methods::settings::parse;
 use crate::methods::{
-    Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, SharedParts, StageClock, Terms, Unit,
+    Input, Method, MethodError, MethodRow, SearchAxis, SetUp, Setting, Settings, SharedParts, StageClock, Terms, Unit,
 };
 use glam::Vec3;
 use interreflect_kernels::math::sh;
@@ -326,6 +326,15 @@ impl Method for Srp {
     fn share(&mut self, parts: &mut SharedParts) {
         let memo = parts.get_or_insert_with(|| Arc::new(Memo::default()));
         self.memo = memo.clone().downcast().ok();
+    }
+
+    fn set_up(&self, exec: &mut dyn Executor, input: &Input<'_>) -> Result<Option<SetUp>, MethodError> {
+        if !self.options.file.is_empty() {
+            return Ok(None);
+        }
+        let options = BakeOptions { seed: input.seed, ..self.options.bake.clone() };
+        let own = Memo::default();
+        estimate::set_up(exec, input, &options, self.memo.as_deref().unwrap_or(&own)).map(Some)
     }
 
     fn retune(&mut self, settings: &Settings) -> bool {

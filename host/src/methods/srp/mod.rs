@@ -20,6 +20,7 @@ pub mod charts;
 pub mod compress;
 pub mod dictionary;
 pub mod error_map;
+mod estimate;
 pub mod feedback;
 pub mod file;
 pub mod memo;

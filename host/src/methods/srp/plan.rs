@@ -23,7 +23,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, OnceLock};
 
 /// Rays by which receivers inside solids are found.
-const VALIDITY_RAYS: u32 = 64;
+pub(super) const VALIDITY_RAYS: u32 = 64;
 /// Receivers of which more than this share of rays meets the inside of solids are dropped.
 const INSIDE_ALLOWED: f32 = 0.5;
 /// Surfaces nearer than this many texels count as the inside of solids there.
@@ -455,12 +455,12 @@ impl<'a> Plan<'a> {
 
 impl BakeOptions {
     /// Only what [`Ground`] depends on: everything else is as by default.
-    fn of_ground(&self) -> Self {
+    pub(super) fn of_ground(&self) -> Self {
         Self { receivers: self.receivers, free: self.free.clone(), seed: self.seed, ..Self::default() }
     }
 
     /// Only what [`Places`] depend on.
-    fn of_places(&self) -> Self {
+    pub(super) fn of_places(&self) -> Self {
         Self {
             probes: self.probes,
             probe_positions: self.probe_positions.clone(),
@@ -473,30 +473,38 @@ impl BakeOptions {
     }
 
     /// Only what the round trip depends on.
-    fn of_round_trip(&self) -> Self {
+    pub(super) fn of_round_trip(&self) -> Self {
         Self { order: self.order, ridge: self.ridge, relight_rays: self.round_trip_rays(), ..self.of_places() }
     }
 
     /// Rays of a probe by which it sees kinds of light.
-    fn round_trip_rays(&self) -> u32 {
+    pub(super) fn round_trip_rays(&self) -> u32 {
         self.relight_rays.max(round_trip::RAYS)
     }
 }
 
+/// The scene's charts, as fine as so many receivers need them.
+pub(super) fn patches(
+    scene: &crate::scene::Scene,
+    receivers: u32,
+    memo: &Memo,
+    spared_ms: &mut f64,
+) -> Result<Arc<Patches>, MethodError> {
+    let texel = PATCH_TEXEL * (area(scene) / receivers.max(1) as f32).sqrt();
+    memo.patches.get(receivers, spared_ms, || Ok(Patches::new(scene, texel)))
+}
+
+/// Surface of a scene (m²), one side of each triangle.
+fn area(scene: &crate::scene::Scene) -> f32 {
+    let doubled = |[a, b, c]: [Vec3; 3]| (b - a).cross(c - a).length();
+    scene.triangles.iter().map(|t| 0.5 * doubled(scene.corners(t))).sum()
+}
+
 impl Ground {
     fn new(world: &World<'_>, options: &BakeOptions, memo: &Memo) -> Result<Self, MethodError> {
-        let scene = world.scene;
-        let area: f32 = scene
-            .triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = scene.corners(t);
-                0.5 * (b - a).cross(c - a).length()
-            })
-            .sum();
-        let texel = PATCH_TEXEL * (area / options.receivers.max(1) as f32).sqrt();
-        let patches = Patches::new(scene, texel);
-        let (key, mut taken_ms) = ((options.seed, patches.chart.clone()), 0.0);
+        let mut taken_ms = 0.0;
+        let patches = patches(world.scene, options.receivers, memo, &mut taken_ms)?;
+        let key = (options.seed, patches.chart.clone());
         let reach = memo.reach.get(key, &mut taken_ms, || Reach::new(world, &patches, options.seed))?;
         let atlas = Arc::new(Atlas::new(world, &patches, &reach.exposed, options.receivers));
         let valid: Vec<bool> = atlas

@@ -27,9 +27,9 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
 
 /// Walks at least, and per chart.
-const WALKS: (u32, u32) = (1 << 15, 4);
+pub(super) const WALKS: (u32, u32) = (1 << 15, 4);
 /// Reflections of a walk.
-const REFLECTIONS: u32 = 8;
+pub(super) const REFLECTIONS: u32 = 8;
 /// Ways by which what one walk alone met is tried to be left.
 const ESCAPES: u32 = 16;
 /// Voxels along the scene's longest side.
