@@ -2,12 +2,14 @@
 //! accurate ones within a time or a memory.
 //!
 //! 1. Climb: the cheapest rung of every method, then always the next rung of the method whose last one was cheapest, as
-//!    long as that can still win. A ladder whose errors fall too slowly to reach the limit is left for later.
+//!    long as that can still win. A ladder whose errors fall too slowly to reach the limit is left for later, and so is one
+//!    whose next rung says that precomputing it takes longer than everything so far ([`crate::methods::Method::set_up`]).
 //! 2. Explore: one parameter, one value beside anything that was tried, always the step that promises most for the time that
-//!    its trial takes: the chance that it keeps the limit times the part of the cost that it would save. What it will give is
-//!    told from what the same step did elsewhere, changes of pictures being added and times multiplied ([`Effect`]); where
-//!    the step was never made, the chance is wide. Whatever a step gives is a place to step on from, so that parameters
-//!    which are best between two worse values, or only together, are found.
+//!    its trial takes: the chance that it keeps the limit times the part of the cost that it would save; where no error is
+//!    asked for, the chance that it errs less times how much. What it will give is told from what the same step did
+//!    elsewhere, changes of pictures being added and times multiplied ([`Effect`]); where the step was never made, the chance
+//!    is wide. Whatever a step gives is a place to step on from, so that parameters which are best between two worse values,
+//!    or only together, are found.
 //! 3. Confirm: the finalists on the whole picture, timed again; the error on more blocks of the picture, until it is clear
 //!    on which side of the limit it lies.
 //!

@@ -1,8 +1,8 @@
 //! What one setting does to a method's picture and time, learnt where it is cheap to ask, and what several do together.
 //!
 //! Pictures add up: the change that a setting makes to the mean of each block at a small size is added to the picture at the
-//! size in question, so that errors which cancel are seen to cancel. Times multiply, each phase's by its own ratio, and so does memory. Both are
-//! guesses: they decide what is tried, never what is chosen.
+//! size in question, so that errors which cancel are seen to cancel. Times multiply, each phase's by its own ratio, and so does
+//! memory. Both are guesses: they decide what is tried, never what is chosen.
 
 use super::{Candidate, Goal};
 use crate::methods::Settings;
