@@ -14,8 +14,8 @@ const GRID: [f64; 4] = [0.1, 0.25, 0.5, 1.0];
 const FRAMES: usize = 7;
 /// Units that a motion covers at least: what it does not cross it cannot flicker at.
 const COVERED: f64 = 1.2;
-/// Samples of each of the truth's two pictures of a frame.
-const TRUTH_SPP: u32 = 64;
+/// Samples of each of the truth's two pictures of a frame: the noise of its own flicker must stay well below the bound squared.
+const TRUTH_SPP: u32 = 512;
 /// Rows of pixels.
 const SIDE_PX: u32 = 16;
 
