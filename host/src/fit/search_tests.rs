@@ -224,19 +224,24 @@ fn a_value_between_worse_ones_is_found() {
     }
 }
 
-/// The best of every set of settings that keeps the limit.
-fn cheapest(limit: f64) -> f64 {
+/// The least that any set of settings gives of what `of` says, where that is something.
+fn least(of: impl Fn(&Gives) -> Option<f64>) -> f64 {
     let mut least = f64::INFINITY;
     for size in ["8", "16", "32", "64", "128"] {
         for steps in ["1", "2", "4", "8"] {
             for rays in ["4", "16", "64"] {
                 let set = [("size", size), ("steps", steps), ("rays", rays)].map(|(k, v)| (k.into(), v.into()));
                 let gives = gives("rough", &Settings::from(set)).expect("it gives");
-                least = if gives.error <= limit { least.min(gives.ms) } else { least };
+                least = of(&gives).map_or(least, |value| least.min(value));
             }
         }
     }
     least
+}
+
+/// The time of the cheapest set of settings that keeps an error.
+fn cheapest(limit: f64) -> f64 {
+    least(|gives| (gives.error <= limit).then_some(gives.ms))
 }
 
 #[test]
@@ -340,19 +345,7 @@ fn what_says_that_it_takes_long_waits_for_the_others() {
 #[test]
 fn a_time_limit_is_explored_beside_the_ladders() {
     // Within 3 ms no rung but the first two: what is best there lies beside them.
-    let best = |limit: f64| {
-        let mut least = f64::INFINITY;
-        for size in ["8", "16", "32", "64", "128"] {
-            for steps in ["1", "2", "4", "8"] {
-                for rays in ["4", "16", "64"] {
-                    let set = [("size", size), ("steps", steps), ("rays", rays)].map(|(k, v)| (k.into(), v.into()));
-                    let gives = gives("rough", &Settings::from(set)).expect("it gives");
-                    least = if gives.ms <= limit { least.min(gives.error) } else { least };
-                }
-            }
-        }
-        least
-    };
+    let best = |limit: f64| least(|gives| (gives.ms <= limit).then_some(gives.error));
     for limit in [3.0, 5.0, 8.0, 20.0] {
         for goal in [
             Goal { ms: Some(limit), ..Goal::default() },
