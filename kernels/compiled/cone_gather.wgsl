@@ -92,68 +92,23 @@ var<storage> surfels: type_33;
 var<storage, read_write> out: type_29;
 
 fn function_() {
-    var phi_315_: f32;
-    var phi_320_: type_12;
-    var phi_323_: vec3<f32>;
+    var phi_316_: f32;
     var phi_321_: type_12;
-    var phi_346_: type_12;
-    var phi_484_: f32;
-    var phi_492_: f32;
-    var phi_505_: f32;
-    var phi_506_: vec3<f32>;
-    var phi_550_: bool;
-    var phi_559_: u32;
-    var phi_577_: i32;
-    var phi_591_: bool;
-    var phi_622_: i32;
-    var phi_636_: bool;
-    var phi_667_: i32;
-    var phi_681_: bool;
-    var phi_732_: vec3<f32>;
-    var phi_735_: type_40;
-    var phi_737_: u32;
-    var phi_739_: u32;
-    var phi_741_: f32;
-    var phi_743_: f32;
-    var phi_745_: type_40;
-    var phi_747_: type_40;
-    var phi_749_: type_40;
-    var phi_1017_: f32;
-    var phi_1147_: f32;
-    var phi_1153_: vec4<f32>;
-    var phi_1156_: u32;
-    var phi_1506_: u32;
-    var phi_1518_: vec4<f32>;
-    var phi_1322_: vec4<f32>;
-    var phi_1325_: vec4<f32>;
-    var phi_1327_: u32;
-    var phi_1323_: vec4<f32>;
-    var phi_1326_: vec4<f32>;
-    var local: vec4<f32>;
-    var local_1: vec4<f32>;
-    var local_2: vec4<f32>;
-    var local_3: vec4<f32>;
-    var local_4: vec4<f32>;
-    var local_5: vec4<f32>;
-    var phi_1472_: vec4<f32>;
-    var phi_1486_: vec4<f32>;
-    var phi_1519_: vec4<f32>;
-    var phi_1154_: vec4<f32>;
-    var phi_1545_: vec4<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1586_: f32;
-    var phi_1587_: f32;
-    var phi_1629_: i32;
-    var phi_1647_: bool;
-    var phi_1668_: u32;
-    var phi_1673_: i32;
-    var phi_1678_: f32;
-    var phi_1685_: u32;
-    var phi_1690_: i32;
-    var phi_1695_: f32;
-    var phi_1702_: u32;
-    var phi_1707_: i32;
-    var phi_1712_: f32;
+    var phi_324_: vec3<f32>;
+    var phi_322_: type_12;
+    var phi_347_: type_12;
+    var phi_485_: f32;
+    var phi_493_: f32;
+    var phi_506_: f32;
+    var phi_507_: vec3<f32>;
+    var phi_551_: bool;
+    var phi_560_: u32;
+    var phi_578_: i32;
+    var phi_592_: bool;
+    var phi_623_: i32;
+    var phi_637_: bool;
+    var phi_668_: i32;
+    var phi_682_: bool;
     var phi_733_: vec3<f32>;
     var phi_736_: type_40;
     var phi_738_: u32;
@@ -163,598 +118,634 @@ fn function_() {
     var phi_746_: type_40;
     var phi_748_: type_40;
     var phi_750_: type_40;
-    var local_6: vec3<f32>;
-    var local_7: vec3<f32>;
+    var phi_1018_: f32;
+    var phi_1148_: f32;
+    var phi_1154_: vec4<f32>;
+    var phi_1157_: u32;
+    var phi_1517_: u32;
+    var phi_1529_: vec4<f32>;
+    var phi_1323_: vec4<f32>;
+    var phi_1326_: vec4<f32>;
+    var phi_1328_: u32;
+    var phi_1324_: vec4<f32>;
+    var phi_1327_: vec4<f32>;
+    var local: vec4<f32>;
+    var local_1: vec4<f32>;
+    var local_2: vec4<f32>;
+    var local_3: vec4<f32>;
+    var local_4: vec4<f32>;
+    var local_5: vec4<f32>;
+    var local_6: vec4<f32>;
+    var local_7: vec4<f32>;
+    var phi_1530_: vec4<f32>;
+    var phi_1155_: vec4<f32>;
+    var phi_1556_: vec4<f32>;
+    var phi_1596_: vec3<f32>;
+    var phi_1597_: f32;
+    var phi_1598_: f32;
+    var phi_1640_: i32;
+    var phi_1658_: bool;
+    var phi_1679_: u32;
+    var phi_1684_: i32;
+    var phi_1689_: f32;
+    var phi_1696_: u32;
+    var phi_1701_: i32;
+    var phi_1706_: f32;
+    var phi_1713_: u32;
+    var phi_1718_: i32;
+    var phi_1723_: f32;
+    var phi_734_: vec3<f32>;
+    var phi_737_: type_40;
+    var phi_739_: u32;
+    var phi_741_: u32;
+    var phi_743_: f32;
+    var phi_745_: f32;
+    var phi_747_: type_40;
+    var phi_749_: type_40;
+    var phi_751_: type_40;
     var local_8: vec3<f32>;
-    var local_9: f32;
-    var local_10: f32;
+    var local_9: vec3<f32>;
+    var local_10: vec3<f32>;
     var local_11: f32;
-    var phi_324_: vec3<f32>;
-    var phi_1843_: bool;
-    var local_12: vec3<f32>;
-    var local_13: vec3<f32>;
+    var local_12: f32;
+    var local_13: f32;
+    var phi_325_: vec3<f32>;
+    var phi_1854_: bool;
     var local_14: vec3<f32>;
-    var phi_1787_: vec4<f32>;
-    var local_15: vec4<f32>;
-    var local_16: vec4<f32>;
+    var local_15: vec3<f32>;
+    var local_16: vec3<f32>;
+    var phi_1798_: vec4<f32>;
+    var local_17: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e77 = gid_1;
-            let _e90 = params.member.member_9;
-            let _e94 = (_e77.x + (_e77.y * 2097152u));
-            if (_e94 < _e90) {
-                if (_e94 < arrayLength((&surfels.member))) {
+            let _e78 = gid_1;
+            let _e91 = params.member.member_9;
+            let _e95 = (_e78.x + (_e78.y * 2097152u));
+            if (_e95 < _e91) {
+                if (_e95 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                let _e100 = surfels.member[_e94].member;
-                let _e104 = surfels.member[_e94].member_1;
-                let _e108 = surfels.member[_e94].member_2;
-                let _e112 = surfels.member[_e94].member_4;
-                if (_e104 == 4294967295u) {
-                    phi_1787_ = vec4<f32>(0f, 0f, 0f, 0f);
+                let _e101 = surfels.member[_e95].member;
+                let _e105 = surfels.member[_e95].member_1;
+                let _e109 = surfels.member[_e95].member_2;
+                let _e113 = surfels.member[_e95].member_4;
+                if (_e105 == 4294967295u) {
+                    phi_1798_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
-                    let _e125 = params.member.member;
-                    let _e138 = params.member.member_12;
-                    let _e142 = (((_e100[0] - _e125.x) / _e125.w) + (_e112[0] * _e138));
-                    let _e143 = (((_e100[1] - _e125.y) / _e125.w) + (_e112[1] * _e138));
-                    let _e144 = (((_e100[2] - _e125.z) / _e125.w) + (_e112[2] * _e138));
-                    let _e148 = bitcast<f32>((1065353216u | (bitcast<u32>(_e108[2]) & 2147483648u)));
-                    let _e150 = (-1f / (_e148 + _e108[2]));
-                    let _e152 = ((_e108[0] * _e108[1]) * _e150);
-                    let _e166 = params.member.member_10;
-                    let _e167 = (_e166 == 0u);
-                    if _e167 {
-                        phi_315_ = 0f;
+                    let _e126 = params.member.member;
+                    let _e139 = params.member.member_12;
+                    let _e143 = (((_e101[0] - _e126.x) / _e126.w) + (_e113[0] * _e139));
+                    let _e144 = (((_e101[1] - _e126.y) / _e126.w) + (_e113[1] * _e139));
+                    let _e145 = (((_e101[2] - _e126.z) / _e126.w) + (_e113[2] * _e139));
+                    let _e149 = bitcast<f32>((1065353216u | (bitcast<u32>(_e109[2]) & 2147483648u)));
+                    let _e151 = (-1f / (_e149 + _e109[2]));
+                    let _e153 = ((_e109[0] * _e109[1]) * _e151);
+                    let _e167 = params.member.member_10;
+                    let _e168 = (_e167 == 0u);
+                    if _e168 {
+                        phi_316_ = 0f;
                     } else {
-                        let _e171 = ((_e94 * 1664525u) + 1013904223u);
-                        let _e173 = (((_e166 * 1664525u) + 1013904223u) + (_e171 * 1013904223u));
-                        let _e175 = (_e171 + (1013904223u * _e173));
-                        let _e179 = (1013904223u + (_e175 * (1013904223u + (_e173 * _e175))));
-                        phi_315_ = (f32((((_e173 ^ (_e173 >> bitcast<u32>(16i))) + ((_e175 ^ (_e175 >> bitcast<u32>(16i))) * (_e179 ^ (_e179 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
+                        let _e172 = ((_e95 * 1664525u) + 1013904223u);
+                        let _e174 = (((_e167 * 1664525u) + 1013904223u) + (_e172 * 1013904223u));
+                        let _e176 = (_e172 + (1013904223u * _e174));
+                        let _e180 = (1013904223u + (_e176 * (1013904223u + (_e174 * _e176))));
+                        phi_316_ = (f32((((_e174 ^ (_e174 >> bitcast<u32>(16i))) + ((_e176 ^ (_e176 >> bitcast<u32>(16i))) * (_e180 ^ (_e180 >> bitcast<u32>(16i))))) >> bitcast<u32>(8i))) * 0.000000059604645f);
                     }
-                    let _e196 = phi_315_;
-                    let _e199 = params.member.member_7;
-                    phi_320_ = type_12(0u, _e199);
-                    phi_323_ = vec3<f32>(0f, 0f, 0f);
+                    let _e197 = phi_316_;
+                    let _e200 = params.member.member_7;
+                    phi_321_ = type_12(0u, _e200);
+                    phi_324_ = vec3<f32>(0f, 0f, 0f);
                     loop {
-                        let _e202 = phi_320_;
-                        let _e204 = phi_323_;
-                        local_12 = _e204;
-                        local_13 = _e204;
-                        local_14 = _e204;
-                        if (_e202.member < _e202.member_1) {
-                            phi_321_ = type_12((_e202.member + 1u), _e202.member_1);
-                            phi_346_ = type_12(1u, _e202.member);
+                        let _e203 = phi_321_;
+                        let _e205 = phi_324_;
+                        local_14 = _e205;
+                        local_15 = _e205;
+                        local_16 = _e205;
+                        if (_e203.member < _e203.member_1) {
+                            phi_322_ = type_12((_e203.member + 1u), _e203.member_1);
+                            phi_347_ = type_12(1u, _e203.member);
                         } else {
-                            phi_321_ = _e202;
-                            phi_346_ = type_12(0u, type_12().member_1);
+                            phi_322_ = _e203;
+                            phi_347_ = type_12(0u, type_12().member_1);
                         }
-                        let _e217 = phi_321_;
-                        let _e219 = phi_346_;
-                        let _e223 = (bitcast<i32>(_e219.member) != 0i);
-                        if _e223 {
-                            let _e224 = (_e219.member_1 < 16u);
-                            if _e224 {
+                        let _e218 = phi_322_;
+                        let _e220 = phi_347_;
+                        let _e224 = (bitcast<i32>(_e220.member) != 0i);
+                        if _e224 {
+                            let _e225 = (_e220.member_1 < 16u);
+                            if _e225 {
                             } else {
-                                phi_1843_ = true;
+                                phi_1854_ = true;
                                 break;
                             }
-                            let _e228 = params.member.member_3[_e219.member_1];
-                            if _e167 {
-                                phi_505_ = 1.4142135f;
-                                phi_506_ = vec3<f32>(_e228.x, _e228.y, _e228.z);
+                            let _e229 = params.member.member_3[_e220.member_1];
+                            if _e168 {
+                                phi_506_ = 1.4142135f;
+                                phi_507_ = vec3<f32>(_e229.x, _e229.y, _e229.z);
                             } else {
-                                let _e233 = ((_e94 * 1664525u) + 1013904223u);
-                                let _e235 = (((1u + _e219.member_1) * 1664525u) + 1013904223u);
-                                let _e237 = (((_e166 * 1664525u) + 1013904223u) + (_e233 * 1013904223u));
-                                let _e239 = (_e233 + (_e235 * _e237));
-                                let _e241 = (_e235 + (_e237 * _e239));
-                                let _e243 = (1013904223u + (_e239 * _e241));
-                                let _e249 = (_e239 ^ (_e239 >> bitcast<u32>(16i)));
-                                let _e252 = (_e241 ^ (_e241 >> bitcast<u32>(16i)));
-                                let _e257 = ((_e237 ^ (_e237 >> bitcast<u32>(16i))) + (_e249 * (_e243 ^ (_e243 >> bitcast<u32>(16i)))));
-                                let _e259 = (_e249 + (_e252 * _e257));
-                                if _e224 {
+                                let _e234 = ((_e95 * 1664525u) + 1013904223u);
+                                let _e236 = (((1u + _e220.member_1) * 1664525u) + 1013904223u);
+                                let _e238 = (((_e167 * 1664525u) + 1013904223u) + (_e234 * 1013904223u));
+                                let _e240 = (_e234 + (_e236 * _e238));
+                                let _e242 = (_e236 + (_e238 * _e240));
+                                let _e244 = (1013904223u + (_e240 * _e242));
+                                let _e250 = (_e240 ^ (_e240 >> bitcast<u32>(16i)));
+                                let _e253 = (_e242 ^ (_e242 >> bitcast<u32>(16i)));
+                                let _e258 = ((_e238 ^ (_e238 >> bitcast<u32>(16i))) + (_e250 * (_e244 ^ (_e244 >> bitcast<u32>(16i)))));
+                                let _e260 = (_e250 + (_e253 * _e258));
+                                if _e225 {
                                 } else {
-                                    phi_1843_ = true;
+                                    phi_1854_ = true;
                                     break;
                                 }
-                                let _e277 = params.member.member_4[_e219.member_1];
-                                let _e282 = (_e277.y + ((_e277.x - _e277.y) * (f32((_e257 >> bitcast<u32>(8i))) * 0.000000059604645f)));
-                                let _e287 = ((_e277.z + (_e277.w * (f32((_e259 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e196);
-                                let _e291 = floor(((_e287 * 4f) + 0.5f));
-                                let _e297 = ((((6.2831855f * _e287) - (_e291 * 1.5703125f)) - (_e291 * 0.0004837513f)) - (_e291 * 0.0000000754979f));
-                                let _e298 = (_e297 * _e297);
-                                let _e305 = (_e297 + ((_e297 * _e298) * (-0.16666655f + (_e298 * (0.008332161f + (_e298 * -0.00019515296f))))));
-                                let _e314 = ((1f - (0.5f * _e298)) + ((_e298 * _e298) * (0.041666646f + (_e298 * (-0.0013887316f + (_e298 * 0.000024433157f))))));
-                                let _e321 = select(0i, select(select(i32(_e291), i32(-2147483648), (_e291 < -2147483600f)), 2147483647i, (_e291 > 2147483500f)), (_e291 == _e291));
-                                let _e323 = ((_e321 & 1i) == 0i);
-                                let _e324 = select(_e314, _e305, _e323);
-                                let _e325 = select(_e305, _e314, _e323);
-                                if ((_e321 & 2i) == 0i) {
-                                    phi_484_ = _e324;
+                                let _e278 = params.member.member_4[_e220.member_1];
+                                let _e283 = (_e278.y + ((_e278.x - _e278.y) * (f32((_e258 >> bitcast<u32>(8i))) * 0.000000059604645f)));
+                                let _e288 = ((_e278.z + (_e278.w * (f32((_e260 >> bitcast<u32>(8i))) * 0.000000059604645f))) + _e197);
+                                let _e292 = floor(((_e288 * 4f) + 0.5f));
+                                let _e298 = ((((6.2831855f * _e288) - (_e292 * 1.5703125f)) - (_e292 * 0.0004837513f)) - (_e292 * 0.0000000754979f));
+                                let _e299 = (_e298 * _e298);
+                                let _e306 = (_e298 + ((_e298 * _e299) * (-0.16666655f + (_e299 * (0.008332161f + (_e299 * -0.00019515296f))))));
+                                let _e315 = ((1f - (0.5f * _e299)) + ((_e299 * _e299) * (0.041666646f + (_e299 * (-0.0013887316f + (_e299 * 0.000024433157f))))));
+                                let _e322 = select(0i, select(select(i32(_e292), i32(-2147483648), (_e292 < -2147483600f)), 2147483647i, (_e292 > 2147483500f)), (_e292 == _e292));
+                                let _e324 = ((_e322 & 1i) == 0i);
+                                let _e325 = select(_e315, _e306, _e324);
+                                let _e326 = select(_e306, _e315, _e324);
+                                if ((_e322 & 2i) == 0i) {
+                                    phi_485_ = _e325;
                                 } else {
-                                    phi_484_ = -(_e324);
+                                    phi_485_ = -(_e325);
                                 }
-                                let _e330 = phi_484_;
-                                if (((_e321 + 1i) & 2i) == 0i) {
-                                    phi_492_ = _e325;
+                                let _e331 = phi_485_;
+                                if (((_e322 + 1i) & 2i) == 0i) {
+                                    phi_493_ = _e326;
                                 } else {
-                                    phi_492_ = -(_e325);
+                                    phi_493_ = -(_e326);
                                 }
-                                let _e336 = phi_492_;
-                                let _e337 = (1f - _e282);
-                                let _e340 = sqrt(select(0f, _e337, (_e337 > 0f)));
-                                phi_505_ = (1f + (f32(((_e252 + (_e257 * _e259)) >> bitcast<u32>(8i))) * 0.000000059604645f));
-                                phi_506_ = vec3<f32>((_e340 * _e336), (_e340 * _e330), sqrt(_e282));
+                                let _e337 = phi_493_;
+                                let _e338 = (1f - _e283);
+                                let _e341 = sqrt(select(0f, _e338, (_e338 > 0f)));
+                                phi_506_ = (1f + (f32(((_e253 + (_e258 * _e260)) >> bitcast<u32>(8i))) * 0.000000059604645f));
+                                phi_507_ = vec3<f32>((_e341 * _e337), (_e341 * _e331), sqrt(_e283));
                             }
-                            let _e351 = phi_505_;
-                            let _e353 = phi_506_;
-                            let _e356 = params.member.member_11;
-                            let _e359 = params.member.member_13;
-                            let _e377 = ((((1f + (((_e148 * _e108[0]) * _e108[0]) * _e150)) * _e353.x) + (_e152 * _e353.y)) + (_e108[0] * _e353.z));
-                            let _e378 = ((((_e148 * _e152) * _e353.x) + ((_e148 + ((_e108[1] * _e108[1]) * _e150)) * _e353.y)) + (_e108[1] * _e353.z));
-                            let _e379 = ((((-(_e148) * _e108[0]) * _e353.x) + (-(_e108[1]) * _e353.y)) + (_e108[2] * _e353.z));
-                            let _e382 = params.member.member_1;
-                            let _e383 = abs(_e377);
+                            let _e352 = phi_506_;
+                            let _e354 = phi_507_;
+                            let _e357 = params.member.member_11;
+                            let _e360 = params.member.member_13;
+                            let _e378 = ((((1f + (((_e149 * _e109[0]) * _e109[0]) * _e151)) * _e354.x) + (_e153 * _e354.y)) + (_e109[0] * _e354.z));
+                            let _e379 = ((((_e149 * _e153) * _e354.x) + ((_e149 + ((_e109[1] * _e109[1]) * _e151)) * _e354.y)) + (_e109[1] * _e354.z));
+                            let _e380 = ((((-(_e149) * _e109[0]) * _e354.x) + (-(_e109[1]) * _e354.y)) + (_e109[2] * _e354.z));
+                            let _e383 = params.member.member_1;
                             let _e384 = abs(_e378);
                             let _e385 = abs(_e379);
-                            if (_e383 >= _e384) {
-                                phi_550_ = select(true, false, (_e383 >= _e385));
+                            let _e386 = abs(_e380);
+                            if (_e384 >= _e385) {
+                                phi_551_ = select(true, false, (_e384 >= _e386));
                             } else {
-                                phi_550_ = true;
+                                phi_551_ = true;
                             }
-                            let _e390 = phi_550_;
-                            if _e390 {
-                                phi_559_ = select(2u, 1u, (_e384 >= _e385));
+                            let _e391 = phi_551_;
+                            if _e391 {
+                                phi_560_ = select(2u, 1u, (_e385 >= _e386));
                             } else {
-                                phi_559_ = 0u;
+                                phi_560_ = 0u;
                             }
-                            let _e394 = phi_559_;
-                            let _e405 = (_e377 < 0f);
-                            if _e405 {
-                                phi_577_ = (i32(-(floor((0.5f - _e142)))) - 1i);
+                            let _e395 = phi_560_;
+                            let _e406 = (_e378 < 0f);
+                            if _e406 {
+                                phi_578_ = (i32(-(floor((0.5f - _e143)))) - 1i);
                             } else {
-                                phi_577_ = (i32(floor((_e142 - 0.5f))) + 1i);
+                                phi_578_ = (i32(floor((_e143 - 0.5f))) + 1i);
                             }
-                            let _e409 = phi_577_;
-                            if _e405 {
-                                phi_591_ = (_e409 < 0i);
+                            let _e410 = phi_578_;
+                            if _e406 {
+                                phi_592_ = (_e410 < 0i);
                             } else {
-                                phi_591_ = (_e409 >= bitcast<i32>(_e382.x));
+                                phi_592_ = (_e410 >= bitcast<i32>(_e383.x));
                             }
-                            let _e414 = phi_591_;
-                            let _e421 = select((((f32(_e409) + 0.5f) - _e142) / _e377), 340282350000000000000000000000000000000f, (_e414 || (_e383 < 0.000001f)));
-                            let _e430 = (_e378 < 0f);
-                            if _e430 {
-                                phi_622_ = (i32(-(floor((0.5f - _e143)))) - 1i);
+                            let _e415 = phi_592_;
+                            let _e422 = select((((f32(_e410) + 0.5f) - _e143) / _e378), 340282350000000000000000000000000000000f, (_e415 || (_e384 < 0.000001f)));
+                            let _e431 = (_e379 < 0f);
+                            if _e431 {
+                                phi_623_ = (i32(-(floor((0.5f - _e144)))) - 1i);
                             } else {
-                                phi_622_ = (i32(floor((_e143 - 0.5f))) + 1i);
+                                phi_623_ = (i32(floor((_e144 - 0.5f))) + 1i);
                             }
-                            let _e434 = phi_622_;
-                            if _e430 {
-                                phi_636_ = (_e434 < 0i);
+                            let _e435 = phi_623_;
+                            if _e431 {
+                                phi_637_ = (_e435 < 0i);
                             } else {
-                                phi_636_ = (_e434 >= bitcast<i32>(_e382.y));
+                                phi_637_ = (_e435 >= bitcast<i32>(_e383.y));
                             }
-                            let _e439 = phi_636_;
-                            let _e446 = select((((f32(_e434) + 0.5f) - _e143) / _e378), 340282350000000000000000000000000000000f, (_e439 || (_e384 < 0.000001f)));
-                            let _e455 = (_e379 < 0f);
-                            if _e455 {
-                                phi_667_ = (i32(-(floor((0.5f - _e144)))) - 1i);
+                            let _e440 = phi_637_;
+                            let _e447 = select((((f32(_e435) + 0.5f) - _e144) / _e379), 340282350000000000000000000000000000000f, (_e440 || (_e385 < 0.000001f)));
+                            let _e456 = (_e380 < 0f);
+                            if _e456 {
+                                phi_668_ = (i32(-(floor((0.5f - _e145)))) - 1i);
                             } else {
-                                phi_667_ = (i32(floor((_e144 - 0.5f))) + 1i);
+                                phi_668_ = (i32(floor((_e145 - 0.5f))) + 1i);
                             }
-                            let _e459 = phi_667_;
-                            if _e455 {
-                                phi_681_ = (_e459 < 0i);
+                            let _e460 = phi_668_;
+                            if _e456 {
+                                phi_682_ = (_e460 < 0i);
                             } else {
-                                phi_681_ = (_e459 >= bitcast<i32>(_e382.z));
+                                phi_682_ = (_e460 >= bitcast<i32>(_e383.z));
                             }
-                            let _e464 = phi_681_;
-                            let _e471 = select((((f32(_e459) + 0.5f) - _e144) / _e379), 340282350000000000000000000000000000000f, (_e464 || (_e385 < 0.000001f)));
-                            let _e475 = ((_e421 <= _e446) && (_e421 <= _e471));
-                            let _e476 = (_e446 <= _e471);
-                            phi_732_ = vec3<f32>(0f, 0f, 0f);
-                            phi_735_ = type_40(0u, select(select(_e459, _e434, _e476), _e409, _e475), select(select(_e471, _e446, _e476), _e421, _e475));
-                            phi_737_ = select(select(2u, 1u, _e476), 0u, _e475);
-                            phi_739_ = 0u;
-                            phi_741_ = 0f;
-                            phi_743_ = 1f;
-                            phi_745_ = type_40(0u, _e459, _e471);
-                            phi_747_ = type_40(0u, _e434, _e446);
-                            phi_749_ = type_40(0u, _e409, _e421);
+                            let _e465 = phi_682_;
+                            let _e472 = select((((f32(_e460) + 0.5f) - _e145) / _e380), 340282350000000000000000000000000000000f, (_e465 || (_e386 < 0.000001f)));
+                            let _e476 = ((_e422 <= _e447) && (_e422 <= _e472));
+                            let _e477 = (_e447 <= _e472);
+                            phi_733_ = vec3<f32>(0f, 0f, 0f);
+                            phi_736_ = type_40(0u, select(select(_e460, _e435, _e477), _e410, _e476), select(select(_e472, _e447, _e477), _e422, _e476));
+                            phi_738_ = select(select(2u, 1u, _e477), 0u, _e476);
+                            phi_740_ = 0u;
+                            phi_742_ = 0f;
+                            phi_744_ = 1f;
+                            phi_746_ = type_40(0u, _e460, _e472);
+                            phi_748_ = type_40(0u, _e435, _e447);
+                            phi_750_ = type_40(0u, _e410, _e422);
                             loop {
-                                let _e485 = phi_732_;
-                                let _e487 = phi_735_;
-                                let _e489 = phi_737_;
-                                let _e491 = phi_739_;
-                                let _e493 = phi_741_;
-                                let _e495 = phi_743_;
-                                let _e497 = phi_745_;
-                                let _e499 = phi_747_;
-                                let _e501 = phi_749_;
-                                local_6 = _e485;
-                                local_7 = _e485;
-                                local_8 = _e485;
-                                let _e506 = (1f - _e493);
-                                let _e507 = (_e495 * _e506);
-                                let _e509 = (((_e491 < 2048u) && (_e487.member_2 < 340282350000000000000000000000000000000f)) && (_e507 >= 0.001f));
-                                local_9 = _e507;
-                                local_10 = _e507;
-                                local_11 = _e507;
-                                if _e509 {
-                                    let _e511 = (_e489 == 0u);
-                                    let _e513 = (_e489 == 2u);
-                                    let _e516 = select(select(_e378, _e377, _e511), _e379, _e513);
-                                    let _e527 = (_e516 < 0f);
-                                    let _e531 = params.member.member_2[_e487.member];
-                                    let _e532 = (_e487.member & 31u);
-                                    let _e534 = (1u << bitcast<u32>(_e532));
-                                    let _e535 = (_e534 - 1u);
-                                    let _e538 = ((_e382.x + _e535) >> bitcast<u32>(_e532));
-                                    let _e541 = ((_e382.y + _e535) >> bitcast<u32>(_e532));
-                                    let _e544 = ((_e382.z + _e535) >> bitcast<u32>(_e532));
-                                    if ((_e487.member_1 < 0i) || (_e487.member_1 >= bitcast<i32>(select(select(_e541, _e538, _e511), _e544, _e513)))) {
-                                        phi_1545_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                let _e486 = phi_733_;
+                                let _e488 = phi_736_;
+                                let _e490 = phi_738_;
+                                let _e492 = phi_740_;
+                                let _e494 = phi_742_;
+                                let _e496 = phi_744_;
+                                let _e498 = phi_746_;
+                                let _e500 = phi_748_;
+                                let _e502 = phi_750_;
+                                local_8 = _e486;
+                                local_9 = _e486;
+                                local_10 = _e486;
+                                let _e507 = (1f - _e494);
+                                let _e508 = (_e496 * _e507);
+                                let _e510 = (((_e492 < 2048u) && (_e488.member_2 < 340282350000000000000000000000000000000f)) && (_e508 >= 0.001f));
+                                local_11 = _e508;
+                                local_12 = _e508;
+                                local_13 = _e508;
+                                if _e510 {
+                                    let _e512 = (_e490 == 0u);
+                                    let _e514 = (_e490 == 2u);
+                                    let _e517 = select(select(_e379, _e378, _e512), _e380, _e514);
+                                    let _e528 = (_e517 < 0f);
+                                    let _e532 = params.member.member_2[_e488.member];
+                                    let _e533 = (_e488.member & 31u);
+                                    let _e535 = (1u << bitcast<u32>(_e533));
+                                    let _e536 = (_e535 - 1u);
+                                    let _e539 = ((_e383.x + _e536) >> bitcast<u32>(_e533));
+                                    let _e542 = ((_e383.y + _e536) >> bitcast<u32>(_e533));
+                                    let _e545 = ((_e383.z + _e536) >> bitcast<u32>(_e533));
+                                    if ((_e488.member_1 < 0i) || (_e488.member_1 >= bitcast<i32>(select(select(_e542, _e539, _e512), _e545, _e514)))) {
+                                        phi_1556_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     } else {
-                                        let _e552 = (1f / f32(_e534));
-                                        let _e554 = (((_e142 + (_e377 * _e487.member_2)) * _e552) - 0.5f);
-                                        let _e556 = (((_e143 + (_e378 * _e487.member_2)) * _e552) - 0.5f);
-                                        let _e558 = (((_e144 + (_e379 * _e487.member_2)) * _e552) - 0.5f);
-                                        let _e559 = bitcast<u32>(_e487.member_1);
-                                        let _e584 = select(select(_e558, _e556, _e511), _e554, _e513);
-                                        let _e588 = select(select(1u, 2u, _e511), 2u, _e513);
-                                        let _e590 = select(select(_e531.y, _e531.x, _e511), 1u, _e513);
-                                        let _e591 = select(2u, 1u, _e511);
-                                        let _e592 = select(_e591, 0u, _e513);
-                                        let _e593 = floor(_e584);
-                                        let _e595 = i32(_e593);
-                                        let _e597 = (bitcast<i32>(select(select(_e544, _e541, _e511), _e538, _e513)) - 1i);
-                                        let _e602 = ((_e584 >= -0.5f) && (_e584 <= (f32(_e597) + 0.5f)));
-                                        let _e604 = select(0i, _e595, (0i < _e595));
-                                        let _e607 = bitcast<u32>(select(_e604, _e597, (_e597 < _e604)));
-                                        let _e608 = (_e595 + 1i);
-                                        let _e610 = select(0i, _e608, (0i < _e608));
-                                        let _e613 = bitcast<u32>(select(_e610, _e597, (_e597 < _e610)));
-                                        let _e617 = select(select(0f, (_e584 - _e593), (_e595 < _e597)), 1f, (_e595 < 0i));
-                                        let _e618 = (_e588 & 31u);
-                                        let _e626 = (_e592 & 31u);
-                                        let _e631 = (_e588 - 1u);
-                                        let _e634 = ((_e592 + 3u) & 31u);
-                                        if _e602 {
-                                            phi_1017_ = (1f - _e617);
+                                        let _e553 = (1f / f32(_e535));
+                                        let _e555 = (((_e143 + (_e378 * _e488.member_2)) * _e553) - 0.5f);
+                                        let _e557 = (((_e144 + (_e379 * _e488.member_2)) * _e553) - 0.5f);
+                                        let _e559 = (((_e145 + (_e380 * _e488.member_2)) * _e553) - 0.5f);
+                                        let _e560 = bitcast<u32>(_e488.member_1);
+                                        let _e585 = select(select(_e559, _e557, _e512), _e555, _e514);
+                                        let _e589 = select(select(1u, 2u, _e512), 2u, _e514);
+                                        let _e591 = select(select(_e532.y, _e532.x, _e512), 1u, _e514);
+                                        let _e592 = select(2u, 1u, _e512);
+                                        let _e593 = select(_e592, 0u, _e514);
+                                        let _e594 = floor(_e585);
+                                        let _e596 = i32(_e594);
+                                        let _e598 = (bitcast<i32>(select(select(_e545, _e542, _e512), _e539, _e514)) - 1i);
+                                        let _e603 = ((_e585 >= -0.5f) && (_e585 <= (f32(_e598) + 0.5f)));
+                                        let _e605 = select(0i, _e596, (0i < _e596));
+                                        let _e608 = bitcast<u32>(select(_e605, _e598, (_e598 < _e605)));
+                                        let _e609 = (_e596 + 1i);
+                                        let _e611 = select(0i, _e609, (0i < _e609));
+                                        let _e614 = bitcast<u32>(select(_e611, _e598, (_e598 < _e611)));
+                                        let _e618 = select(select(0f, (_e585 - _e594), (_e596 < _e598)), 1f, (_e596 < 0i));
+                                        let _e619 = (_e589 & 31u);
+                                        let _e627 = (_e593 & 31u);
+                                        let _e632 = (_e589 - 1u);
+                                        let _e635 = ((_e593 + 3u) & 31u);
+                                        if _e603 {
+                                            phi_1018_ = (1f - _e618);
                                         } else {
-                                            phi_1017_ = 0f;
+                                            phi_1018_ = 0f;
                                         }
-                                        let _e649 = phi_1017_;
-                                        let _e652 = select(select(_e554, _e558, _e511), _e556, _e513);
-                                        let _e655 = select(_e591, 2u, _e513);
-                                        let _e657 = select(select(1u, _e531.y, _e511), _e531.x, _e513);
-                                        let _e659 = select(select(0u, 2u, _e511), 1u, _e513);
-                                        let _e660 = floor(_e652);
-                                        let _e662 = i32(_e660);
-                                        let _e664 = (bitcast<i32>(select(select(_e538, _e544, _e511), _e541, _e513)) - 1i);
-                                        let _e669 = ((_e652 >= -0.5f) && (_e652 <= (f32(_e664) + 0.5f)));
-                                        let _e671 = select(0i, _e662, (0i < _e662));
-                                        let _e674 = bitcast<u32>(select(_e671, _e664, (_e664 < _e671)));
-                                        let _e675 = (_e662 + 1i);
-                                        let _e677 = select(0i, _e675, (0i < _e675));
-                                        let _e680 = bitcast<u32>(select(_e677, _e664, (_e664 < _e677)));
-                                        let _e684 = select(select(0f, (_e652 - _e660), (_e662 < _e664)), 1f, (_e662 < 0i));
-                                        let _e685 = (_e655 & 31u);
-                                        let _e693 = (_e659 & 31u);
-                                        let _e698 = (_e655 - 1u);
-                                        let _e701 = ((_e659 + 3u) & 31u);
-                                        if _e669 {
-                                            phi_1147_ = (1f - _e684);
+                                        let _e650 = phi_1018_;
+                                        let _e653 = select(select(_e555, _e559, _e512), _e557, _e514);
+                                        let _e656 = select(_e592, 2u, _e514);
+                                        let _e658 = select(select(1u, _e532.y, _e512), _e532.x, _e514);
+                                        let _e660 = select(select(0u, 2u, _e512), 1u, _e514);
+                                        let _e661 = floor(_e653);
+                                        let _e663 = i32(_e661);
+                                        let _e665 = (bitcast<i32>(select(select(_e539, _e545, _e512), _e542, _e514)) - 1i);
+                                        let _e670 = ((_e653 >= -0.5f) && (_e653 <= (f32(_e665) + 0.5f)));
+                                        let _e672 = select(0i, _e663, (0i < _e663));
+                                        let _e675 = bitcast<u32>(select(_e672, _e665, (_e665 < _e672)));
+                                        let _e676 = (_e663 + 1i);
+                                        let _e678 = select(0i, _e676, (0i < _e676));
+                                        let _e681 = bitcast<u32>(select(_e678, _e665, (_e665 < _e678)));
+                                        let _e685 = select(select(0f, (_e653 - _e661), (_e663 < _e665)), 1f, (_e663 < 0i));
+                                        let _e686 = (_e656 & 31u);
+                                        let _e694 = (_e660 & 31u);
+                                        let _e699 = (_e656 - 1u);
+                                        let _e702 = ((_e660 + 3u) & 31u);
+                                        if _e670 {
+                                            phi_1148_ = (1f - _e685);
                                         } else {
-                                            phi_1147_ = 0f;
+                                            phi_1148_ = 0f;
                                         }
-                                        let _e716 = phi_1147_;
-                                        phi_1153_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                        phi_1156_ = 0u;
+                                        let _e717 = phi_1148_;
+                                        phi_1154_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1157_ = 0u;
                                         loop {
-                                            let _e719 = phi_1153_;
-                                            let _e721 = phi_1156_;
-                                            let _e723 = ((_e721 & 1u) == 1u);
-                                            let _e725 = ((_e721 & 2u) == 2u);
-                                            let _e728 = (select(_e649, select(0f, _e617, _e602), _e723) * select(_e716, select(0f, _e684, _e669), _e725));
-                                            let _e734 = (((_e531.z + ((_e559 >> bitcast<u32>((select(2i, 1i, _e513) & 31i))) * select(select(_e531.x, 1u, _e511), _e531.y, _e513))) + select(((_e607 >> bitcast<u32>(_e618)) * _e590), ((_e613 >> bitcast<u32>(_e618)) * _e590), _e723)) + select(((_e674 >> bitcast<u32>(_e685)) * _e657), ((_e680 >> bitcast<u32>(_e685)) * _e657), _e725));
-                                            let _e739 = (2u * _e734);
-                                            let _e741 = cells.member[_e739];
-                                            let _e743 = ((((((_e559 & 1u) << bitcast<u32>((_e489 & 31u))) | (((_e559 >> bitcast<u32>(1i)) & (select(2u, 1u, _e513) - 1u)) << bitcast<u32>(((_e489 + 3u) & 31u)))) | select((((_e607 & 1u) << bitcast<u32>(_e626)) | (((_e607 >> bitcast<u32>(1i)) & _e631) << bitcast<u32>(_e634))), (((_e613 & 1u) << bitcast<u32>(_e626)) | (((_e613 >> bitcast<u32>(1i)) & _e631) << bitcast<u32>(_e634))), _e723)) | select((((_e674 & 1u) << bitcast<u32>(_e693)) | (((_e674 >> bitcast<u32>(1i)) & _e698) << bitcast<u32>(_e701))), (((_e680 & 1u) << bitcast<u32>(_e693)) | (((_e680 >> bitcast<u32>(1i)) & _e698) << bitcast<u32>(_e701))), _e725)) & 31u);
-                                            if ((_e728 > 0f) && (((_e741 >> bitcast<u32>(_e743)) & 1u) == 1u)) {
-                                                let _e751 = params.member.member_8;
-                                                let _e752 = (_e751 == 1u);
-                                                if (_e487.member == 0u) {
-                                                    let _e778 = (_e734 * 6u);
-                                                    let _e781 = cells.member[(_e739 + 1u)];
-                                                    let _e783 = facet_bits.member[_e778];
-                                                    let _e786 = ((1u << bitcast<u32>(_e743)) - 1u);
-                                                    let _e795 = facet_bits.member[(_e778 + 1u)];
-                                                    let _e805 = facet_bits.member[(_e778 + 2u)];
-                                                    let _e815 = facet_bits.member[(_e778 + 3u)];
-                                                    let _e825 = facet_bits.member[(_e778 + 4u)];
-                                                    let _e835 = facet_bits.member[(_e778 + 5u)];
-                                                    let _e838 = ((((((_e781 + countOneBits((_e783 & _e786))) + countOneBits((_e795 & _e786))) + countOneBits((_e805 & _e786))) + countOneBits((_e815 & _e786))) + countOneBits((_e825 & _e786))) + countOneBits((_e835 & _e786)));
-                                                    let _e843 = select(1f, -1f, _e527);
-                                                    phi_1322_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                    phi_1325_ = vec4<f32>(0f, 0f, 0f, 0f);
-                                                    phi_1327_ = _e838;
+                                            let _e720 = phi_1154_;
+                                            let _e722 = phi_1157_;
+                                            let _e724 = ((_e722 & 1u) == 1u);
+                                            let _e726 = ((_e722 & 2u) == 2u);
+                                            let _e729 = (select(_e650, select(0f, _e618, _e603), _e724) * select(_e717, select(0f, _e685, _e670), _e726));
+                                            let _e735 = (((_e532.z + ((_e560 >> bitcast<u32>((select(2i, 1i, _e514) & 31i))) * select(select(_e532.x, 1u, _e512), _e532.y, _e514))) + select(((_e608 >> bitcast<u32>(_e619)) * _e591), ((_e614 >> bitcast<u32>(_e619)) * _e591), _e724)) + select(((_e675 >> bitcast<u32>(_e686)) * _e658), ((_e681 >> bitcast<u32>(_e686)) * _e658), _e726));
+                                            let _e740 = (2u * _e735);
+                                            let _e742 = cells.member[_e740];
+                                            let _e744 = ((((((_e560 & 1u) << bitcast<u32>((_e490 & 31u))) | (((_e560 >> bitcast<u32>(1i)) & (select(2u, 1u, _e514) - 1u)) << bitcast<u32>(((_e490 + 3u) & 31u)))) | select((((_e608 & 1u) << bitcast<u32>(_e627)) | (((_e608 >> bitcast<u32>(1i)) & _e632) << bitcast<u32>(_e635))), (((_e614 & 1u) << bitcast<u32>(_e627)) | (((_e614 >> bitcast<u32>(1i)) & _e632) << bitcast<u32>(_e635))), _e724)) | select((((_e675 & 1u) << bitcast<u32>(_e694)) | (((_e675 >> bitcast<u32>(1i)) & _e699) << bitcast<u32>(_e702))), (((_e681 & 1u) << bitcast<u32>(_e694)) | (((_e681 >> bitcast<u32>(1i)) & _e699) << bitcast<u32>(_e702))), _e726)) & 31u);
+                                            if ((_e729 > 0f) && (((_e742 >> bitcast<u32>(_e744)) & 1u) == 1u)) {
+                                                let _e752 = params.member.member_8;
+                                                let _e753 = (_e752 == 1u);
+                                                if (_e488.member == 0u) {
+                                                    let _e779 = (_e735 * 6u);
+                                                    let _e782 = cells.member[(_e740 + 1u)];
+                                                    let _e784 = facet_bits.member[_e779];
+                                                    let _e787 = ((1u << bitcast<u32>(_e744)) - 1u);
+                                                    let _e796 = facet_bits.member[(_e779 + 1u)];
+                                                    let _e806 = facet_bits.member[(_e779 + 2u)];
+                                                    let _e816 = facet_bits.member[(_e779 + 3u)];
+                                                    let _e826 = facet_bits.member[(_e779 + 4u)];
+                                                    let _e836 = facet_bits.member[(_e779 + 5u)];
+                                                    let _e839 = ((((((_e782 + countOneBits((_e784 & _e787))) + countOneBits((_e796 & _e787))) + countOneBits((_e806 & _e787))) + countOneBits((_e816 & _e787))) + countOneBits((_e826 & _e787))) + countOneBits((_e836 & _e787)));
+                                                    let _e844 = select(1f, -1f, _e528);
+                                                    phi_1323_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                    phi_1326_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                                    phi_1328_ = _e839;
                                                     loop {
-                                                        let _e849 = phi_1322_;
-                                                        let _e851 = phi_1325_;
-                                                        let _e853 = phi_1327_;
-                                                        let _e856 = facets.member[_e853].member_2;
-                                                        let _e860 = (2u * _e853);
-                                                        let _e862 = radiance.member[_e860];
-                                                        let _e865 = radiance.member[(_e860 + 1u)];
-                                                        let _e870 = (((select(0f, _e843, _e511) * _e856[0]) + (select(0f, _e843, (_e489 == 1u)) * _e856[1])) + (select(0f, _e843, _e513) * _e856[2]));
-                                                        let _e871 = -(_e870);
-                                                        if _e752 {
-                                                            let _e923 = sqrt((((_e856[0] * _e856[0]) + (_e856[1] * _e856[1])) + (_e856[2] * _e856[2])));
-                                                            phi_1323_ = _e849;
-                                                            phi_1326_ = vec4<f32>((_e851.x + (select(_e865.x, _e862.x, (_e862.x > _e865.x)) * _e923)), (_e851.y + (select(_e865.y, _e862.y, (_e862.y > _e865.y)) * _e923)), (_e851.z + (select(_e865.z, _e862.z, (_e862.z > _e865.z)) * _e923)), (_e851.w + _e923));
+                                                        let _e850 = phi_1323_;
+                                                        let _e852 = phi_1326_;
+                                                        let _e854 = phi_1328_;
+                                                        let _e857 = facets.member[_e854].member_2;
+                                                        let _e861 = (2u * _e854);
+                                                        let _e863 = radiance.member[_e861];
+                                                        let _e866 = radiance.member[(_e861 + 1u)];
+                                                        let _e871 = (((select(0f, _e844, _e512) * _e857[0]) + (select(0f, _e844, (_e490 == 1u)) * _e857[1])) + (select(0f, _e844, _e514) * _e857[2]));
+                                                        let _e872 = -(_e871);
+                                                        if _e753 {
+                                                            let _e924 = sqrt((((_e857[0] * _e857[0]) + (_e857[1] * _e857[1])) + (_e857[2] * _e857[2])));
+                                                            phi_1324_ = _e850;
+                                                            phi_1327_ = vec4<f32>((_e852.x + (select(_e866.x, _e863.x, (_e863.x > _e866.x)) * _e924)), (_e852.y + (select(_e866.y, _e863.y, (_e863.y > _e866.y)) * _e924)), (_e852.z + (select(_e866.z, _e863.z, (_e863.z > _e866.z)) * _e924)), (_e852.w + _e924));
                                                         } else {
-                                                            let _e876 = select(0f, _e871, (_e871 > 0f));
-                                                            let _e893 = select(0f, _e870, (_e870 > 0f));
-                                                            phi_1323_ = vec4<f32>((_e849.x + (_e865.x * _e893)), (_e849.y + (_e865.y * _e893)), (_e849.z + (_e865.z * _e893)), (_e849.w + _e893));
-                                                            phi_1326_ = vec4<f32>((_e851.x + (_e862.x * _e876)), (_e851.y + (_e862.y * _e876)), (_e851.z + (_e862.z * _e876)), (_e851.w + _e876));
+                                                            let _e877 = select(0f, _e872, (_e872 > 0f));
+                                                            let _e894 = select(0f, _e871, (_e871 > 0f));
+                                                            phi_1324_ = vec4<f32>((_e850.x + (_e866.x * _e894)), (_e850.y + (_e866.y * _e894)), (_e850.z + (_e866.z * _e894)), (_e850.w + _e894));
+                                                            phi_1327_ = vec4<f32>((_e852.x + (_e863.x * _e877)), (_e852.y + (_e863.y * _e877)), (_e852.z + (_e863.z * _e877)), (_e852.w + _e877));
                                                         }
-                                                        let _e937 = phi_1323_;
-                                                        let _e939 = phi_1326_;
-                                                        let _e940 = (_e853 + 1u);
-                                                        local = _e937;
-                                                        local_1 = _e939;
-                                                        local_2 = _e937;
-                                                        local_3 = _e937;
-                                                        local_4 = _e937;
-                                                        local_5 = _e939;
-                                                        local_15 = _e939;
+                                                        let _e938 = phi_1324_;
+                                                        let _e940 = phi_1327_;
+                                                        let _e941 = (_e854 + 1u);
+                                                        local = _e938;
+                                                        local_1 = _e940;
+                                                        local_2 = _e938;
+                                                        local_3 = _e938;
+                                                        local_4 = _e938;
+                                                        local_5 = _e940;
+                                                        local_6 = _e940;
+                                                        local_7 = _e940;
                                                         continue;
                                                         continuing {
-                                                            phi_1322_ = _e937;
-                                                            phi_1325_ = _e939;
-                                                            phi_1327_ = _e940;
-                                                            break if !(select(true, false, (_e940 >= (_e838 + (((((((_e783 >> bitcast<u32>(_e743)) & 1u) + ((_e795 >> bitcast<u32>(_e743)) & 1u)) + ((_e805 >> bitcast<u32>(_e743)) & 1u)) + ((_e815 >> bitcast<u32>(_e743)) & 1u)) + ((_e825 >> bitcast<u32>(_e743)) & 1u)) + ((_e835 >> bitcast<u32>(_e743)) & 1u))))));
+                                                            phi_1323_ = _e938;
+                                                            phi_1326_ = _e940;
+                                                            phi_1328_ = _e941;
+                                                            break if !(select(true, false, (_e941 >= (_e839 + (((((((_e784 >> bitcast<u32>(_e744)) & 1u) + ((_e796 >> bitcast<u32>(_e744)) & 1u)) + ((_e806 >> bitcast<u32>(_e744)) & 1u)) + ((_e816 >> bitcast<u32>(_e744)) & 1u)) + ((_e826 >> bitcast<u32>(_e744)) & 1u)) + ((_e836 >> bitcast<u32>(_e744)) & 1u))))));
                                                         }
                                                     }
-                                                    let _e946 = local;
-                                                    let _e949 = local_1;
-                                                    if (_e946.w > _e949.w) {
-                                                        let _e952 = (_e946.w - _e949.w);
-                                                        let _e953 = (_e952 / _e946.w);
-                                                        let _e955 = local_2;
-                                                        let _e959 = local_3;
-                                                        let _e963 = local_4;
-                                                        let _e968 = local_5;
-                                                        phi_1472_ = (_e968 + vec4<f32>((_e955.x * _e953), (_e959.y * _e953), (_e963.z * _e953), _e952));
-                                                    } else {
-                                                        let _e1260 = local_15;
-                                                        phi_1472_ = _e1260;
-                                                    }
-                                                    let _e971 = phi_1472_;
-                                                    if (_e971.w > 1f) {
-                                                        phi_1486_ = vec4<f32>((_e971.x / _e971.w), (_e971.y / _e971.w), (_e971.z / _e971.w), 1f);
-                                                    } else {
-                                                        phi_1486_ = _e971;
-                                                    }
-                                                    let _e982 = phi_1486_;
-                                                    phi_1519_ = _e982;
+                                                    let _e947 = local;
+                                                    let _e950 = local_1;
+                                                    let _e952 = (_e947.w - _e950.w);
+                                                    let _e957 = (select(0f, _e952, (_e952 > 0f)) / select(0.000000000000000000000000000000000000011754944f, _e947.w, (_e947.w > 0.000000000000000000000000000000000000011754944f)));
+                                                    let _e959 = local_2;
+                                                    let _e963 = local_3;
+                                                    let _e967 = local_4;
+                                                    let _e972 = local_5;
+                                                    let _e976 = local_6;
+                                                    let _e980 = local_7;
+                                                    let _e983 = (_e950.w + (_e947.w * _e957));
+                                                    let _e986 = (1f / select(1f, _e983, (_e983 > 1f)));
+                                                    phi_1530_ = vec4<f32>(((_e972.x + (_e959.x * _e957)) * _e986), ((_e976.y + (_e963.y * _e957)) * _e986), ((_e980.z + (_e967.z * _e957)) * _e986), select(1f, _e983, (_e983 < 1f)));
                                                 } else {
-                                                    let _e756 = cells.member[(_e739 + 1u)];
-                                                    let _e762 = (_e756 + countOneBits((_e741 & ((1u << bitcast<u32>(_e743)) - 1u))));
-                                                    if _e752 {
-                                                        phi_1506_ = _e762;
+                                                    let _e757 = cells.member[(_e740 + 1u)];
+                                                    let _e763 = (_e757 + countOneBits((_e742 & ((1u << bitcast<u32>(_e744)) - 1u))));
+                                                    if _e753 {
+                                                        phi_1517_ = _e763;
                                                     } else {
-                                                        phi_1506_ = (((6u * _e762) + (2u * _e489)) + select(0u, 1u, _e527));
+                                                        phi_1517_ = (((6u * _e763) + (2u * _e490)) + select(0u, 1u, _e528));
                                                     }
-                                                    let _e769 = phi_1506_;
-                                                    if ((_e487.member & 1u) == 1u) {
-                                                        let _e775 = odd.member[_e769];
-                                                        phi_1518_ = _e775;
+                                                    let _e770 = phi_1517_;
+                                                    if ((_e488.member & 1u) == 1u) {
+                                                        let _e776 = odd.member[_e770];
+                                                        phi_1529_ = _e776;
                                                     } else {
-                                                        let _e773 = even.member[_e769];
-                                                        phi_1518_ = _e773;
+                                                        let _e774 = even.member[_e770];
+                                                        phi_1529_ = _e774;
                                                     }
-                                                    let _e777 = phi_1518_;
-                                                    phi_1519_ = _e777;
+                                                    let _e778 = phi_1529_;
+                                                    phi_1530_ = _e778;
                                                 }
-                                                let _e984 = phi_1519_;
-                                                phi_1154_ = vec4<f32>((_e719.x + (_e984.x * _e728)), (_e719.y + (_e984.y * _e728)), (_e719.z + (_e984.z * _e728)), (_e719.w + (_e984.w * _e728)));
+                                                let _e994 = phi_1530_;
+                                                phi_1155_ = vec4<f32>((_e720.x + (_e994.x * _e729)), (_e720.y + (_e994.y * _e729)), (_e720.z + (_e994.z * _e729)), (_e720.w + (_e994.w * _e729)));
                                             } else {
-                                                phi_1154_ = _e719;
+                                                phi_1155_ = _e720;
                                             }
-                                            let _e1003 = phi_1154_;
-                                            let _e1004 = (_e721 + 1u);
-                                            local_16 = _e1003;
+                                            let _e1013 = phi_1155_;
+                                            let _e1014 = (_e722 + 1u);
+                                            local_17 = _e1013;
                                             continue;
                                             continuing {
-                                                phi_1153_ = _e1003;
-                                                phi_1156_ = _e1004;
-                                                break if !(select(true, false, (_e1004 == 4u)));
+                                                phi_1154_ = _e1013;
+                                                phi_1157_ = _e1014;
+                                                break if !(select(true, false, (_e1014 == 4u)));
                                             }
                                         }
-                                        let _e1266 = local_16;
-                                        phi_1545_ = _e1266;
+                                        let _e1274 = local_17;
+                                        phi_1556_ = _e1274;
                                     }
-                                    let _e1009 = phi_1545_;
-                                    if (_e1009.w > 0f) {
-                                        let _e1016 = select(_e506, _e1009.w, (_e1009.w < _e506));
-                                        let _e1021 = ((_e495 * _e1016) / _e1009.w);
-                                        phi_1585_ = vec3<f32>((_e485.x + (_e1009.x * _e1021)), (_e485.y + (_e1009.y * _e1021)), (_e485.z + (_e1009.z * _e1021)));
-                                        phi_1586_ = (_e493 + _e1016);
-                                        phi_1587_ = _e495;
+                                    let _e1019 = phi_1556_;
+                                    if (_e1019.w > 0f) {
+                                        let _e1026 = select(_e507, _e1019.w, (_e1019.w < _e507));
+                                        let _e1031 = ((_e496 * _e1026) / _e1019.w);
+                                        phi_1596_ = vec3<f32>((_e486.x + (_e1019.x * _e1031)), (_e486.y + (_e1019.y * _e1031)), (_e486.z + (_e1019.z * _e1031)));
+                                        phi_1597_ = (_e494 + _e1026);
+                                        phi_1598_ = _e496;
                                     } else {
-                                        let _e1012 = (_e489 == _e394);
-                                        phi_1585_ = _e485;
-                                        phi_1586_ = select(_e493, 0f, _e1012);
-                                        phi_1587_ = select(_e495, _e507, _e1012);
+                                        let _e1022 = (_e490 == _e395);
+                                        phi_1596_ = _e486;
+                                        phi_1597_ = select(_e494, 0f, _e1022);
+                                        phi_1598_ = select(_e496, _e508, _e1022);
                                     }
-                                    let _e1034 = phi_1585_;
-                                    let _e1036 = phi_1586_;
-                                    let _e1038 = phi_1587_;
-                                    let _e1039 = (_e356 * _e487.member_2);
-                                    let _e1041 = ((_e359 * _e138) + ((_e359 * _e353.z) * _e487.member_2));
-                                    let _e1043 = select(_e1041, _e1039, (_e1039 < _e1041));
-                                    let _e1050 = ((bitcast<u32>((select(1f, _e1043, (_e1043 > 1f)) * _e351)) >> bitcast<u32>(23i)) - 127u);
-                                    let _e1052 = (_e382.w - 1u);
-                                    let _e1060 = select(0u, 1u, ((((_e487.member_1 & 1i) == 0i) == _e527) && (select(_e1050, _e1052, (_e1052 < _e1050)) > _e487.member)));
-                                    if _e527 {
-                                        phi_1629_ = (_e487.member_1 - 1i);
+                                    let _e1044 = phi_1596_;
+                                    let _e1046 = phi_1597_;
+                                    let _e1048 = phi_1598_;
+                                    let _e1049 = (_e357 * _e488.member_2);
+                                    let _e1051 = ((_e360 * _e139) + ((_e360 * _e354.z) * _e488.member_2));
+                                    let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
+                                    let _e1060 = ((bitcast<u32>((select(1f, _e1053, (_e1053 > 1f)) * _e352)) >> bitcast<u32>(23i)) - 127u);
+                                    let _e1062 = (_e383.w - 1u);
+                                    let _e1070 = select(0u, 1u, ((((_e488.member_1 & 1i) == 0i) == _e528) && (select(_e1060, _e1062, (_e1062 < _e1060)) > _e488.member)));
+                                    if _e528 {
+                                        phi_1640_ = (_e488.member_1 - 1i);
                                     } else {
-                                        phi_1629_ = (_e487.member_1 + 1i);
+                                        phi_1640_ = (_e488.member_1 + 1i);
                                     }
-                                    let _e1064 = phi_1629_;
-                                    let _e1065 = (_e487.member + _e1060);
-                                    let _e1068 = (_e1064 >> bitcast<u32>((_e1060 & 31u)));
-                                    let _e1069 = (_e1065 & 31u);
-                                    let _e1071 = (1u << bitcast<u32>(_e1069));
-                                    if _e527 {
-                                        phi_1647_ = (_e1068 < 0i);
+                                    let _e1074 = phi_1640_;
+                                    let _e1075 = (_e488.member + _e1070);
+                                    let _e1078 = (_e1074 >> bitcast<u32>((_e1070 & 31u)));
+                                    let _e1079 = (_e1075 & 31u);
+                                    let _e1081 = (1u << bitcast<u32>(_e1079));
+                                    if _e528 {
+                                        phi_1658_ = (_e1078 < 0i);
                                     } else {
-                                        phi_1647_ = (_e1068 >= bitcast<i32>((((select(select(_e382.y, _e382.x, _e511), _e382.z, _e513) + _e1071) - 1u) >> bitcast<u32>(_e1069))));
+                                        phi_1658_ = (_e1078 >= bitcast<i32>((((select(select(_e383.y, _e383.x, _e512), _e383.z, _e514) + _e1081) - 1u) >> bitcast<u32>(_e1079))));
                                     }
-                                    let _e1080 = phi_1647_;
-                                    let _e1090 = select(((((f32(_e1068) + 0.5f) * f32(_e1071)) - select(select(_e143, _e142, _e511), _e144, _e513)) / _e516), 340282350000000000000000000000000000000f, (_e1080 || (abs(_e516) < 0.000001f)));
-                                    if _e511 {
-                                        phi_1668_ = _e1065;
+                                    let _e1090 = phi_1658_;
+                                    let _e1100 = select(((((f32(_e1078) + 0.5f) * f32(_e1081)) - select(select(_e144, _e143, _e512), _e145, _e514)) / _e517), 340282350000000000000000000000000000000f, (_e1090 || (abs(_e517) < 0.000001f)));
+                                    if _e512 {
+                                        phi_1679_ = _e1075;
                                     } else {
-                                        phi_1668_ = _e501.member;
+                                        phi_1679_ = _e502.member;
                                     }
-                                    let _e1093 = phi_1668_;
-                                    if _e511 {
-                                        phi_1673_ = _e1068;
+                                    let _e1103 = phi_1679_;
+                                    if _e512 {
+                                        phi_1684_ = _e1078;
                                     } else {
-                                        phi_1673_ = _e501.member_1;
+                                        phi_1684_ = _e502.member_1;
                                     }
-                                    let _e1096 = phi_1673_;
-                                    if _e511 {
-                                        phi_1678_ = _e1090;
+                                    let _e1106 = phi_1684_;
+                                    if _e512 {
+                                        phi_1689_ = _e1100;
                                     } else {
-                                        phi_1678_ = _e501.member_2;
+                                        phi_1689_ = _e502.member_2;
                                     }
-                                    let _e1099 = phi_1678_;
-                                    let _e1101 = (_e489 == 1u);
-                                    if _e1101 {
-                                        phi_1685_ = _e1065;
+                                    let _e1109 = phi_1689_;
+                                    let _e1111 = (_e490 == 1u);
+                                    if _e1111 {
+                                        phi_1696_ = _e1075;
                                     } else {
-                                        phi_1685_ = _e499.member;
+                                        phi_1696_ = _e500.member;
                                     }
-                                    let _e1104 = phi_1685_;
-                                    if _e1101 {
-                                        phi_1690_ = _e1068;
+                                    let _e1114 = phi_1696_;
+                                    if _e1111 {
+                                        phi_1701_ = _e1078;
                                     } else {
-                                        phi_1690_ = _e499.member_1;
+                                        phi_1701_ = _e500.member_1;
                                     }
-                                    let _e1107 = phi_1690_;
-                                    if _e1101 {
-                                        phi_1695_ = _e1090;
+                                    let _e1117 = phi_1701_;
+                                    if _e1111 {
+                                        phi_1706_ = _e1100;
                                     } else {
-                                        phi_1695_ = _e499.member_2;
+                                        phi_1706_ = _e500.member_2;
                                     }
-                                    let _e1110 = phi_1695_;
-                                    if _e513 {
-                                        phi_1702_ = _e1065;
+                                    let _e1120 = phi_1706_;
+                                    if _e514 {
+                                        phi_1713_ = _e1075;
                                     } else {
-                                        phi_1702_ = _e497.member;
+                                        phi_1713_ = _e498.member;
                                     }
-                                    let _e1114 = phi_1702_;
-                                    if _e513 {
-                                        phi_1707_ = _e1068;
+                                    let _e1124 = phi_1713_;
+                                    if _e514 {
+                                        phi_1718_ = _e1078;
                                     } else {
-                                        phi_1707_ = _e497.member_1;
+                                        phi_1718_ = _e498.member_1;
                                     }
-                                    let _e1117 = phi_1707_;
-                                    if _e513 {
-                                        phi_1712_ = _e1090;
+                                    let _e1127 = phi_1718_;
+                                    if _e514 {
+                                        phi_1723_ = _e1100;
                                     } else {
-                                        phi_1712_ = _e497.member_2;
+                                        phi_1723_ = _e498.member_2;
                                     }
-                                    let _e1120 = phi_1712_;
-                                    let _e1124 = ((_e1099 <= _e1110) && (_e1099 <= _e1120));
-                                    let _e1125 = (_e1110 <= _e1120);
-                                    phi_733_ = _e1034;
-                                    phi_736_ = type_40(select(select(_e1114, _e1104, _e1125), _e1093, _e1124), select(select(_e1117, _e1107, _e1125), _e1096, _e1124), select(select(_e1120, _e1110, _e1125), _e1099, _e1124));
-                                    phi_738_ = select(select(2u, 1u, _e1125), 0u, _e1124);
-                                    phi_740_ = (_e491 + 1u);
-                                    phi_742_ = _e1036;
-                                    phi_744_ = _e1038;
-                                    phi_746_ = type_40(_e1114, _e1117, _e1120);
-                                    phi_748_ = type_40(_e1104, _e1107, _e1110);
-                                    phi_750_ = type_40(_e1093, _e1096, _e1099);
+                                    let _e1130 = phi_1723_;
+                                    let _e1134 = ((_e1109 <= _e1120) && (_e1109 <= _e1130));
+                                    let _e1135 = (_e1120 <= _e1130);
+                                    phi_734_ = _e1044;
+                                    phi_737_ = type_40(select(select(_e1124, _e1114, _e1135), _e1103, _e1134), select(select(_e1127, _e1117, _e1135), _e1106, _e1134), select(select(_e1130, _e1120, _e1135), _e1109, _e1134));
+                                    phi_739_ = select(select(2u, 1u, _e1135), 0u, _e1134);
+                                    phi_741_ = (_e492 + 1u);
+                                    phi_743_ = _e1046;
+                                    phi_745_ = _e1048;
+                                    phi_747_ = type_40(_e1124, _e1127, _e1130);
+                                    phi_749_ = type_40(_e1114, _e1117, _e1120);
+                                    phi_751_ = type_40(_e1103, _e1106, _e1109);
                                 } else {
-                                    phi_733_ = vec3<f32>();
-                                    phi_736_ = type_40();
-                                    phi_738_ = u32();
-                                    phi_740_ = u32();
-                                    phi_742_ = f32();
-                                    phi_744_ = f32();
-                                    phi_746_ = type_40();
-                                    phi_748_ = type_40();
-                                    phi_750_ = type_40();
+                                    phi_734_ = vec3<f32>();
+                                    phi_737_ = type_40();
+                                    phi_739_ = u32();
+                                    phi_741_ = u32();
+                                    phi_743_ = f32();
+                                    phi_745_ = f32();
+                                    phi_747_ = type_40();
+                                    phi_749_ = type_40();
+                                    phi_751_ = type_40();
                                 }
-                                let _e1136 = phi_733_;
-                                let _e1138 = phi_736_;
-                                let _e1140 = phi_738_;
-                                let _e1142 = phi_740_;
-                                let _e1144 = phi_742_;
-                                let _e1146 = phi_744_;
-                                let _e1148 = phi_746_;
-                                let _e1150 = phi_748_;
-                                let _e1152 = phi_750_;
+                                let _e1146 = phi_734_;
+                                let _e1148 = phi_737_;
+                                let _e1150 = phi_739_;
+                                let _e1152 = phi_741_;
+                                let _e1154 = phi_743_;
+                                let _e1156 = phi_745_;
+                                let _e1158 = phi_747_;
+                                let _e1160 = phi_749_;
+                                let _e1162 = phi_751_;
                                 continue;
                                 continuing {
-                                    phi_732_ = _e1136;
-                                    phi_735_ = _e1138;
-                                    phi_737_ = _e1140;
-                                    phi_739_ = _e1142;
-                                    phi_741_ = _e1144;
-                                    phi_743_ = _e1146;
-                                    phi_745_ = _e1148;
-                                    phi_747_ = _e1150;
-                                    phi_749_ = _e1152;
-                                    break if !(_e509);
+                                    phi_733_ = _e1146;
+                                    phi_736_ = _e1148;
+                                    phi_738_ = _e1150;
+                                    phi_740_ = _e1152;
+                                    phi_742_ = _e1154;
+                                    phi_744_ = _e1156;
+                                    phi_746_ = _e1158;
+                                    phi_748_ = _e1160;
+                                    phi_750_ = _e1162;
+                                    break if !(_e510);
                                 }
                             }
-                            let _e1155 = local_6;
-                            let _e1158 = local_7;
-                            let _e1161 = local_8;
-                            let _e1165 = params.member.member_5;
-                            let _e1170 = local_9;
-                            let _e1173 = local_10;
-                            let _e1176 = local_11;
-                            phi_324_ = vec3<f32>((_e204.x + ((_e1155.x + (_e1165.x * _e1170)) * _e228.w)), (_e204.y + ((_e1158.y + (_e1165.y * _e1173)) * _e228.w)), (_e204.z + ((_e1161.z + (_e1165.z * _e1176)) * _e228.w)));
+                            let _e1165 = local_8;
+                            let _e1168 = local_9;
+                            let _e1171 = local_10;
+                            let _e1175 = params.member.member_5;
+                            let _e1180 = local_11;
+                            let _e1183 = local_12;
+                            let _e1186 = local_13;
+                            phi_325_ = vec3<f32>((_e205.x + ((_e1165.x + (_e1175.x * _e1180)) * _e229.w)), (_e205.y + ((_e1168.y + (_e1175.y * _e1183)) * _e229.w)), (_e205.z + ((_e1171.z + (_e1175.z * _e1186)) * _e229.w)));
                         } else {
-                            phi_324_ = vec3<f32>();
+                            phi_325_ = vec3<f32>();
                         }
-                        let _e1193 = phi_324_;
+                        let _e1203 = phi_325_;
                         continue;
                         continuing {
-                            phi_320_ = _e217;
-                            phi_323_ = _e1193;
-                            phi_1843_ = false;
-                            break if !(_e223);
+                            phi_321_ = _e218;
+                            phi_324_ = _e1203;
+                            phi_1854_ = false;
+                            break if !(_e224);
                         }
                     }
-                    let _e1196 = phi_1843_;
-                    if _e1196 {
+                    let _e1206 = phi_1854_;
+                    if _e1206 {
                         break;
                     }
-                    let _e1198 = local_12;
-                    let _e1202 = local_13;
-                    let _e1206 = local_14;
-                    phi_1787_ = vec4<f32>((_e1198.x * 3.1415927f), (_e1202.y * 3.1415927f), (_e1206.z * 3.1415927f), 0f);
+                    let _e1208 = local_14;
+                    let _e1212 = local_15;
+                    let _e1216 = local_16;
+                    phi_1798_ = vec4<f32>((_e1208.x * 3.1415927f), (_e1212.y * 3.1415927f), (_e1216.z * 3.1415927f), 0f);
                 }
-                let _e1211 = phi_1787_;
-                if (_e94 < arrayLength((&out.member))) {
+                let _e1221 = phi_1798_;
+                if (_e95 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e94] = _e1211;
+                out.member[_e95] = _e1221;
             }
             break;
         }

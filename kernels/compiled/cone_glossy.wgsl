@@ -109,8 +109,8 @@ fn function_() {
     var phi_869_: f32;
     var phi_875_: vec4<f32>;
     var phi_878_: u32;
-    var phi_1228_: u32;
-    var phi_1240_: vec4<f32>;
+    var phi_1238_: u32;
+    var phi_1250_: vec4<f32>;
     var phi_1044_: vec4<f32>;
     var phi_1047_: vec4<f32>;
     var phi_1049_: u32;
@@ -122,25 +122,25 @@ fn function_() {
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
-    var phi_1194_: vec4<f32>;
-    var phi_1208_: vec4<f32>;
-    var phi_1241_: vec4<f32>;
+    var local_6: vec4<f32>;
+    var local_7: vec4<f32>;
+    var phi_1251_: vec4<f32>;
     var phi_876_: vec4<f32>;
-    var phi_1267_: vec4<f32>;
-    var phi_1307_: vec3<f32>;
-    var phi_1308_: f32;
-    var phi_1309_: f32;
-    var phi_1351_: i32;
-    var phi_1369_: bool;
-    var phi_1390_: u32;
-    var phi_1395_: i32;
-    var phi_1400_: f32;
-    var phi_1407_: u32;
-    var phi_1412_: i32;
-    var phi_1417_: f32;
-    var phi_1424_: u32;
-    var phi_1429_: i32;
-    var phi_1434_: f32;
+    var phi_1277_: vec4<f32>;
+    var phi_1317_: vec3<f32>;
+    var phi_1318_: f32;
+    var phi_1319_: f32;
+    var phi_1361_: i32;
+    var phi_1379_: bool;
+    var phi_1400_: u32;
+    var phi_1405_: i32;
+    var phi_1410_: f32;
+    var phi_1417_: u32;
+    var phi_1422_: i32;
+    var phi_1427_: f32;
+    var phi_1434_: u32;
+    var phi_1439_: i32;
+    var phi_1444_: f32;
     var phi_455_: vec3<f32>;
     var phi_458_: type_39;
     var phi_460_: u32;
@@ -150,16 +150,15 @@ fn function_() {
     var phi_468_: type_39;
     var phi_470_: type_39;
     var phi_472_: type_39;
-    var local_6: vec3<f32>;
-    var local_7: vec3<f32>;
     var local_8: vec3<f32>;
-    var local_9: f32;
-    var local_10: f32;
+    var local_9: vec3<f32>;
+    var local_10: vec3<f32>;
     var local_11: f32;
     var local_12: f32;
-    var phi_1490_: vec4<f32>;
-    var local_13: vec4<f32>;
-    var local_14: vec4<f32>;
+    var local_13: f32;
+    var local_14: f32;
+    var phi_1500_: vec4<f32>;
+    var local_15: vec4<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -169,7 +168,7 @@ fn function_() {
             if _e65 {
                 let _e69 = surfels.member[_e64].member_1;
                 if (_e69 == 4294967295u) {
-                    phi_1490_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_1500_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e74 = surfels.member[_e64].member;
                     let _e80 = params.member.member_6;
@@ -277,16 +276,16 @@ fn function_() {
                         let _e286 = phi_467_;
                         let _e288 = phi_469_;
                         let _e290 = phi_471_;
-                        local_6 = _e274;
-                        local_7 = _e274;
                         local_8 = _e274;
+                        local_9 = _e274;
+                        local_10 = _e274;
                         let _e295 = (1f - _e282);
                         let _e296 = (_e284 * _e295);
                         let _e298 = (((_e280 < 2048u) && (_e276.member_2 < 340282350000000000000000000000000000000f)) && (_e296 >= 0.001f));
-                        local_9 = _e296;
-                        local_10 = _e296;
                         local_11 = _e296;
                         local_12 = _e296;
+                        local_13 = _e296;
+                        local_14 = _e296;
                         if _e298 {
                             let _e300 = (_e278 == 0u);
                             let _e302 = (_e278 == 2u);
@@ -300,7 +299,7 @@ fn function_() {
                             let _e330 = ((_e171.y + _e324) >> bitcast<u32>(_e321));
                             let _e333 = ((_e171.z + _e324) >> bitcast<u32>(_e321));
                             if ((_e276.member_1 < 0i) || (_e276.member_1 >= bitcast<i32>(select(select(_e330, _e327, _e300), _e333, _e302)))) {
-                                phi_1267_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                phi_1277_ = vec4<f32>(0f, 0f, 0f, 0f);
                             } else {
                                 let _e341 = (1f / f32(_e323));
                                 let _e343 = (((_e149 + (_e120 * _e276.member_2)) * _e341) - 0.5f);
@@ -415,7 +414,8 @@ fn function_() {
                                                 local_3 = _e726;
                                                 local_4 = _e726;
                                                 local_5 = _e728;
-                                                local_13 = _e728;
+                                                local_6 = _e728;
+                                                local_7 = _e728;
                                                 continue;
                                                 continuing {
                                                     phi_1044_ = _e726;
@@ -426,168 +426,159 @@ fn function_() {
                                             }
                                             let _e735 = local;
                                             let _e738 = local_1;
-                                            if (_e735.w > _e738.w) {
-                                                let _e741 = (_e735.w - _e738.w);
-                                                let _e742 = (_e741 / _e735.w);
-                                                let _e744 = local_2;
-                                                let _e748 = local_3;
-                                                let _e752 = local_4;
-                                                let _e757 = local_5;
-                                                phi_1194_ = (_e757 + vec4<f32>((_e744.x * _e742), (_e748.y * _e742), (_e752.z * _e742), _e741));
-                                            } else {
-                                                let _e1014 = local_13;
-                                                phi_1194_ = _e1014;
-                                            }
-                                            let _e760 = phi_1194_;
-                                            if (_e760.w > 1f) {
-                                                phi_1208_ = vec4<f32>((_e760.x / _e760.w), (_e760.y / _e760.w), (_e760.z / _e760.w), 1f);
-                                            } else {
-                                                phi_1208_ = _e760;
-                                            }
-                                            let _e771 = phi_1208_;
-                                            phi_1241_ = _e771;
+                                            let _e740 = (_e735.w - _e738.w);
+                                            let _e745 = (select(0f, _e740, (_e740 > 0f)) / select(0.000000000000000000000000000000000000011754944f, _e735.w, (_e735.w > 0.000000000000000000000000000000000000011754944f)));
+                                            let _e747 = local_2;
+                                            let _e751 = local_3;
+                                            let _e755 = local_4;
+                                            let _e760 = local_5;
+                                            let _e764 = local_6;
+                                            let _e768 = local_7;
+                                            let _e771 = (_e738.w + (_e735.w * _e745));
+                                            let _e774 = (1f / select(1f, _e771, (_e771 > 1f)));
+                                            phi_1251_ = vec4<f32>(((_e760.x + (_e747.x * _e745)) * _e774), ((_e764.y + (_e751.y * _e745)) * _e774), ((_e768.z + (_e755.z * _e745)) * _e774), select(1f, _e771, (_e771 < 1f)));
                                         } else {
                                             let _e545 = cells.member[(_e528 + 1u)];
                                             let _e551 = (_e545 + countOneBits((_e530 & ((1u << bitcast<u32>(_e532)) - 1u))));
                                             if _e541 {
-                                                phi_1228_ = _e551;
+                                                phi_1238_ = _e551;
                                             } else {
-                                                phi_1228_ = (((6u * _e551) + (2u * _e278)) + select(0u, 1u, _e316));
+                                                phi_1238_ = (((6u * _e551) + (2u * _e278)) + select(0u, 1u, _e316));
                                             }
-                                            let _e558 = phi_1228_;
+                                            let _e558 = phi_1238_;
                                             if ((_e276.member & 1u) == 1u) {
                                                 let _e564 = odd.member[_e558];
-                                                phi_1240_ = _e564;
+                                                phi_1250_ = _e564;
                                             } else {
                                                 let _e562 = even.member[_e558];
-                                                phi_1240_ = _e562;
+                                                phi_1250_ = _e562;
                                             }
-                                            let _e566 = phi_1240_;
-                                            phi_1241_ = _e566;
+                                            let _e566 = phi_1250_;
+                                            phi_1251_ = _e566;
                                         }
-                                        let _e773 = phi_1241_;
-                                        phi_876_ = vec4<f32>((_e508.x + (_e773.x * _e517)), (_e508.y + (_e773.y * _e517)), (_e508.z + (_e773.z * _e517)), (_e508.w + (_e773.w * _e517)));
+                                        let _e782 = phi_1251_;
+                                        phi_876_ = vec4<f32>((_e508.x + (_e782.x * _e517)), (_e508.y + (_e782.y * _e517)), (_e508.z + (_e782.z * _e517)), (_e508.w + (_e782.w * _e517)));
                                     } else {
                                         phi_876_ = _e508;
                                     }
-                                    let _e792 = phi_876_;
-                                    let _e793 = (_e510 + 1u);
-                                    local_14 = _e792;
+                                    let _e801 = phi_876_;
+                                    let _e802 = (_e510 + 1u);
+                                    local_15 = _e801;
                                     continue;
                                     continuing {
-                                        phi_875_ = _e792;
-                                        phi_878_ = _e793;
-                                        break if !(select(true, false, (_e793 == 4u)));
+                                        phi_875_ = _e801;
+                                        phi_878_ = _e802;
+                                        break if !(select(true, false, (_e802 == 4u)));
                                     }
                                 }
-                                let _e1020 = local_14;
-                                phi_1267_ = _e1020;
+                                let _e1027 = local_15;
+                                phi_1277_ = _e1027;
                             }
-                            let _e798 = phi_1267_;
-                            if (_e798.w > 0f) {
-                                let _e805 = select(_e295, _e798.w, (_e798.w < _e295));
-                                let _e810 = ((_e284 * _e805) / _e798.w);
-                                phi_1307_ = vec3<f32>((_e274.x + (_e798.x * _e810)), (_e274.y + (_e798.y * _e810)), (_e274.z + (_e798.z * _e810)));
-                                phi_1308_ = (_e282 + _e805);
-                                phi_1309_ = _e284;
+                            let _e807 = phi_1277_;
+                            if (_e807.w > 0f) {
+                                let _e814 = select(_e295, _e807.w, (_e807.w < _e295));
+                                let _e819 = ((_e284 * _e814) / _e807.w);
+                                phi_1317_ = vec3<f32>((_e274.x + (_e807.x * _e819)), (_e274.y + (_e807.y * _e819)), (_e274.z + (_e807.z * _e819)));
+                                phi_1318_ = (_e282 + _e814);
+                                phi_1319_ = _e284;
                             } else {
-                                let _e801 = (_e278 == _e183);
-                                phi_1307_ = _e274;
-                                phi_1308_ = select(_e282, 0f, _e801);
-                                phi_1309_ = select(_e284, _e296, _e801);
+                                let _e810 = (_e278 == _e183);
+                                phi_1317_ = _e274;
+                                phi_1318_ = select(_e282, 0f, _e810);
+                                phi_1319_ = select(_e284, _e296, _e810);
                             }
-                            let _e823 = phi_1307_;
-                            let _e825 = phi_1308_;
-                            let _e827 = phi_1309_;
-                            let _e828 = ((2f * _e155) * _e276.member_2);
-                            let _e830 = ((_e159 * _e145) + ((_e159 * select(0f, _e165, (_e165 > 0f))) * _e276.member_2));
-                            let _e832 = select(_e830, _e828, (_e828 < _e830));
-                            let _e839 = ((bitcast<u32>((select(1f, _e832, (_e832 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
-                            let _e841 = (_e171.w - 1u);
-                            let _e849 = select(0u, 1u, ((((_e276.member_1 & 1i) == 0i) == _e316) && (select(_e839, _e841, (_e841 < _e839)) > _e276.member)));
+                            let _e832 = phi_1317_;
+                            let _e834 = phi_1318_;
+                            let _e836 = phi_1319_;
+                            let _e837 = ((2f * _e155) * _e276.member_2);
+                            let _e839 = ((_e159 * _e145) + ((_e159 * select(0f, _e165, (_e165 > 0f))) * _e276.member_2));
+                            let _e841 = select(_e839, _e837, (_e837 < _e839));
+                            let _e848 = ((bitcast<u32>((select(1f, _e841, (_e841 > 1f)) * 1.4142135f)) >> bitcast<u32>(23i)) - 127u);
+                            let _e850 = (_e171.w - 1u);
+                            let _e858 = select(0u, 1u, ((((_e276.member_1 & 1i) == 0i) == _e316) && (select(_e848, _e850, (_e850 < _e848)) > _e276.member)));
                             if _e316 {
-                                phi_1351_ = (_e276.member_1 - 1i);
+                                phi_1361_ = (_e276.member_1 - 1i);
                             } else {
-                                phi_1351_ = (_e276.member_1 + 1i);
+                                phi_1361_ = (_e276.member_1 + 1i);
                             }
-                            let _e853 = phi_1351_;
-                            let _e854 = (_e276.member + _e849);
-                            let _e857 = (_e853 >> bitcast<u32>((_e849 & 31u)));
-                            let _e858 = (_e854 & 31u);
-                            let _e860 = (1u << bitcast<u32>(_e858));
+                            let _e862 = phi_1361_;
+                            let _e863 = (_e276.member + _e858);
+                            let _e866 = (_e862 >> bitcast<u32>((_e858 & 31u)));
+                            let _e867 = (_e863 & 31u);
+                            let _e869 = (1u << bitcast<u32>(_e867));
                             if _e316 {
-                                phi_1369_ = (_e857 < 0i);
+                                phi_1379_ = (_e866 < 0i);
                             } else {
-                                phi_1369_ = (_e857 >= bitcast<i32>((((select(select(_e171.y, _e171.x, _e300), _e171.z, _e302) + _e860) - 1u) >> bitcast<u32>(_e858))));
+                                phi_1379_ = (_e866 >= bitcast<i32>((((select(select(_e171.y, _e171.x, _e300), _e171.z, _e302) + _e869) - 1u) >> bitcast<u32>(_e867))));
                             }
-                            let _e869 = phi_1369_;
-                            let _e879 = select(((((f32(_e857) + 0.5f) * f32(_e860)) - select(select(_e150, _e149, _e300), _e151, _e302)) / _e305), 340282350000000000000000000000000000000f, (_e869 || (abs(_e305) < 0.000001f)));
+                            let _e878 = phi_1379_;
+                            let _e888 = select(((((f32(_e866) + 0.5f) * f32(_e869)) - select(select(_e150, _e149, _e300), _e151, _e302)) / _e305), 340282350000000000000000000000000000000f, (_e878 || (abs(_e305) < 0.000001f)));
                             if _e300 {
-                                phi_1390_ = _e854;
+                                phi_1400_ = _e863;
                             } else {
-                                phi_1390_ = _e290.member;
+                                phi_1400_ = _e290.member;
                             }
-                            let _e882 = phi_1390_;
+                            let _e891 = phi_1400_;
                             if _e300 {
-                                phi_1395_ = _e857;
+                                phi_1405_ = _e866;
                             } else {
-                                phi_1395_ = _e290.member_1;
+                                phi_1405_ = _e290.member_1;
                             }
-                            let _e885 = phi_1395_;
+                            let _e894 = phi_1405_;
                             if _e300 {
-                                phi_1400_ = _e879;
+                                phi_1410_ = _e888;
                             } else {
-                                phi_1400_ = _e290.member_2;
+                                phi_1410_ = _e290.member_2;
                             }
-                            let _e888 = phi_1400_;
-                            let _e890 = (_e278 == 1u);
-                            if _e890 {
-                                phi_1407_ = _e854;
+                            let _e897 = phi_1410_;
+                            let _e899 = (_e278 == 1u);
+                            if _e899 {
+                                phi_1417_ = _e863;
                             } else {
-                                phi_1407_ = _e288.member;
+                                phi_1417_ = _e288.member;
                             }
-                            let _e893 = phi_1407_;
-                            if _e890 {
-                                phi_1412_ = _e857;
+                            let _e902 = phi_1417_;
+                            if _e899 {
+                                phi_1422_ = _e866;
                             } else {
-                                phi_1412_ = _e288.member_1;
+                                phi_1422_ = _e288.member_1;
                             }
-                            let _e896 = phi_1412_;
-                            if _e890 {
-                                phi_1417_ = _e879;
+                            let _e905 = phi_1422_;
+                            if _e899 {
+                                phi_1427_ = _e888;
                             } else {
-                                phi_1417_ = _e288.member_2;
+                                phi_1427_ = _e288.member_2;
                             }
-                            let _e899 = phi_1417_;
+                            let _e908 = phi_1427_;
                             if _e302 {
-                                phi_1424_ = _e854;
+                                phi_1434_ = _e863;
                             } else {
-                                phi_1424_ = _e286.member;
+                                phi_1434_ = _e286.member;
                             }
-                            let _e903 = phi_1424_;
+                            let _e912 = phi_1434_;
                             if _e302 {
-                                phi_1429_ = _e857;
+                                phi_1439_ = _e866;
                             } else {
-                                phi_1429_ = _e286.member_1;
+                                phi_1439_ = _e286.member_1;
                             }
-                            let _e906 = phi_1429_;
+                            let _e915 = phi_1439_;
                             if _e302 {
-                                phi_1434_ = _e879;
+                                phi_1444_ = _e888;
                             } else {
-                                phi_1434_ = _e286.member_2;
+                                phi_1444_ = _e286.member_2;
                             }
-                            let _e909 = phi_1434_;
-                            let _e913 = ((_e888 <= _e899) && (_e888 <= _e909));
-                            let _e914 = (_e899 <= _e909);
-                            phi_455_ = _e823;
-                            phi_458_ = type_39(select(select(_e903, _e893, _e914), _e882, _e913), select(select(_e906, _e896, _e914), _e885, _e913), select(select(_e909, _e899, _e914), _e888, _e913));
-                            phi_460_ = select(select(2u, 1u, _e914), 0u, _e913);
+                            let _e918 = phi_1444_;
+                            let _e922 = ((_e897 <= _e908) && (_e897 <= _e918));
+                            let _e923 = (_e908 <= _e918);
+                            phi_455_ = _e832;
+                            phi_458_ = type_39(select(select(_e912, _e902, _e923), _e891, _e922), select(select(_e915, _e905, _e923), _e894, _e922), select(select(_e918, _e908, _e923), _e897, _e922));
+                            phi_460_ = select(select(2u, 1u, _e923), 0u, _e922);
                             phi_462_ = (_e280 + 1u);
-                            phi_464_ = _e825;
-                            phi_466_ = _e827;
-                            phi_468_ = type_39(_e903, _e906, _e909);
-                            phi_470_ = type_39(_e893, _e896, _e899);
-                            phi_472_ = type_39(_e882, _e885, _e888);
+                            phi_464_ = _e834;
+                            phi_466_ = _e836;
+                            phi_468_ = type_39(_e912, _e915, _e918);
+                            phi_470_ = type_39(_e902, _e905, _e908);
+                            phi_472_ = type_39(_e891, _e894, _e897);
                         } else {
                             phi_455_ = vec3<f32>();
                             phi_458_ = type_39();
@@ -599,45 +590,45 @@ fn function_() {
                             phi_470_ = type_39();
                             phi_472_ = type_39();
                         }
-                        let _e925 = phi_455_;
-                        let _e927 = phi_458_;
-                        let _e929 = phi_460_;
-                        let _e931 = phi_462_;
-                        let _e933 = phi_464_;
-                        let _e935 = phi_466_;
-                        let _e937 = phi_468_;
-                        let _e939 = phi_470_;
-                        let _e941 = phi_472_;
+                        let _e934 = phi_455_;
+                        let _e936 = phi_458_;
+                        let _e938 = phi_460_;
+                        let _e940 = phi_462_;
+                        let _e942 = phi_464_;
+                        let _e944 = phi_466_;
+                        let _e946 = phi_468_;
+                        let _e948 = phi_470_;
+                        let _e950 = phi_472_;
                         continue;
                         continuing {
-                            phi_454_ = _e925;
-                            phi_457_ = _e927;
-                            phi_459_ = _e929;
-                            phi_461_ = _e931;
-                            phi_463_ = _e933;
-                            phi_465_ = _e935;
-                            phi_467_ = _e937;
-                            phi_469_ = _e939;
-                            phi_471_ = _e941;
+                            phi_454_ = _e934;
+                            phi_457_ = _e936;
+                            phi_459_ = _e938;
+                            phi_461_ = _e940;
+                            phi_463_ = _e942;
+                            phi_465_ = _e944;
+                            phi_467_ = _e946;
+                            phi_469_ = _e948;
+                            phi_471_ = _e950;
                             break if !(_e298);
                         }
                     }
-                    let _e944 = local_6;
-                    let _e947 = local_7;
-                    let _e950 = local_8;
-                    let _e954 = params.member.member_5;
-                    let _e959 = local_9;
-                    let _e962 = local_10;
-                    let _e965 = local_11;
+                    let _e953 = local_8;
+                    let _e956 = local_9;
+                    let _e959 = local_10;
+                    let _e963 = params.member.member_5;
+                    let _e968 = local_11;
                     let _e971 = local_12;
-                    phi_1490_ = vec4<f32>((_e944.x + (_e954.x * _e959)), (_e947.y + (_e954.y * _e962)), (_e950.z + (_e954.z * _e965)), _e971);
+                    let _e974 = local_13;
+                    let _e980 = local_14;
+                    phi_1500_ = vec4<f32>((_e953.x + (_e963.x * _e968)), (_e956.y + (_e963.y * _e971)), (_e959.z + (_e963.z * _e974)), _e980);
                 }
-                let _e974 = phi_1490_;
+                let _e983 = phi_1500_;
                 if _e65 {
                 } else {
                     break;
                 }
-                out.member[_e64] = _e974;
+                out.member[_e64] = _e983;
             }
             break;
         }

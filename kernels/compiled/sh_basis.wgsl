@@ -27,1012 +27,552 @@ var<storage> directions: type_5;
 var<storage, read_write> table: type_5;
 
 fn function_() {
-    var phi_88_: u32;
-    var phi_131_: u32;
-    var phi_132_: u32;
-    var phi_149_: bool;
-    var local: u32;
-    var local_1: u32;
-    var phi_162_: u32;
-    var local_2: u32;
-    var local_3: u32;
-    var phi_181_: type_10;
-    var phi_184_: f32;
-    var phi_182_: type_10;
-    var phi_207_: type_10;
-    var local_4: u32;
-    var phi_185_: f32;
-    var local_5: u32;
-    var phi_231_: type_10;
-    var phi_234_: f32;
-    var phi_232_: type_10;
-    var phi_257_: type_10;
-    var phi_235_: f32;
+    var phi_103_: u32;
+    var phi_207_: u32;
+    var phi_505_: f32;
+    var phi_569_: u32;
+    var phi_867_: f32;
+    var phi_931_: u32;
+    var phi_1229_: f32;
+    var phi_1293_: u32;
+    var phi_1591_: f32;
+    var phi_1604_: f32;
+    var phi_1611_: type_10;
+    var phi_1614_: f32;
+    var phi_1616_: f32;
+    var phi_1612_: type_10;
+    var phi_1638_: type_10;
+    var phi_1615_: f32;
+    var phi_1653_: type_10;
+    var phi_1656_: f32;
+    var phi_1658_: f32;
+    var phi_1660_: f32;
+    var phi_1662_: f32;
+    var phi_1654_: type_10;
+    var phi_1684_: type_10;
+    var phi_1657_: f32;
+    var phi_1659_: f32;
+    var phi_1661_: f32;
+    var local: f32;
+    var phi_1711_: f32;
+    var phi_1718_: type_10;
+    var phi_1721_: f32;
+    var phi_1723_: f32;
+    var phi_1719_: type_10;
+    var phi_1745_: type_10;
+    var phi_1722_: f32;
+    var phi_1760_: type_10;
+    var phi_1763_: f32;
+    var phi_1765_: f32;
+    var phi_1767_: f32;
+    var phi_1769_: f32;
+    var phi_1761_: type_10;
+    var phi_1791_: type_10;
+    var phi_1764_: f32;
+    var phi_1766_: f32;
+    var phi_1768_: f32;
+    var local_1: f32;
+    var phi_1818_: f32;
+    var phi_1825_: type_10;
+    var phi_1828_: f32;
+    var phi_1830_: f32;
+    var phi_1826_: type_10;
+    var phi_1852_: type_10;
+    var phi_1829_: f32;
+    var phi_1867_: type_10;
+    var phi_1870_: f32;
+    var phi_1872_: f32;
+    var phi_1874_: f32;
+    var phi_1876_: f32;
+    var phi_1868_: type_10;
+    var phi_1898_: type_10;
+    var phi_1871_: f32;
+    var phi_1873_: f32;
+    var phi_1875_: f32;
+    var local_2: f32;
+    var phi_1925_: f32;
+    var phi_1932_: type_10;
+    var phi_1935_: f32;
+    var phi_1937_: f32;
+    var phi_1933_: type_10;
+    var phi_1959_: type_10;
+    var phi_1936_: f32;
+    var phi_1974_: type_10;
+    var phi_1977_: f32;
+    var phi_1979_: f32;
+    var phi_1981_: f32;
+    var phi_1983_: f32;
+    var phi_1975_: type_10;
+    var phi_2005_: type_10;
+    var phi_1978_: f32;
+    var phi_1980_: f32;
+    var phi_1982_: f32;
+    var local_3: f32;
+    var local_4: f32;
+    var local_5: f32;
     var local_6: f32;
     var local_7: f32;
-    var phi_269_: f32;
-    var phi_272_: u32;
-    var phi_273_: u32;
-    var phi_290_: bool;
-    var local_8: u32;
-    var local_9: u32;
-    var phi_303_: u32;
-    var local_10: u32;
-    var local_11: u32;
-    var phi_322_: type_10;
-    var phi_325_: f32;
-    var phi_323_: type_10;
-    var phi_348_: type_10;
-    var local_12: u32;
-    var phi_326_: f32;
-    var local_13: u32;
-    var phi_372_: type_10;
-    var phi_375_: f32;
-    var phi_373_: type_10;
-    var phi_398_: type_10;
-    var phi_376_: f32;
-    var local_14: f32;
-    var local_15: f32;
-    var phi_410_: f32;
-    var phi_413_: u32;
-    var phi_414_: u32;
-    var phi_431_: bool;
-    var local_16: u32;
-    var local_17: u32;
-    var phi_444_: u32;
-    var local_18: u32;
-    var local_19: u32;
-    var phi_463_: type_10;
-    var phi_466_: f32;
-    var phi_464_: type_10;
-    var phi_489_: type_10;
-    var local_20: u32;
-    var phi_467_: f32;
-    var local_21: u32;
-    var phi_513_: type_10;
-    var phi_516_: f32;
-    var phi_514_: type_10;
-    var phi_539_: type_10;
-    var phi_517_: f32;
-    var local_22: f32;
-    var local_23: f32;
-    var phi_551_: f32;
-    var phi_554_: u32;
-    var phi_555_: u32;
-    var phi_572_: bool;
-    var local_24: u32;
-    var local_25: u32;
-    var phi_585_: u32;
-    var local_26: u32;
-    var local_27: u32;
-    var phi_604_: type_10;
-    var phi_607_: f32;
-    var phi_605_: type_10;
-    var phi_630_: type_10;
-    var local_28: u32;
-    var phi_608_: f32;
-    var local_29: u32;
-    var phi_654_: type_10;
-    var phi_657_: f32;
-    var phi_655_: type_10;
-    var phi_680_: type_10;
-    var phi_658_: f32;
-    var local_30: f32;
-    var local_31: f32;
-    var phi_692_: f32;
-    var phi_705_: f32;
-    var phi_712_: type_10;
-    var phi_715_: f32;
-    var phi_717_: f32;
-    var phi_713_: type_10;
-    var phi_739_: type_10;
-    var phi_716_: f32;
-    var local_32: u32;
-    var phi_754_: type_10;
-    var phi_757_: f32;
-    var phi_759_: f32;
-    var phi_761_: f32;
-    var phi_763_: f32;
-    var phi_755_: type_10;
-    var phi_785_: type_10;
-    var phi_758_: f32;
-    var phi_760_: f32;
-    var phi_762_: f32;
-    var local_33: f32;
-    var phi_812_: f32;
-    var phi_819_: type_10;
-    var phi_822_: f32;
-    var phi_824_: f32;
-    var phi_820_: type_10;
-    var phi_846_: type_10;
-    var phi_823_: f32;
-    var local_34: u32;
-    var phi_861_: type_10;
-    var phi_864_: f32;
-    var phi_866_: f32;
-    var phi_868_: f32;
-    var phi_870_: f32;
-    var phi_862_: type_10;
-    var phi_892_: type_10;
-    var phi_865_: f32;
-    var phi_867_: f32;
-    var phi_869_: f32;
-    var local_35: f32;
-    var phi_919_: f32;
-    var phi_926_: type_10;
-    var phi_929_: f32;
-    var phi_931_: f32;
-    var phi_927_: type_10;
-    var phi_953_: type_10;
-    var phi_930_: f32;
-    var local_36: u32;
-    var phi_968_: type_10;
-    var phi_971_: f32;
-    var phi_973_: f32;
-    var phi_975_: f32;
-    var phi_977_: f32;
-    var phi_969_: type_10;
-    var phi_999_: type_10;
-    var phi_972_: f32;
-    var phi_974_: f32;
-    var phi_976_: f32;
-    var local_37: f32;
-    var phi_1026_: f32;
-    var phi_1033_: type_10;
-    var phi_1036_: f32;
-    var phi_1038_: f32;
-    var phi_1034_: type_10;
-    var phi_1060_: type_10;
-    var phi_1037_: f32;
-    var local_38: u32;
-    var phi_1075_: type_10;
-    var phi_1078_: f32;
-    var phi_1080_: f32;
-    var phi_1082_: f32;
-    var phi_1084_: f32;
-    var phi_1076_: type_10;
-    var phi_1106_: type_10;
-    var phi_1079_: f32;
-    var phi_1081_: f32;
-    var phi_1083_: f32;
-    var local_39: f32;
-    var local_40: f32;
-    var local_41: f32;
-    var local_42: f32;
-    var local_43: f32;
-    var local_44: f32;
-    var local_45: f32;
-    var local_46: f32;
-    var local_47: f32;
+    var local_8: f32;
+    var local_9: f32;
+    var local_10: f32;
+    var local_11: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e22 = gid_1;
-            let _e25 = params.member.member_2;
-            let _e28 = (select(_e25, 9u, (_e25 > 9u)) + 1u);
-            let _e29 = (_e28 * _e28);
-            let _e30 = (_e29 / 4u);
-            if ((_e29 % 4u) > 0u) {
-                phi_88_ = (_e30 + 1u);
+            let _e54 = gid_1;
+            let _e57 = params.member.member_2;
+            let _e60 = (select(_e57, 9u, (_e57 > 9u)) + 1u);
+            let _e61 = (_e60 * _e60);
+            let _e62 = (_e61 / 4u);
+            if ((_e61 % 4u) > 0u) {
+                phi_103_ = (_e62 + 1u);
             } else {
-                phi_88_ = _e30;
+                phi_103_ = _e62;
             }
-            let _e35 = phi_88_;
-            let _e38 = params.member.member_1;
-            let _e39 = (_e35 * _e38);
-            let _e43 = (_e22.x + (_e22.y * 2097152u));
-            if (_e43 < _e39) {
-                if (_e38 == 0u) {
+            let _e67 = phi_103_;
+            let _e70 = params.member.member_1;
+            let _e71 = (_e67 * _e70);
+            let _e75 = (_e54.x + (_e54.y * 2097152u));
+            if (_e75 < _e71) {
+                if (_e70 == 0u) {
                     break;
                 }
-                let _e46 = (_e43 / _e38);
-                let _e48 = (_e43 - (_e46 * _e38));
-                let _e51 = directions.member[_e48];
-                let _e55 = directions.member[(_e38 + _e48)];
-                let _e60 = directions.member[((2u * _e38) + _e48)];
-                let _e65 = directions.member[((3u * _e38) + _e48)];
-                let _e66 = (_e46 * 4u);
-                phi_131_ = 0u;
+                let _e78 = (_e75 / _e70);
+                let _e80 = (_e75 - (_e78 * _e70));
+                let _e83 = directions.member[_e80];
+                let _e87 = directions.member[(_e70 + _e80)];
+                let _e92 = directions.member[((2u * _e70) + _e80)];
+                let _e97 = directions.member[((3u * _e70) + _e80)];
+                let _e98 = (_e78 * 4u);
+                let _e124 = ((((((((select(0u, 1u, (_e98 >= 1u)) + select(0u, 1u, (_e98 >= 4u))) + select(0u, 1u, (_e98 >= 9u))) + select(0u, 1u, (_e98 >= 16u))) + select(0u, 1u, (_e98 >= 25u))) + select(0u, 1u, (_e98 >= 36u))) + select(0u, 1u, (_e98 >= 49u))) + select(0u, 1u, (_e98 >= 64u))) + select(0u, 1u, (_e98 >= 81u)));
+                let _e126 = (_e124 * (_e124 + 1u));
+                let _e127 = (_e98 < _e126);
+                if _e127 {
+                    phi_207_ = (_e126 - _e98);
+                } else {
+                    phi_207_ = (_e98 - _e126);
+                }
+                let _e131 = phi_207_;
+                if (_e124 <= _e57) {
+                    let _e137 = (_e124 - _e131);
+                    let _e179 = (((((((select(1f, 3f, (2u <= _e131)) * select(1f, 5f, (3u <= _e131))) * select(1f, 7f, (4u <= _e131))) * select(1f, 9f, (5u <= _e131))) * select(1f, 11f, (6u <= _e131))) * select(1f, 13f, (7u <= _e131))) * select(1f, 15f, (8u <= _e131))) * select(1f, 17f, (9u <= _e131)));
+                    let _e183 = (_e124 + _e131);
+                    phi_505_ = sqrt((((f32(((2u * _e124) + 1u)) * _e179) * _e179) / (((((((((((((((((((((((((select(6.2831855f, 12.566371f, (_e131 == 0u)) * select(1f, 2f, (2u <= _e137))) * select(1f, 3f, (3u <= _e137))) * select(1f, 4f, (4u <= _e137))) * select(1f, 5f, (5u <= _e137))) * select(1f, 6f, (6u <= _e137))) * select(1f, 7f, (7u <= _e137))) * select(1f, 8f, (8u <= _e137))) * select(1f, 9f, (9u <= _e137))) * select(1f, 2f, (2u <= _e183))) * select(1f, 3f, (3u <= _e183))) * select(1f, 4f, (4u <= _e183))) * select(1f, 5f, (5u <= _e183))) * select(1f, 6f, (6u <= _e183))) * select(1f, 7f, (7u <= _e183))) * select(1f, 8f, (8u <= _e183))) * select(1f, 9f, (9u <= _e183))) * select(1f, 10f, (10u <= _e183))) * select(1f, 11f, (11u <= _e183))) * select(1f, 12f, (12u <= _e183))) * select(1f, 13f, (13u <= _e183))) * select(1f, 14f, (14u <= _e183))) * select(1f, 15f, (15u <= _e183))) * select(1f, 16f, (16u <= _e183))) * select(1f, 17f, (17u <= _e183))) * select(1f, 18f, (18u <= _e183)))));
+                } else {
+                    phi_505_ = 0f;
+                }
+                let _e243 = phi_505_;
+                let _e244 = (_e98 + 1u);
+                let _e270 = ((((((((select(0u, 1u, (_e244 >= 1u)) + select(0u, 1u, (_e244 >= 4u))) + select(0u, 1u, (_e244 >= 9u))) + select(0u, 1u, (_e244 >= 16u))) + select(0u, 1u, (_e244 >= 25u))) + select(0u, 1u, (_e244 >= 36u))) + select(0u, 1u, (_e244 >= 49u))) + select(0u, 1u, (_e244 >= 64u))) + select(0u, 1u, (_e244 >= 81u)));
+                let _e272 = (_e270 * (_e270 + 1u));
+                let _e273 = (_e244 < _e272);
+                if _e273 {
+                    phi_569_ = (_e272 - _e244);
+                } else {
+                    phi_569_ = (_e244 - _e272);
+                }
+                let _e277 = phi_569_;
+                if (_e270 <= _e57) {
+                    let _e283 = (_e270 - _e277);
+                    let _e325 = (((((((select(1f, 3f, (2u <= _e277)) * select(1f, 5f, (3u <= _e277))) * select(1f, 7f, (4u <= _e277))) * select(1f, 9f, (5u <= _e277))) * select(1f, 11f, (6u <= _e277))) * select(1f, 13f, (7u <= _e277))) * select(1f, 15f, (8u <= _e277))) * select(1f, 17f, (9u <= _e277)));
+                    let _e329 = (_e270 + _e277);
+                    phi_867_ = sqrt((((f32(((2u * _e270) + 1u)) * _e325) * _e325) / (((((((((((((((((((((((((select(6.2831855f, 12.566371f, (_e277 == 0u)) * select(1f, 2f, (2u <= _e283))) * select(1f, 3f, (3u <= _e283))) * select(1f, 4f, (4u <= _e283))) * select(1f, 5f, (5u <= _e283))) * select(1f, 6f, (6u <= _e283))) * select(1f, 7f, (7u <= _e283))) * select(1f, 8f, (8u <= _e283))) * select(1f, 9f, (9u <= _e283))) * select(1f, 2f, (2u <= _e329))) * select(1f, 3f, (3u <= _e329))) * select(1f, 4f, (4u <= _e329))) * select(1f, 5f, (5u <= _e329))) * select(1f, 6f, (6u <= _e329))) * select(1f, 7f, (7u <= _e329))) * select(1f, 8f, (8u <= _e329))) * select(1f, 9f, (9u <= _e329))) * select(1f, 10f, (10u <= _e329))) * select(1f, 11f, (11u <= _e329))) * select(1f, 12f, (12u <= _e329))) * select(1f, 13f, (13u <= _e329))) * select(1f, 14f, (14u <= _e329))) * select(1f, 15f, (15u <= _e329))) * select(1f, 16f, (16u <= _e329))) * select(1f, 17f, (17u <= _e329))) * select(1f, 18f, (18u <= _e329)))));
+                } else {
+                    phi_867_ = 0f;
+                }
+                let _e389 = phi_867_;
+                let _e390 = (_e98 + 2u);
+                let _e416 = ((((((((select(0u, 1u, (_e390 >= 1u)) + select(0u, 1u, (_e390 >= 4u))) + select(0u, 1u, (_e390 >= 9u))) + select(0u, 1u, (_e390 >= 16u))) + select(0u, 1u, (_e390 >= 25u))) + select(0u, 1u, (_e390 >= 36u))) + select(0u, 1u, (_e390 >= 49u))) + select(0u, 1u, (_e390 >= 64u))) + select(0u, 1u, (_e390 >= 81u)));
+                let _e418 = (_e416 * (_e416 + 1u));
+                let _e419 = (_e390 < _e418);
+                if _e419 {
+                    phi_931_ = (_e418 - _e390);
+                } else {
+                    phi_931_ = (_e390 - _e418);
+                }
+                let _e423 = phi_931_;
+                if (_e416 <= _e57) {
+                    let _e429 = (_e416 - _e423);
+                    let _e471 = (((((((select(1f, 3f, (2u <= _e423)) * select(1f, 5f, (3u <= _e423))) * select(1f, 7f, (4u <= _e423))) * select(1f, 9f, (5u <= _e423))) * select(1f, 11f, (6u <= _e423))) * select(1f, 13f, (7u <= _e423))) * select(1f, 15f, (8u <= _e423))) * select(1f, 17f, (9u <= _e423)));
+                    let _e475 = (_e416 + _e423);
+                    phi_1229_ = sqrt((((f32(((2u * _e416) + 1u)) * _e471) * _e471) / (((((((((((((((((((((((((select(6.2831855f, 12.566371f, (_e423 == 0u)) * select(1f, 2f, (2u <= _e429))) * select(1f, 3f, (3u <= _e429))) * select(1f, 4f, (4u <= _e429))) * select(1f, 5f, (5u <= _e429))) * select(1f, 6f, (6u <= _e429))) * select(1f, 7f, (7u <= _e429))) * select(1f, 8f, (8u <= _e429))) * select(1f, 9f, (9u <= _e429))) * select(1f, 2f, (2u <= _e475))) * select(1f, 3f, (3u <= _e475))) * select(1f, 4f, (4u <= _e475))) * select(1f, 5f, (5u <= _e475))) * select(1f, 6f, (6u <= _e475))) * select(1f, 7f, (7u <= _e475))) * select(1f, 8f, (8u <= _e475))) * select(1f, 9f, (9u <= _e475))) * select(1f, 10f, (10u <= _e475))) * select(1f, 11f, (11u <= _e475))) * select(1f, 12f, (12u <= _e475))) * select(1f, 13f, (13u <= _e475))) * select(1f, 14f, (14u <= _e475))) * select(1f, 15f, (15u <= _e475))) * select(1f, 16f, (16u <= _e475))) * select(1f, 17f, (17u <= _e475))) * select(1f, 18f, (18u <= _e475)))));
+                } else {
+                    phi_1229_ = 0f;
+                }
+                let _e535 = phi_1229_;
+                let _e536 = (_e98 + 3u);
+                let _e562 = ((((((((select(0u, 1u, (_e536 >= 1u)) + select(0u, 1u, (_e536 >= 4u))) + select(0u, 1u, (_e536 >= 9u))) + select(0u, 1u, (_e536 >= 16u))) + select(0u, 1u, (_e536 >= 25u))) + select(0u, 1u, (_e536 >= 36u))) + select(0u, 1u, (_e536 >= 49u))) + select(0u, 1u, (_e536 >= 64u))) + select(0u, 1u, (_e536 >= 81u)));
+                let _e564 = (_e562 * (_e562 + 1u));
+                let _e565 = (_e536 < _e564);
+                if _e565 {
+                    phi_1293_ = (_e564 - _e536);
+                } else {
+                    phi_1293_ = (_e536 - _e564);
+                }
+                let _e569 = phi_1293_;
+                if (_e562 <= _e57) {
+                    let _e575 = (_e562 - _e569);
+                    let _e617 = (((((((select(1f, 3f, (2u <= _e569)) * select(1f, 5f, (3u <= _e569))) * select(1f, 7f, (4u <= _e569))) * select(1f, 9f, (5u <= _e569))) * select(1f, 11f, (6u <= _e569))) * select(1f, 13f, (7u <= _e569))) * select(1f, 15f, (8u <= _e569))) * select(1f, 17f, (9u <= _e569)));
+                    let _e621 = (_e562 + _e569);
+                    phi_1591_ = sqrt((((f32(((2u * _e562) + 1u)) * _e617) * _e617) / (((((((((((((((((((((((((select(6.2831855f, 12.566371f, (_e569 == 0u)) * select(1f, 2f, (2u <= _e575))) * select(1f, 3f, (3u <= _e575))) * select(1f, 4f, (4u <= _e575))) * select(1f, 5f, (5u <= _e575))) * select(1f, 6f, (6u <= _e575))) * select(1f, 7f, (7u <= _e575))) * select(1f, 8f, (8u <= _e575))) * select(1f, 9f, (9u <= _e575))) * select(1f, 2f, (2u <= _e621))) * select(1f, 3f, (3u <= _e621))) * select(1f, 4f, (4u <= _e621))) * select(1f, 5f, (5u <= _e621))) * select(1f, 6f, (6u <= _e621))) * select(1f, 7f, (7u <= _e621))) * select(1f, 8f, (8u <= _e621))) * select(1f, 9f, (9u <= _e621))) * select(1f, 10f, (10u <= _e621))) * select(1f, 11f, (11u <= _e621))) * select(1f, 12f, (12u <= _e621))) * select(1f, 13f, (13u <= _e621))) * select(1f, 14f, (14u <= _e621))) * select(1f, 15f, (15u <= _e621))) * select(1f, 16f, (16u <= _e621))) * select(1f, 17f, (17u <= _e621))) * select(1f, 18f, (18u <= _e621)))));
+                } else {
+                    phi_1591_ = 0f;
+                }
+                let _e681 = phi_1591_;
+                let _e682 = select(1f, 0f, _e127);
+                if (_e131 == 0u) {
+                    phi_1604_ = _e682;
+                } else {
+                    phi_1604_ = select(_e83, _e87, _e127);
+                }
+                let _e686 = phi_1604_;
+                let _e687 = (_e83 + _e83);
+                let _e690 = ((_e83 * _e83) + (_e87 * _e87));
+                phi_1611_ = type_10(1u, _e131);
+                phi_1614_ = _e686;
+                phi_1616_ = _e682;
                 loop {
-                    let _e68 = phi_131_;
-                    local = _e68;
-                    local_2 = _e68;
-                    local_3 = _e68;
-                    local_4 = _e68;
-                    local_5 = _e68;
-                    local_32 = _e68;
-                    let _e69 = (_e68 + 1u);
-                    local_1 = _e69;
-                    if ((_e69 * _e69) <= _e66) {
-                        let _e72 = (_e68 < 9u);
-                        phi_132_ = select(u32(), _e69, _e72);
-                        phi_149_ = _e72;
+                    let _e693 = phi_1611_;
+                    let _e695 = phi_1614_;
+                    let _e697 = phi_1616_;
+                    local_4 = _e695;
+                    local_5 = _e697;
+                    if (_e693.member < _e693.member_1) {
+                        phi_1612_ = type_10((_e693.member + 1u), _e693.member_1);
+                        phi_1638_ = type_10(1u, _e693.member);
                     } else {
-                        phi_132_ = u32();
-                        phi_149_ = false;
+                        phi_1612_ = _e693;
+                        phi_1638_ = type_10(0u, type_10().member_1);
                     }
-                    let _e75 = phi_132_;
-                    let _e77 = phi_149_;
+                    let _e710 = phi_1612_;
+                    let _e712 = phi_1638_;
+                    let _e715 = (bitcast<i32>(_e712.member) != 0i);
+                    if _e715 {
+                        phi_1615_ = fma(_e687, _e695, -((_e690 * _e697)));
+                    } else {
+                        phi_1615_ = f32();
+                    }
+                    let _e720 = phi_1615_;
                     continue;
                     continuing {
-                        phi_131_ = _e75;
-                        break if !(_e77);
+                        phi_1611_ = _e710;
+                        phi_1614_ = _e720;
+                        phi_1616_ = _e695;
+                        break if !(_e715);
                     }
                 }
-                let _e80 = local;
-                let _e82 = local_1;
-                let _e83 = (_e80 * _e82);
-                let _e84 = (_e66 < _e83);
-                if _e84 {
-                    phi_162_ = (_e83 - _e66);
-                } else {
-                    phi_162_ = (_e66 - _e83);
-                }
-                let _e88 = phi_162_;
-                let _e90 = local_2;
-                if (_e90 <= _e25) {
-                    let _e93 = local_3;
-                    phi_181_ = type_10(1u, (_e88 + 1u));
-                    phi_184_ = (f32(((2u * _e93) + 1u)) / select(6.2831855f, 12.566371f, (_e88 == 0u)));
-                    loop {
-                        let _e103 = phi_181_;
-                        let _e105 = phi_184_;
-                        local_6 = _e105;
-                        if (_e103.member < _e103.member_1) {
-                            phi_182_ = type_10((_e103.member + 1u), _e103.member_1);
-                            phi_207_ = type_10(1u, _e103.member);
-                        } else {
-                            phi_182_ = _e103;
-                            phi_207_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e118 = phi_182_;
-                        let _e120 = phi_207_;
-                        let _e124 = (bitcast<i32>(_e120.member) != 0i);
-                        if _e124 {
-                            let _e125 = (2u * _e120.member_1);
-                            let _e127 = f32((_e125 - 1u));
-                            let _e129 = local_4;
-                            let _e132 = f32(((_e129 - _e88) + _e125));
-                            phi_185_ = (_e105 * ((_e127 * _e127) / (_e132 * (_e132 - 1f))));
-                        } else {
-                            phi_185_ = f32();
-                        }
-                        let _e139 = phi_185_;
-                        continue;
-                        continuing {
-                            phi_181_ = _e118;
-                            phi_184_ = _e139;
-                            break if !(_e124);
-                        }
-                    }
-                    let _e142 = local_5;
-                    phi_231_ = type_10(1u, ((_e142 - _e88) + 1u));
-                    phi_234_ = 1f;
-                    loop {
-                        let _e147 = phi_231_;
-                        let _e149 = phi_234_;
-                        local_7 = _e149;
-                        if (_e147.member < _e147.member_1) {
-                            phi_232_ = type_10((_e147.member + 1u), _e147.member_1);
-                            phi_257_ = type_10(1u, _e147.member);
-                        } else {
-                            phi_232_ = _e147;
-                            phi_257_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e162 = phi_232_;
-                        let _e164 = phi_257_;
-                        let _e168 = (bitcast<i32>(_e164.member) != 0i);
-                        if _e168 {
-                            phi_235_ = (_e149 * f32(_e164.member_1));
-                        } else {
-                            phi_235_ = f32();
-                        }
-                        let _e172 = phi_235_;
-                        continue;
-                        continuing {
-                            phi_231_ = _e162;
-                            phi_234_ = _e172;
-                            break if !(_e168);
-                        }
-                    }
-                    let _e175 = local_6;
-                    let _e178 = local_7;
-                    phi_269_ = (sqrt(_e175) / _e178);
-                } else {
-                    phi_269_ = 0f;
-                }
-                let _e181 = phi_269_;
-                let _e182 = (_e66 + 1u);
-                phi_272_ = 0u;
+                phi_1653_ = type_10(_e131, _e124);
+                phi_1656_ = f32(((2u * _e131) + 1u));
+                phi_1658_ = 0f;
+                let _e1060 = local_4;
+                phi_1660_ = _e1060;
+                let _e1063 = local_5;
+                phi_1662_ = _e1063;
                 loop {
-                    let _e184 = phi_272_;
-                    local_8 = _e184;
-                    local_10 = _e184;
-                    local_11 = _e184;
-                    local_12 = _e184;
-                    local_13 = _e184;
-                    local_34 = _e184;
-                    let _e185 = (_e184 + 1u);
-                    local_9 = _e185;
-                    if ((_e185 * _e185) <= _e182) {
-                        let _e188 = (_e184 < 9u);
-                        phi_273_ = select(u32(), _e185, _e188);
-                        phi_290_ = _e188;
+                    let _e727 = phi_1653_;
+                    let _e729 = phi_1656_;
+                    let _e731 = phi_1658_;
+                    let _e733 = phi_1660_;
+                    let _e735 = phi_1662_;
+                    local = _e733;
+                    if (_e727.member < _e727.member_1) {
+                        phi_1654_ = type_10((_e727.member + 1u), _e727.member_1);
+                        phi_1684_ = type_10(1u, _e727.member);
                     } else {
-                        phi_273_ = u32();
-                        phi_290_ = false;
+                        phi_1654_ = _e727;
+                        phi_1684_ = type_10(0u, type_10().member_1);
                     }
-                    let _e191 = phi_273_;
-                    let _e193 = phi_290_;
+                    let _e748 = phi_1654_;
+                    let _e750 = phi_1684_;
+                    let _e753 = (bitcast<i32>(_e750.member) != 0i);
+                    if _e753 {
+                        phi_1657_ = (_e729 + 2f);
+                        phi_1659_ = (_e731 + _e729);
+                        phi_1661_ = fma((_e92 * _e729), _e733, -((_e731 * _e735)));
+                    } else {
+                        phi_1657_ = f32();
+                        phi_1659_ = f32();
+                        phi_1661_ = f32();
+                    }
+                    let _e761 = phi_1657_;
+                    let _e763 = phi_1659_;
+                    let _e765 = phi_1661_;
                     continue;
                     continuing {
-                        phi_272_ = _e191;
-                        break if !(_e193);
+                        phi_1653_ = _e748;
+                        phi_1656_ = _e761;
+                        phi_1658_ = _e763;
+                        phi_1660_ = _e765;
+                        phi_1662_ = _e733;
+                        break if !(_e753);
                     }
                 }
-                let _e196 = local_8;
-                let _e198 = local_9;
-                let _e199 = (_e196 * _e198);
-                let _e200 = (_e182 < _e199);
-                if _e200 {
-                    phi_303_ = (_e199 - _e182);
+                let _e768 = local;
+                let _e771 = select(1f, 0f, _e273);
+                if (_e277 == 0u) {
+                    phi_1711_ = _e771;
                 } else {
-                    phi_303_ = (_e182 - _e199);
+                    phi_1711_ = select(_e83, _e87, _e273);
                 }
-                let _e204 = phi_303_;
-                let _e206 = local_10;
-                if (_e206 <= _e25) {
-                    let _e209 = local_11;
-                    phi_322_ = type_10(1u, (_e204 + 1u));
-                    phi_325_ = (f32(((2u * _e209) + 1u)) / select(6.2831855f, 12.566371f, (_e204 == 0u)));
-                    loop {
-                        let _e219 = phi_322_;
-                        let _e221 = phi_325_;
-                        local_14 = _e221;
-                        if (_e219.member < _e219.member_1) {
-                            phi_323_ = type_10((_e219.member + 1u), _e219.member_1);
-                            phi_348_ = type_10(1u, _e219.member);
-                        } else {
-                            phi_323_ = _e219;
-                            phi_348_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e234 = phi_323_;
-                        let _e236 = phi_348_;
-                        let _e240 = (bitcast<i32>(_e236.member) != 0i);
-                        if _e240 {
-                            let _e241 = (2u * _e236.member_1);
-                            let _e243 = f32((_e241 - 1u));
-                            let _e245 = local_12;
-                            let _e248 = f32(((_e245 - _e204) + _e241));
-                            phi_326_ = (_e221 * ((_e243 * _e243) / (_e248 * (_e248 - 1f))));
-                        } else {
-                            phi_326_ = f32();
-                        }
-                        let _e255 = phi_326_;
-                        continue;
-                        continuing {
-                            phi_322_ = _e234;
-                            phi_325_ = _e255;
-                            break if !(_e240);
-                        }
-                    }
-                    let _e258 = local_13;
-                    phi_372_ = type_10(1u, ((_e258 - _e204) + 1u));
-                    phi_375_ = 1f;
-                    loop {
-                        let _e263 = phi_372_;
-                        let _e265 = phi_375_;
-                        local_15 = _e265;
-                        if (_e263.member < _e263.member_1) {
-                            phi_373_ = type_10((_e263.member + 1u), _e263.member_1);
-                            phi_398_ = type_10(1u, _e263.member);
-                        } else {
-                            phi_373_ = _e263;
-                            phi_398_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e278 = phi_373_;
-                        let _e280 = phi_398_;
-                        let _e284 = (bitcast<i32>(_e280.member) != 0i);
-                        if _e284 {
-                            phi_376_ = (_e265 * f32(_e280.member_1));
-                        } else {
-                            phi_376_ = f32();
-                        }
-                        let _e288 = phi_376_;
-                        continue;
-                        continuing {
-                            phi_372_ = _e278;
-                            phi_375_ = _e288;
-                            break if !(_e284);
-                        }
-                    }
-                    let _e291 = local_14;
-                    let _e294 = local_15;
-                    phi_410_ = (sqrt(_e291) / _e294);
-                } else {
-                    phi_410_ = 0f;
-                }
-                let _e297 = phi_410_;
-                let _e298 = (_e66 + 2u);
-                phi_413_ = 0u;
+                let _e775 = phi_1711_;
+                phi_1718_ = type_10(1u, _e277);
+                phi_1721_ = _e775;
+                phi_1723_ = _e771;
                 loop {
-                    let _e300 = phi_413_;
-                    local_16 = _e300;
-                    local_18 = _e300;
-                    local_19 = _e300;
-                    local_20 = _e300;
-                    local_21 = _e300;
-                    local_36 = _e300;
-                    let _e301 = (_e300 + 1u);
-                    local_17 = _e301;
-                    if ((_e301 * _e301) <= _e298) {
-                        let _e304 = (_e300 < 9u);
-                        phi_414_ = select(u32(), _e301, _e304);
-                        phi_431_ = _e304;
+                    let _e778 = phi_1718_;
+                    let _e780 = phi_1721_;
+                    let _e782 = phi_1723_;
+                    local_6 = _e780;
+                    local_7 = _e782;
+                    if (_e778.member < _e778.member_1) {
+                        phi_1719_ = type_10((_e778.member + 1u), _e778.member_1);
+                        phi_1745_ = type_10(1u, _e778.member);
                     } else {
-                        phi_414_ = u32();
-                        phi_431_ = false;
+                        phi_1719_ = _e778;
+                        phi_1745_ = type_10(0u, type_10().member_1);
                     }
-                    let _e307 = phi_414_;
-                    let _e309 = phi_431_;
+                    let _e795 = phi_1719_;
+                    let _e797 = phi_1745_;
+                    let _e800 = (bitcast<i32>(_e797.member) != 0i);
+                    if _e800 {
+                        phi_1722_ = fma(_e687, _e780, -((_e690 * _e782)));
+                    } else {
+                        phi_1722_ = f32();
+                    }
+                    let _e805 = phi_1722_;
                     continue;
                     continuing {
-                        phi_413_ = _e307;
-                        break if !(_e309);
+                        phi_1718_ = _e795;
+                        phi_1721_ = _e805;
+                        phi_1723_ = _e780;
+                        break if !(_e800);
                     }
                 }
-                let _e312 = local_16;
-                let _e314 = local_17;
-                let _e315 = (_e312 * _e314);
-                let _e316 = (_e298 < _e315);
-                if _e316 {
-                    phi_444_ = (_e315 - _e298);
+                phi_1760_ = type_10(_e277, _e270);
+                phi_1763_ = f32(((2u * _e277) + 1u));
+                phi_1765_ = 0f;
+                let _e1082 = local_6;
+                phi_1767_ = _e1082;
+                let _e1085 = local_7;
+                phi_1769_ = _e1085;
+                loop {
+                    let _e812 = phi_1760_;
+                    let _e814 = phi_1763_;
+                    let _e816 = phi_1765_;
+                    let _e818 = phi_1767_;
+                    let _e820 = phi_1769_;
+                    local_1 = _e818;
+                    if (_e812.member < _e812.member_1) {
+                        phi_1761_ = type_10((_e812.member + 1u), _e812.member_1);
+                        phi_1791_ = type_10(1u, _e812.member);
+                    } else {
+                        phi_1761_ = _e812;
+                        phi_1791_ = type_10(0u, type_10().member_1);
+                    }
+                    let _e833 = phi_1761_;
+                    let _e835 = phi_1791_;
+                    let _e838 = (bitcast<i32>(_e835.member) != 0i);
+                    if _e838 {
+                        phi_1764_ = (_e814 + 2f);
+                        phi_1766_ = (_e816 + _e814);
+                        phi_1768_ = fma((_e92 * _e814), _e818, -((_e816 * _e820)));
+                    } else {
+                        phi_1764_ = f32();
+                        phi_1766_ = f32();
+                        phi_1768_ = f32();
+                    }
+                    let _e846 = phi_1764_;
+                    let _e848 = phi_1766_;
+                    let _e850 = phi_1768_;
+                    continue;
+                    continuing {
+                        phi_1760_ = _e833;
+                        phi_1763_ = _e846;
+                        phi_1765_ = _e848;
+                        phi_1767_ = _e850;
+                        phi_1769_ = _e818;
+                        break if !(_e838);
+                    }
+                }
+                let _e853 = local_1;
+                let _e856 = select(1f, 0f, _e419);
+                if (_e423 == 0u) {
+                    phi_1818_ = _e856;
                 } else {
-                    phi_444_ = (_e298 - _e315);
+                    phi_1818_ = select(_e83, _e87, _e419);
                 }
-                let _e320 = phi_444_;
-                let _e322 = local_18;
-                if (_e322 <= _e25) {
-                    let _e325 = local_19;
-                    phi_463_ = type_10(1u, (_e320 + 1u));
-                    phi_466_ = (f32(((2u * _e325) + 1u)) / select(6.2831855f, 12.566371f, (_e320 == 0u)));
-                    loop {
-                        let _e335 = phi_463_;
-                        let _e337 = phi_466_;
-                        local_22 = _e337;
-                        if (_e335.member < _e335.member_1) {
-                            phi_464_ = type_10((_e335.member + 1u), _e335.member_1);
-                            phi_489_ = type_10(1u, _e335.member);
-                        } else {
-                            phi_464_ = _e335;
-                            phi_489_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e350 = phi_464_;
-                        let _e352 = phi_489_;
-                        let _e356 = (bitcast<i32>(_e352.member) != 0i);
-                        if _e356 {
-                            let _e357 = (2u * _e352.member_1);
-                            let _e359 = f32((_e357 - 1u));
-                            let _e361 = local_20;
-                            let _e364 = f32(((_e361 - _e320) + _e357));
-                            phi_467_ = (_e337 * ((_e359 * _e359) / (_e364 * (_e364 - 1f))));
-                        } else {
-                            phi_467_ = f32();
-                        }
-                        let _e371 = phi_467_;
-                        continue;
-                        continuing {
-                            phi_463_ = _e350;
-                            phi_466_ = _e371;
-                            break if !(_e356);
-                        }
+                let _e860 = phi_1818_;
+                phi_1825_ = type_10(1u, _e423);
+                phi_1828_ = _e860;
+                phi_1830_ = _e856;
+                loop {
+                    let _e863 = phi_1825_;
+                    let _e865 = phi_1828_;
+                    let _e867 = phi_1830_;
+                    local_8 = _e865;
+                    local_9 = _e867;
+                    if (_e863.member < _e863.member_1) {
+                        phi_1826_ = type_10((_e863.member + 1u), _e863.member_1);
+                        phi_1852_ = type_10(1u, _e863.member);
+                    } else {
+                        phi_1826_ = _e863;
+                        phi_1852_ = type_10(0u, type_10().member_1);
                     }
-                    let _e374 = local_21;
-                    phi_513_ = type_10(1u, ((_e374 - _e320) + 1u));
-                    phi_516_ = 1f;
-                    loop {
-                        let _e379 = phi_513_;
-                        let _e381 = phi_516_;
-                        local_23 = _e381;
-                        if (_e379.member < _e379.member_1) {
-                            phi_514_ = type_10((_e379.member + 1u), _e379.member_1);
-                            phi_539_ = type_10(1u, _e379.member);
-                        } else {
-                            phi_514_ = _e379;
-                            phi_539_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e394 = phi_514_;
-                        let _e396 = phi_539_;
-                        let _e400 = (bitcast<i32>(_e396.member) != 0i);
-                        if _e400 {
-                            phi_517_ = (_e381 * f32(_e396.member_1));
-                        } else {
-                            phi_517_ = f32();
-                        }
-                        let _e404 = phi_517_;
-                        continue;
-                        continuing {
-                            phi_513_ = _e394;
-                            phi_516_ = _e404;
-                            break if !(_e400);
-                        }
+                    let _e880 = phi_1826_;
+                    let _e882 = phi_1852_;
+                    let _e885 = (bitcast<i32>(_e882.member) != 0i);
+                    if _e885 {
+                        phi_1829_ = fma(_e687, _e865, -((_e690 * _e867)));
+                    } else {
+                        phi_1829_ = f32();
                     }
-                    let _e407 = local_22;
-                    let _e410 = local_23;
-                    phi_551_ = (sqrt(_e407) / _e410);
+                    let _e890 = phi_1829_;
+                    continue;
+                    continuing {
+                        phi_1825_ = _e880;
+                        phi_1828_ = _e890;
+                        phi_1830_ = _e865;
+                        break if !(_e885);
+                    }
+                }
+                phi_1867_ = type_10(_e423, _e416);
+                phi_1870_ = f32(((2u * _e423) + 1u));
+                phi_1872_ = 0f;
+                let _e1104 = local_8;
+                phi_1874_ = _e1104;
+                let _e1107 = local_9;
+                phi_1876_ = _e1107;
+                loop {
+                    let _e897 = phi_1867_;
+                    let _e899 = phi_1870_;
+                    let _e901 = phi_1872_;
+                    let _e903 = phi_1874_;
+                    let _e905 = phi_1876_;
+                    local_2 = _e903;
+                    if (_e897.member < _e897.member_1) {
+                        phi_1868_ = type_10((_e897.member + 1u), _e897.member_1);
+                        phi_1898_ = type_10(1u, _e897.member);
+                    } else {
+                        phi_1868_ = _e897;
+                        phi_1898_ = type_10(0u, type_10().member_1);
+                    }
+                    let _e918 = phi_1868_;
+                    let _e920 = phi_1898_;
+                    let _e923 = (bitcast<i32>(_e920.member) != 0i);
+                    if _e923 {
+                        phi_1871_ = (_e899 + 2f);
+                        phi_1873_ = (_e901 + _e899);
+                        phi_1875_ = fma((_e92 * _e899), _e903, -((_e901 * _e905)));
+                    } else {
+                        phi_1871_ = f32();
+                        phi_1873_ = f32();
+                        phi_1875_ = f32();
+                    }
+                    let _e931 = phi_1871_;
+                    let _e933 = phi_1873_;
+                    let _e935 = phi_1875_;
+                    continue;
+                    continuing {
+                        phi_1867_ = _e918;
+                        phi_1870_ = _e931;
+                        phi_1872_ = _e933;
+                        phi_1874_ = _e935;
+                        phi_1876_ = _e903;
+                        break if !(_e923);
+                    }
+                }
+                let _e938 = local_2;
+                let _e941 = select(1f, 0f, _e565);
+                if (_e569 == 0u) {
+                    phi_1925_ = _e941;
                 } else {
-                    phi_551_ = 0f;
+                    phi_1925_ = select(_e83, _e87, _e565);
                 }
-                let _e413 = phi_551_;
-                let _e414 = (_e66 + 3u);
-                phi_554_ = 0u;
+                let _e945 = phi_1925_;
+                phi_1932_ = type_10(1u, _e569);
+                phi_1935_ = _e945;
+                phi_1937_ = _e941;
                 loop {
-                    let _e416 = phi_554_;
-                    local_24 = _e416;
-                    local_26 = _e416;
-                    local_27 = _e416;
-                    local_28 = _e416;
-                    local_29 = _e416;
-                    local_38 = _e416;
-                    let _e417 = (_e416 + 1u);
-                    local_25 = _e417;
-                    if ((_e417 * _e417) <= _e414) {
-                        let _e420 = (_e416 < 9u);
-                        phi_555_ = select(u32(), _e417, _e420);
-                        phi_572_ = _e420;
+                    let _e948 = phi_1932_;
+                    let _e950 = phi_1935_;
+                    let _e952 = phi_1937_;
+                    local_10 = _e950;
+                    local_11 = _e952;
+                    if (_e948.member < _e948.member_1) {
+                        phi_1933_ = type_10((_e948.member + 1u), _e948.member_1);
+                        phi_1959_ = type_10(1u, _e948.member);
                     } else {
-                        phi_555_ = u32();
-                        phi_572_ = false;
+                        phi_1933_ = _e948;
+                        phi_1959_ = type_10(0u, type_10().member_1);
                     }
-                    let _e423 = phi_555_;
-                    let _e425 = phi_572_;
+                    let _e965 = phi_1933_;
+                    let _e967 = phi_1959_;
+                    let _e970 = (bitcast<i32>(_e967.member) != 0i);
+                    if _e970 {
+                        phi_1936_ = fma(_e687, _e950, -((_e690 * _e952)));
+                    } else {
+                        phi_1936_ = f32();
+                    }
+                    let _e975 = phi_1936_;
                     continue;
                     continuing {
-                        phi_554_ = _e423;
-                        break if !(_e425);
+                        phi_1932_ = _e965;
+                        phi_1935_ = _e975;
+                        phi_1937_ = _e950;
+                        break if !(_e970);
                     }
                 }
-                let _e428 = local_24;
-                let _e430 = local_25;
-                let _e431 = (_e428 * _e430);
-                let _e432 = (_e414 < _e431);
-                if _e432 {
-                    phi_585_ = (_e431 - _e414);
-                } else {
-                    phi_585_ = (_e414 - _e431);
-                }
-                let _e436 = phi_585_;
-                let _e438 = local_26;
-                if (_e438 <= _e25) {
-                    let _e441 = local_27;
-                    phi_604_ = type_10(1u, (_e436 + 1u));
-                    phi_607_ = (f32(((2u * _e441) + 1u)) / select(6.2831855f, 12.566371f, (_e436 == 0u)));
-                    loop {
-                        let _e451 = phi_604_;
-                        let _e453 = phi_607_;
-                        local_30 = _e453;
-                        if (_e451.member < _e451.member_1) {
-                            phi_605_ = type_10((_e451.member + 1u), _e451.member_1);
-                            phi_630_ = type_10(1u, _e451.member);
-                        } else {
-                            phi_605_ = _e451;
-                            phi_630_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e466 = phi_605_;
-                        let _e468 = phi_630_;
-                        let _e472 = (bitcast<i32>(_e468.member) != 0i);
-                        if _e472 {
-                            let _e473 = (2u * _e468.member_1);
-                            let _e475 = f32((_e473 - 1u));
-                            let _e477 = local_28;
-                            let _e480 = f32(((_e477 - _e436) + _e473));
-                            phi_608_ = (_e453 * ((_e475 * _e475) / (_e480 * (_e480 - 1f))));
-                        } else {
-                            phi_608_ = f32();
-                        }
-                        let _e487 = phi_608_;
-                        continue;
-                        continuing {
-                            phi_604_ = _e466;
-                            phi_607_ = _e487;
-                            break if !(_e472);
-                        }
-                    }
-                    let _e490 = local_29;
-                    phi_654_ = type_10(1u, ((_e490 - _e436) + 1u));
-                    phi_657_ = 1f;
-                    loop {
-                        let _e495 = phi_654_;
-                        let _e497 = phi_657_;
-                        local_31 = _e497;
-                        if (_e495.member < _e495.member_1) {
-                            phi_655_ = type_10((_e495.member + 1u), _e495.member_1);
-                            phi_680_ = type_10(1u, _e495.member);
-                        } else {
-                            phi_655_ = _e495;
-                            phi_680_ = type_10(0u, type_10().member_1);
-                        }
-                        let _e510 = phi_655_;
-                        let _e512 = phi_680_;
-                        let _e516 = (bitcast<i32>(_e512.member) != 0i);
-                        if _e516 {
-                            phi_658_ = (_e497 * f32(_e512.member_1));
-                        } else {
-                            phi_658_ = f32();
-                        }
-                        let _e520 = phi_658_;
-                        continue;
-                        continuing {
-                            phi_654_ = _e510;
-                            phi_657_ = _e520;
-                            break if !(_e516);
-                        }
-                    }
-                    let _e523 = local_30;
-                    let _e526 = local_31;
-                    phi_692_ = (sqrt(_e523) / _e526);
-                } else {
-                    phi_692_ = 0f;
-                }
-                let _e529 = phi_692_;
-                let _e530 = select(1f, 0f, _e84);
-                if (_e88 == 0u) {
-                    phi_705_ = _e530;
-                } else {
-                    phi_705_ = select(_e51, _e55, _e84);
-                }
-                let _e534 = phi_705_;
-                let _e535 = (_e51 + _e51);
-                let _e538 = ((_e51 * _e51) + (_e55 * _e55));
-                phi_712_ = type_10(1u, _e88);
-                phi_715_ = _e534;
-                phi_717_ = _e530;
+                phi_1974_ = type_10(_e569, _e562);
+                phi_1977_ = f32(((2u * _e569) + 1u));
+                phi_1979_ = 0f;
+                let _e1126 = local_10;
+                phi_1981_ = _e1126;
+                let _e1129 = local_11;
+                phi_1983_ = _e1129;
                 loop {
-                    let _e541 = phi_712_;
-                    let _e543 = phi_715_;
-                    let _e545 = phi_717_;
-                    local_40 = _e543;
-                    local_41 = _e545;
-                    if (_e541.member < _e541.member_1) {
-                        phi_713_ = type_10((_e541.member + 1u), _e541.member_1);
-                        phi_739_ = type_10(1u, _e541.member);
+                    let _e982 = phi_1974_;
+                    let _e984 = phi_1977_;
+                    let _e986 = phi_1979_;
+                    let _e988 = phi_1981_;
+                    let _e990 = phi_1983_;
+                    local_3 = _e988;
+                    if (_e982.member < _e982.member_1) {
+                        phi_1975_ = type_10((_e982.member + 1u), _e982.member_1);
+                        phi_2005_ = type_10(1u, _e982.member);
                     } else {
-                        phi_713_ = _e541;
-                        phi_739_ = type_10(0u, type_10().member_1);
+                        phi_1975_ = _e982;
+                        phi_2005_ = type_10(0u, type_10().member_1);
                     }
-                    let _e558 = phi_713_;
-                    let _e560 = phi_739_;
-                    let _e563 = (bitcast<i32>(_e560.member) != 0i);
-                    if _e563 {
-                        phi_716_ = fma(_e535, _e543, -((_e538 * _e545)));
+                    let _e1003 = phi_1975_;
+                    let _e1005 = phi_2005_;
+                    let _e1008 = (bitcast<i32>(_e1005.member) != 0i);
+                    if _e1008 {
+                        phi_1978_ = (_e984 + 2f);
+                        phi_1980_ = (_e986 + _e984);
+                        phi_1982_ = fma((_e92 * _e984), _e988, -((_e986 * _e990)));
                     } else {
-                        phi_716_ = f32();
+                        phi_1978_ = f32();
+                        phi_1980_ = f32();
+                        phi_1982_ = f32();
                     }
-                    let _e568 = phi_716_;
+                    let _e1016 = phi_1978_;
+                    let _e1018 = phi_1980_;
+                    let _e1020 = phi_1982_;
                     continue;
                     continuing {
-                        phi_712_ = _e558;
-                        phi_715_ = _e568;
-                        phi_717_ = _e543;
-                        break if !(_e563);
+                        phi_1974_ = _e1003;
+                        phi_1977_ = _e1016;
+                        phi_1979_ = _e1018;
+                        phi_1981_ = _e1020;
+                        phi_1983_ = _e988;
+                        break if !(_e1008);
                     }
                 }
-                let _e574 = local_32;
-                phi_754_ = type_10(_e88, _e574);
-                phi_757_ = f32(((2u * _e88) + 1u));
-                phi_759_ = 0f;
-                let _e1001 = local_40;
-                phi_761_ = _e1001;
-                let _e1004 = local_41;
-                phi_763_ = _e1004;
-                loop {
-                    let _e577 = phi_754_;
-                    let _e579 = phi_757_;
-                    let _e581 = phi_759_;
-                    let _e583 = phi_761_;
-                    let _e585 = phi_763_;
-                    local_33 = _e583;
-                    if (_e577.member < _e577.member_1) {
-                        phi_755_ = type_10((_e577.member + 1u), _e577.member_1);
-                        phi_785_ = type_10(1u, _e577.member);
-                    } else {
-                        phi_755_ = _e577;
-                        phi_785_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e598 = phi_755_;
-                    let _e600 = phi_785_;
-                    let _e603 = (bitcast<i32>(_e600.member) != 0i);
-                    if _e603 {
-                        phi_758_ = (_e579 + 2f);
-                        phi_760_ = (_e581 + _e579);
-                        phi_762_ = fma((_e60 * _e579), _e583, -((_e581 * _e585)));
-                    } else {
-                        phi_758_ = f32();
-                        phi_760_ = f32();
-                        phi_762_ = f32();
-                    }
-                    let _e611 = phi_758_;
-                    let _e613 = phi_760_;
-                    let _e615 = phi_762_;
-                    continue;
-                    continuing {
-                        phi_754_ = _e598;
-                        phi_757_ = _e611;
-                        phi_759_ = _e613;
-                        phi_761_ = _e615;
-                        phi_763_ = _e583;
-                        break if !(_e603);
-                    }
-                }
-                let _e618 = local_33;
-                let _e621 = select(1f, 0f, _e200);
-                if (_e204 == 0u) {
-                    phi_812_ = _e621;
-                } else {
-                    phi_812_ = select(_e51, _e55, _e200);
-                }
-                let _e625 = phi_812_;
-                phi_819_ = type_10(1u, _e204);
-                phi_822_ = _e625;
-                phi_824_ = _e621;
-                loop {
-                    let _e628 = phi_819_;
-                    let _e630 = phi_822_;
-                    let _e632 = phi_824_;
-                    local_42 = _e630;
-                    local_43 = _e632;
-                    if (_e628.member < _e628.member_1) {
-                        phi_820_ = type_10((_e628.member + 1u), _e628.member_1);
-                        phi_846_ = type_10(1u, _e628.member);
-                    } else {
-                        phi_820_ = _e628;
-                        phi_846_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e645 = phi_820_;
-                    let _e647 = phi_846_;
-                    let _e650 = (bitcast<i32>(_e647.member) != 0i);
-                    if _e650 {
-                        phi_823_ = fma(_e535, _e630, -((_e538 * _e632)));
-                    } else {
-                        phi_823_ = f32();
-                    }
-                    let _e655 = phi_823_;
-                    continue;
-                    continuing {
-                        phi_819_ = _e645;
-                        phi_822_ = _e655;
-                        phi_824_ = _e630;
-                        break if !(_e650);
-                    }
-                }
-                let _e661 = local_34;
-                phi_861_ = type_10(_e204, _e661);
-                phi_864_ = f32(((2u * _e204) + 1u));
-                phi_866_ = 0f;
-                let _e1024 = local_42;
-                phi_868_ = _e1024;
-                let _e1027 = local_43;
-                phi_870_ = _e1027;
-                loop {
-                    let _e664 = phi_861_;
-                    let _e666 = phi_864_;
-                    let _e668 = phi_866_;
-                    let _e670 = phi_868_;
-                    let _e672 = phi_870_;
-                    local_35 = _e670;
-                    if (_e664.member < _e664.member_1) {
-                        phi_862_ = type_10((_e664.member + 1u), _e664.member_1);
-                        phi_892_ = type_10(1u, _e664.member);
-                    } else {
-                        phi_862_ = _e664;
-                        phi_892_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e685 = phi_862_;
-                    let _e687 = phi_892_;
-                    let _e690 = (bitcast<i32>(_e687.member) != 0i);
-                    if _e690 {
-                        phi_865_ = (_e666 + 2f);
-                        phi_867_ = (_e668 + _e666);
-                        phi_869_ = fma((_e60 * _e666), _e670, -((_e668 * _e672)));
-                    } else {
-                        phi_865_ = f32();
-                        phi_867_ = f32();
-                        phi_869_ = f32();
-                    }
-                    let _e698 = phi_865_;
-                    let _e700 = phi_867_;
-                    let _e702 = phi_869_;
-                    continue;
-                    continuing {
-                        phi_861_ = _e685;
-                        phi_864_ = _e698;
-                        phi_866_ = _e700;
-                        phi_868_ = _e702;
-                        phi_870_ = _e670;
-                        break if !(_e690);
-                    }
-                }
-                let _e705 = local_35;
-                let _e708 = select(1f, 0f, _e316);
-                if (_e320 == 0u) {
-                    phi_919_ = _e708;
-                } else {
-                    phi_919_ = select(_e51, _e55, _e316);
-                }
-                let _e712 = phi_919_;
-                phi_926_ = type_10(1u, _e320);
-                phi_929_ = _e712;
-                phi_931_ = _e708;
-                loop {
-                    let _e715 = phi_926_;
-                    let _e717 = phi_929_;
-                    let _e719 = phi_931_;
-                    local_44 = _e717;
-                    local_45 = _e719;
-                    if (_e715.member < _e715.member_1) {
-                        phi_927_ = type_10((_e715.member + 1u), _e715.member_1);
-                        phi_953_ = type_10(1u, _e715.member);
-                    } else {
-                        phi_927_ = _e715;
-                        phi_953_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e732 = phi_927_;
-                    let _e734 = phi_953_;
-                    let _e737 = (bitcast<i32>(_e734.member) != 0i);
-                    if _e737 {
-                        phi_930_ = fma(_e535, _e717, -((_e538 * _e719)));
-                    } else {
-                        phi_930_ = f32();
-                    }
-                    let _e742 = phi_930_;
-                    continue;
-                    continuing {
-                        phi_926_ = _e732;
-                        phi_929_ = _e742;
-                        phi_931_ = _e717;
-                        break if !(_e737);
-                    }
-                }
-                let _e748 = local_36;
-                phi_968_ = type_10(_e320, _e748);
-                phi_971_ = f32(((2u * _e320) + 1u));
-                phi_973_ = 0f;
-                let _e1047 = local_44;
-                phi_975_ = _e1047;
-                let _e1050 = local_45;
-                phi_977_ = _e1050;
-                loop {
-                    let _e751 = phi_968_;
-                    let _e753 = phi_971_;
-                    let _e755 = phi_973_;
-                    let _e757 = phi_975_;
-                    let _e759 = phi_977_;
-                    local_37 = _e757;
-                    if (_e751.member < _e751.member_1) {
-                        phi_969_ = type_10((_e751.member + 1u), _e751.member_1);
-                        phi_999_ = type_10(1u, _e751.member);
-                    } else {
-                        phi_969_ = _e751;
-                        phi_999_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e772 = phi_969_;
-                    let _e774 = phi_999_;
-                    let _e777 = (bitcast<i32>(_e774.member) != 0i);
-                    if _e777 {
-                        phi_972_ = (_e753 + 2f);
-                        phi_974_ = (_e755 + _e753);
-                        phi_976_ = fma((_e60 * _e753), _e757, -((_e755 * _e759)));
-                    } else {
-                        phi_972_ = f32();
-                        phi_974_ = f32();
-                        phi_976_ = f32();
-                    }
-                    let _e785 = phi_972_;
-                    let _e787 = phi_974_;
-                    let _e789 = phi_976_;
-                    continue;
-                    continuing {
-                        phi_968_ = _e772;
-                        phi_971_ = _e785;
-                        phi_973_ = _e787;
-                        phi_975_ = _e789;
-                        phi_977_ = _e757;
-                        break if !(_e777);
-                    }
-                }
-                let _e792 = local_37;
-                let _e795 = select(1f, 0f, _e432);
-                if (_e436 == 0u) {
-                    phi_1026_ = _e795;
-                } else {
-                    phi_1026_ = select(_e51, _e55, _e432);
-                }
-                let _e799 = phi_1026_;
-                phi_1033_ = type_10(1u, _e436);
-                phi_1036_ = _e799;
-                phi_1038_ = _e795;
-                loop {
-                    let _e802 = phi_1033_;
-                    let _e804 = phi_1036_;
-                    let _e806 = phi_1038_;
-                    local_46 = _e804;
-                    local_47 = _e806;
-                    if (_e802.member < _e802.member_1) {
-                        phi_1034_ = type_10((_e802.member + 1u), _e802.member_1);
-                        phi_1060_ = type_10(1u, _e802.member);
-                    } else {
-                        phi_1034_ = _e802;
-                        phi_1060_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e819 = phi_1034_;
-                    let _e821 = phi_1060_;
-                    let _e824 = (bitcast<i32>(_e821.member) != 0i);
-                    if _e824 {
-                        phi_1037_ = fma(_e535, _e804, -((_e538 * _e806)));
-                    } else {
-                        phi_1037_ = f32();
-                    }
-                    let _e829 = phi_1037_;
-                    continue;
-                    continuing {
-                        phi_1033_ = _e819;
-                        phi_1036_ = _e829;
-                        phi_1038_ = _e804;
-                        break if !(_e824);
-                    }
-                }
-                let _e835 = local_38;
-                phi_1075_ = type_10(_e436, _e835);
-                phi_1078_ = f32(((2u * _e436) + 1u));
-                phi_1080_ = 0f;
-                let _e1070 = local_46;
-                phi_1082_ = _e1070;
-                let _e1073 = local_47;
-                phi_1084_ = _e1073;
-                loop {
-                    let _e838 = phi_1075_;
-                    let _e840 = phi_1078_;
-                    let _e842 = phi_1080_;
-                    let _e844 = phi_1082_;
-                    let _e846 = phi_1084_;
-                    local_39 = _e844;
-                    if (_e838.member < _e838.member_1) {
-                        phi_1076_ = type_10((_e838.member + 1u), _e838.member_1);
-                        phi_1106_ = type_10(1u, _e838.member);
-                    } else {
-                        phi_1076_ = _e838;
-                        phi_1106_ = type_10(0u, type_10().member_1);
-                    }
-                    let _e859 = phi_1076_;
-                    let _e861 = phi_1106_;
-                    let _e864 = (bitcast<i32>(_e861.member) != 0i);
-                    if _e864 {
-                        phi_1079_ = (_e840 + 2f);
-                        phi_1081_ = (_e842 + _e840);
-                        phi_1083_ = fma((_e60 * _e840), _e844, -((_e842 * _e846)));
-                    } else {
-                        phi_1079_ = f32();
-                        phi_1081_ = f32();
-                        phi_1083_ = f32();
-                    }
-                    let _e872 = phi_1079_;
-                    let _e874 = phi_1081_;
-                    let _e876 = phi_1083_;
-                    continue;
-                    continuing {
-                        phi_1075_ = _e859;
-                        phi_1078_ = _e872;
-                        phi_1080_ = _e874;
-                        phi_1082_ = _e876;
-                        phi_1084_ = _e844;
-                        break if !(_e864);
-                    }
-                }
-                let _e879 = local_39;
-                table.member[_e43] = (_e65 * (_e618 * _e181));
-                table.member[(_e39 + _e43)] = (_e65 * (_e705 * _e297));
-                table.member[((2u * _e39) + _e43)] = (_e65 * (_e792 * _e413));
-                table.member[((3u * _e39) + _e43)] = (_e65 * (_e879 * _e529));
+                let _e1023 = local_3;
+                table.member[_e75] = (_e97 * (_e768 * _e243));
+                table.member[(_e71 + _e75)] = (_e97 * (_e853 * _e389));
+                table.member[((2u * _e71) + _e75)] = (_e97 * (_e938 * _e535));
+                table.member[((3u * _e71) + _e75)] = (_e97 * (_e1023 * _e681));
             }
             break;
         }

@@ -130,9 +130,8 @@ pub struct At {
     pub i: usize,
 }
 
-/// Asks a processor to bring element `i` of a slice into its cache; beyond the end, or where there is no such instruction,
-/// nothing happens. Processors fetch ahead by themselves, but not beyond a page.
-#[cfg(not(target_arch = "spirv"))]
+/// Asks a processor to bring element `i` of a slice into its cache; beyond the end, on a device, or where there is no such
+/// instruction, nothing happens. Processors fetch ahead by themselves, but not beyond a page.
 #[inline(always)]
 #[allow(unsafe_code)]
 pub fn prefetch<T>(slice: &[T], i: usize) {
@@ -413,6 +412,10 @@ mod host {
         /// A request; the same arguments give the same case.
         pub fn new(seed: u32, count: usize, flavour: Flavour) -> Self {
             Self { count, flavour, state: seed.wrapping_mul(0x9E37_79B9) ^ 0x85EB_CA6B }
+        }
+        /// Whether to make a case as a real scene does, to be timed: small ones try everything that is allowed.
+        pub fn is_large(&self) -> bool {
+            self.count >= 1 << 12
         }
         /// The next 32 bits (PCG hash of a counter; Jarzynski & Olano 2020).
         pub fn bits(&mut self) -> u32 {

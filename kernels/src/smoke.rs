@@ -120,7 +120,7 @@ const CROWDED: u32 = 64;
 #[cfg(not(target_arch = "spirv"))]
 fn histogram_case(input: &mut CaseInput) -> Case {
     let params = SmokeParams { count: input.count as u32, seed: input.bits(), scale: 0.0, _pad: 0 };
-    let range = if input.count < 1 << 12 { CROWDED } else { HISTOGRAM_BINS };
+    let range = if input.is_large() { HISTOGRAM_BINS } else { CROWDED };
     let values: alloc::vec::Vec<u32> = (0..input.count).map(|_| input.bits() % range).collect();
     Case::default().uniform(&params).read(&values).zeroed::<u32>(HISTOGRAM_BINS as usize)
 }

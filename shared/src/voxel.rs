@@ -49,7 +49,7 @@ crate::record! {
         pub even_cells: u32,
         /// Level that this pass writes.
         pub level: u32,
-        /// First element that this pass writes.
+        /// First element (cell, or record of levels ≥ 1) that this pass writes.
         pub first: u32,
         /// Elements that this pass writes.
         pub count: u32,
@@ -83,6 +83,14 @@ crate::record! {
         pub emission: [f32; 3],
         /// Zero.
         pub _pad1: u32,
+    }
+}
+
+crate::record! {
+    /// What is seen of a voxel of levels ≥ 1 along +x, −x, +y, −y, +z, −z: premultiplied radiance and coverage.
+    pub struct VoxelSides: 96 {
+        /// One value per direction that the viewer looks along.
+        pub sides: [Vec4; 6],
     }
 }
 

@@ -236,15 +236,20 @@ impl VoxelScene {
     /// # Errors
     /// What the executor returns.
     pub fn mipmap(&self, exec: &mut dyn Executor) -> Result<(), ExecError> {
+        let (base, level) = if self.params.direction_count == 1 {
+            (&mip::voxel_mip_base_isotropic::KERNEL, &mip::voxel_mip_isotropic::KERNEL)
+        } else {
+            (&mip::voxel_mip_base::KERNEL, &mip::voxel_mip::KERNEL)
+        };
         for (k, &pass) in self.level_passes.iter().enumerate() {
             if k == 0 {
                 let buffers =
                     [pass, self.cells, self.facet_bits, self.facets, self.radiance, self.odd_children, self.odd];
-                exec.run(&mip::voxel_mip_base::KERNEL, &buffers)?;
+                exec.run(base, &buffers)?;
             } else if k % 2 == 0 {
-                exec.run(&mip::voxel_mip::KERNEL, &[pass, self.cells, self.odd_children, self.even, self.odd])?;
+                exec.run(level, &[pass, self.cells, self.odd_children, self.even, self.odd])?;
             } else {
-                exec.run(&mip::voxel_mip::KERNEL, &[pass, self.cells, self.even_children, self.odd, self.even])?;
+                exec.run(level, &[pass, self.cells, self.even_children, self.odd, self.even])?;
             }
         }
         Ok(())
@@ -413,9 +418,9 @@ fn record_passes(
         .map(|level| {
             let all = if level & 1 == 1 { occupancy.odd_records } else { occupancy.even_records };
             let end = if level + 2 < params.dims_levels.w { rank(level + 2) } else { all };
-            let first = rank(level) * params.direction_count;
-            let count = end * params.direction_count - first;
-            Ok(exec.upload_one("voxel level parameters", &VoxelParams { level, first, count, ..*params })?)
+            let first = rank(level);
+            let pass = VoxelParams { level, first, count: end - first, ..*params };
+            Ok(exec.upload_one("voxel level parameters", &pass)?)
         })
         .collect()
 }

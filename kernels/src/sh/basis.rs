@@ -41,8 +41,10 @@ pub fn table<R: Real>(at: At, p: &ShParams, directions: &[f32]) -> [R; 4] {
 
 #[cfg(not(target_arch = "spirv"))]
 fn case(input: &mut CaseInput) -> Case {
-    let count = input.count;
-    let p = ShParams { element_count: 0, sample_count: count as u32, order: super::case_order(input), weight: 0.0 };
+    // A large case is what a probe's rays need at the papers' sizes; no table is larger.
+    let (count, any) = (input.count.min(8192), super::case_order(input));
+    let order = if input.is_large() { 7 } else { any };
+    let p = ShParams { element_count: 0, sample_count: count as u32, order, weight: 0.0 };
     let mut directions = alloc::vec![0.0; 4 * count];
     for i in 0..count {
         let d = input.direction().to_array();

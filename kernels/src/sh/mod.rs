@@ -74,7 +74,7 @@ fn case_order(input: &mut CaseInput) -> u32 {
 #[cfg(not(target_arch = "spirv"))]
 fn case_samples(input: &mut CaseInput, most: u32) -> u32 {
     let any = 1 + input.bits() % most;
-    if input.count >= 1 << 12 { 256 } else { any }
+    if input.is_large() { 256 } else { any }
 }
 /// Radiance samples of a test case. Huge ones stand alone in their element: a sum of huge terms that cancel has no digit
 /// in common with the same sum under a device's rounding.

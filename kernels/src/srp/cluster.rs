@@ -71,11 +71,13 @@ fn case(input: &mut CaseInput) -> Case {
         _pad2: 0,
         _pad3: 0,
     };
-    let blocks: alloc::vec::Vec<u32> = (0..64).map(|_| input.bits() % coef_count).collect();
+    let blocks: alloc::vec::Vec<u32> = (0..256).map(|_| input.bits() % coef_count).collect();
     let (mut pairs, mut word_count) = (alloc::vec![], 0);
     for _ in 0..total_rows {
-        let block_pairs = input.bits() % 6;
-        let block_first = input.bits() % (64 - 2 * block_pairs);
+        // In a large case as many as 20 probes of order 7 have (Silvennoinen & Lehtinen 2017, Sponza).
+        let any = input.bits();
+        let block_pairs = if input.is_large() { 20 + any % 41 } else { any % 6 };
+        let block_first = input.bits() % (256 - 2 * block_pairs);
         pairs.push(SrpRankPair { words_first: word_count, block_first, block_pairs, _pad0: 0 });
         word_count += block_pairs * 2 * SRP_LANES;
     }

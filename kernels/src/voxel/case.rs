@@ -4,7 +4,7 @@ use super::cells::{voxel_cells, voxel_children, voxel_coarsen, voxel_facet_count
 use super::facet::{voxel_accumulate, voxel_resolve};
 use super::grid::{cell_count, pyramid};
 use super::mark::{voxel_mark, voxel_tiles};
-use super::mip::{voxel_mip, voxel_mip_base};
+use super::mip::{voxel_mip, voxel_mip_base, voxel_mip_base_isotropic, voxel_mip_isotropic};
 use crate::kernel::{Case, CaseInput, Flavour};
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -186,32 +186,50 @@ impl CasePyramid {
 
     /// With random radiance of the requested flavour (no less than zero) in every level.
     pub fn lit(input: &mut CaseInput) -> Self {
+        let c = Self::resolved(input);
+        c.with_light(input)
+    }
+
+    /// As [`Self::lit`], in six directions or in one.
+    pub fn lit_along(input: &mut CaseInput, direction_count: u32) -> Self {
         let mut c = Self::resolved(input);
-        c.radiance = (0..2 * c.facets.len())
+        c.params.direction_count = direction_count;
+        c.with_light(input)
+    }
+
+    fn with_light(mut self, input: &mut CaseInput) -> Self {
+        self.radiance = (0..2 * self.facets.len())
             .map(|_| Vec4::new(input.float().abs(), input.float().abs(), input.float().abs(), 0.0))
             .collect();
-        let directions = c.params.direction_count as usize;
-        c.odd_mips = alloc::vec![Vec4::ZERO; c.odd_children.len() * directions];
-        c.even_mips = alloc::vec![Vec4::ZERO; c.even_children.len() * directions];
-        for level in 1..c.params.dims_levels.w {
-            let pass = c.record_pass(level);
-            if level == 1 {
-                voxel_mip_base::cpu(
-                    &pass,
-                    &c.cells,
-                    &c.facet_bits,
-                    &c.facets,
-                    &c.radiance,
-                    &c.odd_children,
-                    &mut c.odd_mips,
-                );
-            } else if level & 1 == 1 {
-                voxel_mip::cpu(&pass, &c.cells, &c.odd_children, &c.even_mips, &mut c.odd_mips);
+        let directions = self.params.direction_count as usize;
+        self.odd_mips = alloc::vec![Vec4::ZERO; self.odd_children.len() * directions];
+        self.even_mips = alloc::vec![Vec4::ZERO; self.even_children.len() * directions];
+        self.make_base();
+        for level in 2..self.params.dims_levels.w {
+            let pass = self.record_pass(level);
+            let (children, finer, out) = if level & 1 == 1 {
+                (&self.odd_children, &self.even_mips, &mut self.odd_mips)
             } else {
-                voxel_mip::cpu(&pass, &c.cells, &c.even_children, &c.odd_mips, &mut c.even_mips);
+                (&self.even_children, &self.odd_mips, &mut self.even_mips)
+            };
+            if directions == 1 {
+                voxel_mip_isotropic::cpu(&pass, &self.cells, children, finer, out);
+            } else {
+                voxel_mip::cpu(&pass, &self.cells, children, finer, bytemuck::cast_slice_mut(out));
             }
         }
-        c
+        self
+    }
+
+    fn make_base(&mut self) {
+        let p = self.record_pass(1);
+        let (cells, bits, facets) = (&self.cells, &self.facet_bits, &self.facets);
+        let (radiance, children, out) = (&self.radiance, &self.odd_children, &mut self.odd_mips);
+        if p.direction_count == 1 {
+            voxel_mip_base_isotropic::cpu(&p, cells, bits, facets, radiance, children, out);
+        } else {
+            voxel_mip_base::cpu(&p, cells, bits, facets, radiance, children, bytemuck::cast_slice_mut(out));
+        }
     }
 
     /// A level from `first` on; in a large case the first, which most of the work is on.
@@ -239,8 +257,7 @@ impl CasePyramid {
         } else {
             self.even_children.len() as u32
         };
-        let directions = self.params.direction_count;
-        VoxelParams { level, first: first * directions, count: (end - first) * directions, ..self.params }
+        VoxelParams { level, first, count: end - first, ..self.params }
     }
 
     /// Adds the six buffers of a `VoxelPyramid`.

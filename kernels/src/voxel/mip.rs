@@ -1,8 +1,9 @@
 //! Radiance and coverage of levels ≥ 1, in one or six directions.
 //!
-//! One invocation computes one stored direction of one record. `voxel_mip_base` makes level 1 from facets, `voxel_mip` a
-//! level from the level below. A record's value in a direction is what a viewer who looks along it sees: radiance times
-//! coverage (premultiplied), and coverage: the share of a voxel's face that is hidden.
+//! One invocation computes all directions of one record, so that what lies below is read once. `voxel_mip_base` makes level 1
+//! from facets, `voxel_mip` a level from the level below; `…_isotropic` do so for one direction. A record's value in a direction
+//! is what a viewer who looks along it sees: radiance times coverage (premultiplied), and coverage: the share of a voxel's
+//! face that is hidden.
 //!
 //! Crassin et al. 2011 (§4, anisotropic voxels): over each pair of voxels along the direction front to back, then the mean
 //! of the four pairs. Deviation: where a pair's coverages add up to no more than 1 they are taken as pieces side by side,
@@ -18,15 +19,15 @@
 #[cfg(not(target_arch = "spirv"))]
 use super::case::CasePyramid;
 use super::cells::pass_rows;
-use super::facet::facets_of_byte;
+use super::facet::{ByteKinds, facets_of_byte};
 use super::grid::below;
-use super::view::{at_most_covered, axis_direction, facets_seen};
+use super::view::{SIDES, at_most_covered, facets_seen_along_axes, facets_seen_from_everywhere};
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::kernel::{fetch, fetch_if};
 use crate::math::float::{max, min};
 use glam::Vec4;
-use interreflect_shared::voxel::{VoxelFacet, VoxelParams};
+use interreflect_shared::voxel::{VoxelFacet, VoxelParams, VoxelSides};
 
 /// Two voxels one behind the other; each premultiplied radiance and coverage up to 1.
 #[inline(always)]
@@ -35,107 +36,153 @@ pub fn over(front: Vec4, back: Vec4) -> Vec4 {
     front + back * min(free / max(back.w, f32::MIN_POSITIVE), 1.0)
 }
 
-/// The first, second or third by an axis.
-#[inline(always)]
-fn by_axis(axis: u32, x: Vec4, y: Vec4, z: Vec4) -> Vec4 {
-    if axis == 0 {
-        x
-    } else if axis == 1 {
-        y
-    } else {
-        z
+/// Eight voxels, seen along each of the six directions.
+struct Octet {
+    voxels: [[Vec4; SIDES]; 8],
+    sums: [Vec4; SIDES],
+}
+
+impl Octet {
+    #[inline(always)]
+    fn new() -> Self {
+        Self { voxels: [[Vec4::ZERO; SIDES]; 8], sums: [Vec4::ZERO; SIDES] }
+    }
+
+    /// The next voxel, `K` = 0 to 7 in turn: bits 0, 1, 2 are its place along x, y, z. Where it is the far one of a pair along an
+    /// axis, the pair is complete. (All at once after the eighth would keep 48 values.)
+    #[inline(always)]
+    fn add<const K: usize>(&mut self, high: [Vec4; SIDES]) {
+        self.voxels[K] = high;
+        unroll!(AXIS in 0, 1, 2 => {
+            if K >> AXIS & 1 == 1 {
+                let low = &self.voxels[K & !(1 << AXIS)];
+                self.sums[2 * AXIS] += over(low[2 * AXIS], high[2 * AXIS]);
+                self.sums[2 * AXIS + 1] += over(high[2 * AXIS + 1], low[2 * AXIS + 1]);
+            }
+        });
+    }
+
+    /// The mean of the four pairs along each direction.
+    #[inline(always)]
+    fn seen(&self) -> VoxelSides {
+        let s = &self.sums;
+        VoxelSides { sides: [s[0] * 0.25, s[1] * 0.25, s[2] * 0.25, s[3] * 0.25, s[4] * 0.25, s[5] * 0.25] }
     }
 }
 
-/// Two voxels side by side along an axis, seen along it or, `reversed`, against it.
+/// Occupancy of the eight voxels below a record (bits 0 to 7), and the first record among them.
 #[inline(always)]
-fn pair(reversed: bool, low: Vec4, high: Vec4) -> Vec4 {
-    if reversed { over(high, low) } else { over(low, high) }
-}
-
-/// Eight voxels seen along one axis, `reversed` against it; bits 0, 1, 2 of an index are the place along x, y, z. (Indices that
-/// depend on the axis would put the eight into memory on a device.)
-#[inline(always)]
-fn seen_along(axis: u32, reversed: bool, v: &[Vec4; 8]) -> Vec4 {
-    let sum = pair(reversed, v[0], by_axis(axis, v[1], v[2], v[4]))
-        + pair(reversed, by_axis(axis, v[2], v[1], v[1]), by_axis(axis, v[3], v[3], v[5]))
-        + pair(reversed, by_axis(axis, v[4], v[4], v[2]), by_axis(axis, v[5], v[6], v[6]))
-        + pair(reversed, by_axis(axis, v[6], v[5], v[3]), v[7]);
-    sum * 0.25
-}
-
-/// Eight voxels seen from everywhere: their sum over four, cut at full coverage.
-#[inline(always)]
-fn seen_from_everywhere(v: &[Vec4; 8]) -> Vec4 {
-    let sum = (((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]))) * 0.25;
-    if sum.w > 1.0 { sum / sum.w } else { sum }
-}
-
-#[inline(always)]
-fn combine(p: &VoxelParams, direction: u32, v: &[Vec4; 8]) -> Vec4 {
-    if p.direction_count == 1 { seen_from_everywhere(v) } else { seen_along(direction >> 1, direction & 1 == 1, v) }
-}
-
-/// Value `p.first + i` of the levels ≥ 1 of one parity, from the level below: record by record, direction by direction
-/// (+x, −x, +y, −y, +z, −z: the way the viewer looks). `children`: what [`super::cells::children`] made; `finer`: values of
-/// the other parity.
-#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
-#[inline(always)]
-pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> Vec4 {
-    let element = p.first + i;
-    let record = element / p.direction_count;
-    let direction = element - record * p.direction_count;
+fn octet_below(record: u32, cells: &[u32], children: &[u32]) -> (u32, u32) {
     let child = *fetch(children, record as usize);
     let cell = 2 * (child >> 2) as usize;
-    let byte = child & 3;
+    let first_bit = 8 * (child & 3);
     let word = *fetch(cells, cell);
-    let bits = word >> (8 * byte);
-    let mut next = *fetch(cells, cell + 1) + (word & below(8 * byte)).count_ones();
-    let mut v = [Vec4::ZERO; 8];
-    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
-        let there = bits >> K & 1;
-        let at = (next * p.direction_count + direction) as usize;
-        v[K] = fetch_if(there == 1, finer, at, Vec4::ZERO);
-        next += there;
-    });
-    combine(p, direction, &v)
+    (word >> first_bit, *fetch(cells, cell + 1) + (word & below(first_bit)).count_ones())
 }
 
-/// Value `i` of level 1, from facets. `radiance`: two per facet, front and back.
+/// Record `p.first + i` of the levels ≥ 1 of one parity, from the level below. `children`: what [`super::cells::children`]
+/// made; `finer`: values of the other parity, record by record, direction by direction.
+#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+#[inline(always)]
+pub fn mip(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> VoxelSides {
+    let (bits, mut next) = octet_below(p.first + i, cells, children);
+    let mut octet = Octet::new();
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
+        let there = bits >> K & 1;
+        let mut voxel = [Vec4::ZERO; SIDES];
+        unroll!(SIDE in 0, 1, 2, 3, 4, 5 => {
+            voxel[SIDE] = fetch_if(there == 1, finer, next as usize * SIDES + SIDE, Vec4::ZERO);
+        });
+        octet.add::<K>(voxel);
+        next += there;
+    });
+    octet.seen()
+}
+
+/// As [`mip`] without regard to direction: eight voxels' sum over four, cut at full coverage.
+#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+#[inline(always)]
+pub fn mip_isotropic(i: u32, p: &VoxelParams, cells: &[u32], children: &[u32], finer: &[Vec4]) -> Vec4 {
+    let (bits, mut next) = octet_below(p.first + i, cells, children);
+    let mut sum = Vec4::ZERO;
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
+        let there = bits >> K & 1;
+        sum += fetch_if(there == 1, finer, next as usize, Vec4::ZERO);
+        next += there;
+    });
+    at_most_covered(sum * 0.25)
+}
+
+/// Record `i` of level 1, from facets. `radiance`: two per facet, front and back.
 #[allow(unused_assignments, reason = "the last step of the unrolled loop")]
 #[inline(always)]
 pub fn mip_base(
     i: u32,
-    p: &VoxelParams,
+    _p: &VoxelParams,
+    cells: &[u32],
+    facet_bits: &[u32],
+    facets: &[VoxelFacet],
+    radiance: &[Vec4],
+    children: &[u32],
+) -> VoxelSides {
+    let (mut next, bits, kinds) = facets_below(i, cells, facet_bits, children);
+    let mut octet = Octet::new();
+    unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
+        let mut voxel = [Vec4::ZERO; SIDES];
+        if bits >> K & 1 == 1 {
+            let count = kinds.count(K as u32);
+            voxel = facets_seen_along_axes(next, count, facets, radiance);
+            next += count;
+        }
+        octet.add::<K>(voxel);
+    });
+    octet.seen()
+}
+
+/// As [`mip_base`] without regard to direction.
+#[allow(unused_assignments, reason = "the last step of the unrolled loop")]
+#[inline(always)]
+pub fn mip_base_isotropic(
+    i: u32,
+    _p: &VoxelParams,
     cells: &[u32],
     facet_bits: &[u32],
     facets: &[VoxelFacet],
     radiance: &[Vec4],
     children: &[u32],
 ) -> Vec4 {
-    let record = i / p.direction_count;
-    let direction = i - record * p.direction_count;
-    let child = *fetch(children, record as usize);
-    let cell = child >> 2;
-    let first_bit = 8 * (child & 3);
-    let bits = *fetch(cells, (2 * cell) as usize) >> first_bit;
-    let (mut next, kinds) = facets_of_byte(cells, facet_bits, cell, first_bit);
-    let looking = axis_direction(direction >> 1, direction & 1 == 1);
-    let mut v = [Vec4::ZERO; 8];
+    let (mut next, bits, kinds) = facets_below(i, cells, facet_bits, children);
+    let mut sum = Vec4::ZERO;
     unroll!(K in 0, 1, 2, 3, 4, 5, 6, 7 => {
         if bits >> K & 1 == 1 {
             let count = kinds.count(K as u32);
-            let seen = facets_seen(next, count, looking, p.direction_count == 1, facets, radiance);
-            v[K] = at_most_covered(seen);
+            sum += facets_seen_from_everywhere(next, count, facets, radiance);
             next += count;
         }
     });
-    combine(p, direction, &v)
+    at_most_covered(sum * 0.25)
+}
+
+/// First facet, occupancy (bits 0 to 7) and facets' kinds of the eight voxels below a record of level 1.
+#[inline(always)]
+fn facets_below(record: u32, cells: &[u32], facet_bits: &[u32], children: &[u32]) -> (u32, u32, ByteKinds) {
+    let child = *fetch(children, record as usize);
+    let (cell, first_bit) = (child >> 2, 8 * (child & 3));
+    let (first, kinds) = facets_of_byte(cells, facet_bits, cell, first_bit);
+    (first, *fetch(cells, (2 * cell) as usize) >> first_bit, kinds)
 }
 
 #[cfg(not(target_arch = "spirv"))]
 fn mip_case(input: &mut CaseInput) -> Case {
-    let pyramid = CasePyramid::lit(input);
+    level_case(input, 6)
+}
+#[cfg(not(target_arch = "spirv"))]
+fn mip_isotropic_case(input: &mut CaseInput) -> Case {
+    level_case(input, 1)
+}
+#[cfg(not(target_arch = "spirv"))]
+fn level_case(input: &mut CaseInput, direction_count: u32) -> Case {
+    let pyramid = CasePyramid::lit_along(input, direction_count);
     let level = pyramid.some_level(input, 2);
     let params = pyramid.record_pass(level);
     let (children, finer, out) = if level & 1 == 1 {
@@ -148,7 +195,15 @@ fn mip_case(input: &mut CaseInput) -> Case {
 
 #[cfg(not(target_arch = "spirv"))]
 fn mip_base_case(input: &mut CaseInput) -> Case {
-    let pyramid = CasePyramid::lit(input);
+    base_case(input, 6)
+}
+#[cfg(not(target_arch = "spirv"))]
+fn mip_base_isotropic_case(input: &mut CaseInput) -> Case {
+    base_case(input, 1)
+}
+#[cfg(not(target_arch = "spirv"))]
+fn base_case(input: &mut CaseInput, direction_count: u32) -> Case {
+    let pyramid = CasePyramid::lit_along(input, direction_count);
     Case::default()
         .uniform(&pyramid.record_pass(1))
         .read(&pyramid.cells)
@@ -160,20 +215,46 @@ fn mip_base_case(input: &mut CaseInput) -> Case {
 }
 
 kernel! {
-    /// A level of radiance and coverage from the level below.
+    /// A level of radiance and coverage from the level below, in six directions.
     mod voxel_mip = super::mip; entry "voxel_mip" threads(64);
+    uniform 0 params: VoxelParams;
+    read 1 cells: u32;
+    read 2 children: u32;
+    read 3 finer: Vec4;
+    write 4 out: VoxelSides;
+    over super::pass_rows;
+    case super::mip_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "a division and four products of positive numbers; fused on some devices";
+}
+
+kernel! {
+    /// A level of radiance and coverage from the level below, without regard to direction.
+    mod voxel_mip_isotropic = super::mip_isotropic; entry "voxel_mip_isotropic" threads(64);
     uniform 0 params: VoxelParams;
     read 1 cells: u32;
     read 2 children: u32;
     read 3 finer: Vec4;
     write 4 out: Vec4;
     over super::pass_rows;
-    case super::mip_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "a division and four products of positive numbers; fused on some devices";
+    case super::mip_isotropic_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "a division, which devices may round otherwise";
 }
 
 kernel! {
-    /// Level 1 of radiance and coverage from facets.
+    /// Level 1 of radiance and coverage from facets, in six directions.
     mod voxel_mip_base = super::mip_base; entry "voxel_mip_base" threads(64);
+    uniform 0 params: VoxelParams;
+    read 1 cells: u32;
+    read 2 facet_bits: u32;
+    read 3 facets: VoxelFacet;
+    read 4 radiance: Vec4;
+    read 5 children: u32;
+    write 6 out: VoxelSides;
+    over super::pass_rows;
+    case super::mip_base_case; tolerance Tolerance::RelAbs(1e-4, 1e-35), "back faces show by a difference of coverages, which cancels";
+}
+
+kernel! {
+    /// Level 1 of radiance and coverage from facets, without regard to direction.
+    mod voxel_mip_base_isotropic = super::mip_base_isotropic; entry "voxel_mip_base_isotropic" threads(64);
     uniform 0 params: VoxelParams;
     read 1 cells: u32;
     read 2 facet_bits: u32;
@@ -182,5 +263,5 @@ kernel! {
     read 5 children: u32;
     write 6 out: Vec4;
     over super::pass_rows;
-    case super::mip_base_case; tolerance Tolerance::RelAbs(1e-4, 1e-35), "back faces show by a difference of coverages, which cancels";
+    case super::mip_base_isotropic_case; tolerance Tolerance::RelAbs(1e-5, 1e-35), "a division, which devices may round otherwise, and products that they may fuse";
 }

@@ -48,5 +48,7 @@ pub const KERNELS: &[&crate::kernel::Kernel] = &[
     &light::voxel_inject::KERNEL,
     &light::voxel_radiate::KERNEL,
     &mip::voxel_mip_base::KERNEL,
+    &mip::voxel_mip_base_isotropic::KERNEL,
     &mip::voxel_mip::KERNEL,
+    &mip::voxel_mip_isotropic::KERNEL,
 ];

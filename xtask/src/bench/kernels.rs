@@ -1,5 +1,6 @@
 //! Every kernel on the CPU against the same SPIR-V on a software driver of the same cores, and against the machine's limits.
 
+use super::limits::Moved;
 use super::{Bench, geometric_mean, median};
 use anyhow::{Context, Result};
 use interreflect::exec::{BufferId, Executor};
@@ -17,7 +18,7 @@ const MAX_COUNT: usize = 1 << 24;
 /// or a buffer this large, the most that every device binds,
 const MAX_BUFFER_BYTES: usize = 128 << 20;
 /// or when making it took this long.
-const MAX_CASE_SECONDS: f64 = 2.0;
+const MAX_CASE_SECONDS: f64 = 8.0;
 
 /// A kernel's figures.
 #[derive(Serialize)]
@@ -25,12 +26,12 @@ struct Row {
     kernel: &'static str,
     form: String,
     invocations: u32,
-    bytes: usize,
+    moved: Moved,
     cpu_ns_per_invocation: f64,
     device_ns_per_invocation: Option<f64>,
     /// Device's time over the CPU's: above 1 the CPU is faster.
     cpu_speedup: Option<f64>,
-    /// Share of the copy bandwidth, when every byte of every buffer moves once.
+    /// What memory takes at least ([`Limits::least_seconds`]) over the time taken, when every byte of every buffer moves once.
     bandwidth_share: f64,
     /// Share of the multiply-add rate (lane-generic kernels, which count their operations).
     arithmetic_share: Option<f64>,
@@ -50,6 +51,9 @@ pub fn run(bench: &mut Bench) -> Result<Value> {
         let row = measure(bench, kernel).with_context(|| kernel.desc.name)?;
         print_row(&row);
         rows.push(row);
+    }
+    if bench.wants("clear") {
+        clear(bench)?;
     }
     let speedups: Vec<f64> = rows.iter().filter_map(|row| row.cpu_speedup).collect();
     let mean = geometric_mean(&speedups);
@@ -102,19 +106,44 @@ fn measure(bench: &mut Bench, kernel: &'static Kernel) -> Result<Row> {
     let cpu = median(cpu);
     let gpu = (!gpu.is_empty()).then(|| median(gpu));
     let invocations = rows(kernel, &case).invocations();
-    let bytes = moved_bytes(kernel, &case);
+    let moved = moved(kernel, &case);
     let per_invocation = |seconds: f64| seconds * 1e9 / f64::from(invocations.max(1));
     Ok(Row {
         kernel: kernel.desc.name,
         form: format!("{:?}", kernel.form).to_lowercase(),
         invocations,
-        bytes,
+        moved,
         cpu_ns_per_invocation: per_invocation(cpu),
         device_ns_per_invocation: gpu.map(per_invocation),
         cpu_speedup: gpu.map(|gpu| gpu / cpu),
-        bandwidth_share: bytes as f64 / cpu / bench.limits.copy_bytes_per_s,
+        bandwidth_share: bench.limits.least_seconds(moved) / cpu,
         arithmetic_share: operations(kernel, &case).map(|ops| ops / cpu / bench.limits.operations_per_s),
     })
+}
+
+/// Clears a buffer as large as those that a frame of a large scene clears, on the CPU.
+fn clear(bench: &mut Bench) -> Result<()> {
+    const BYTES: usize = 32 << 20;
+    let id = bench.cpu.zeroed("cleared", BYTES)?;
+    let mut seconds = Vec::new();
+    for _ in 0..=REPEATS {
+        bench.cpu.begin();
+        bench.cpu.clear(id)?;
+        seconds.push(bench.cpu.end()? * 1e-3);
+    }
+    bench.cpu.free(id);
+    let cpu = median(seconds.split_off(1));
+    let share = bench.limits.least_seconds(Moved { read: 0, written: BYTES }) / cpu;
+    let (words, ns) = (BYTES / 4, cpu * 1e9 / (BYTES / 4) as f64);
+    println!(
+        "{:<26} {:>8} {words:>10} {ns:>10.2} {:>11} {:>9} {:>10}",
+        "clear",
+        "words",
+        "–",
+        "–",
+        format!("{:.0} %", 100.0 * share)
+    );
+    Ok(())
 }
 
 /// Dispatches of a stage: enough for a clock.
@@ -193,17 +222,20 @@ fn rows(kernel: &Kernel, case: &Case) -> Rows {
 }
 
 /// Bytes of all that is read, and of what the kernel's rows write.
-fn moved_bytes(kernel: &Kernel, case: &Case) -> usize {
-    let bindings = kernel.desc.bindings.iter().zip(&case.buffers);
-    bindings
-        .map(|(binding, words)| match binding.access {
+pub fn moved(kernel: &Kernel, case: &Case) -> Moved {
+    let mut moved = Moved::default();
+    for (binding, words) in kernel.desc.bindings.iter().zip(&case.buffers) {
+        let all = 4 * words.len();
+        match binding.access {
+            Access::Uniform | Access::Read => moved.read += all,
+            Access::Atomic => moved.written += all,
             Access::Write => {
-                let written = rows(kernel, case).invocations() as usize * kernel.plane_count * binding.stride_bytes;
-                written.min(4 * words.len())
+                let stored = rows(kernel, case).invocations() as usize * kernel.plane_count * binding.stride_bytes;
+                moved.written += stored.min(all);
             }
-            _ => 4 * words.len(),
-        })
-        .sum()
+        }
+    }
+    moved
 }
 
 /// Floating-point operations of a dispatch, from a sample of its elements; `None` for kernels that do not count.

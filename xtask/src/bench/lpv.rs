@@ -1,6 +1,6 @@
 //! Light propagation volumes: cells per second and what binds them, cost per light, and times per stage beside the papers'.
 
-use super::kernels::{Load, operations};
+use super::kernels::{Load, moved, operations};
 use super::{Bench, median};
 use anyhow::{Context, Result};
 use interreflect::exec::Executor;
@@ -63,8 +63,7 @@ fn propagation(bench: &mut Bench) -> Result<Value> {
         let device = (!gpu.is_empty()).then(|| median(gpu));
         let arithmetic =
             operations(kernel, &case).context("a lane kernel counts")? / cpu / bench.limits.operations_per_s;
-        let bytes: usize = case.buffers.iter().map(|words| 4 * words.len()).sum();
-        let bandwidth = bytes as f64 / cpu / bench.limits.copy_bytes_per_s;
+        let bandwidth = bench.limits.least_seconds(moved(kernel, &case)) / cpu;
         let rate = |seconds: f64| cells / seconds * 1e-6;
         println!(
             "{:<14} {cells:>10} {:>12.1} {:>12} {:>9} {:>11} {:>10}",

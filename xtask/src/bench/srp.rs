@@ -7,7 +7,7 @@
 //! agree; on a busy one the clock counts the others' time too, and processor time is what a free machine would take, if
 //! work is even.
 
-use super::{Bench, median};
+use super::{Bench, limits, median};
 use anyhow::Result;
 use glam::Vec3;
 use interreflect::exec::{CpuExecutor, Executor, ExecutorExt};
@@ -15,7 +15,6 @@ use interreflect::methods::srp::runtime::{PASSES, RuntimeOptions, SrpRuntime};
 use interreflect::methods::srp::synthetic::{self, SPONZA, Sizes};
 use interreflect_kernels::sh::project::sh_project;
 use interreflect_shared::sh::{ShLayout, ShParams};
-use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -26,7 +25,6 @@ const PROCESSOR_REPEATS: usize = 40;
 /// Repeats of a point of a curve.
 const CURVE_REPEATS: usize = 9;
 /// Bytes of the read-bandwidth measurement: far more than caches hold.
-const READ_BYTES: usize = 256 << 20;
 /// Side of the square matrices of the product that is the limit.
 const PRODUCT_SIDE: usize = 1024;
 /// The paper's times on a Titan X (Pascal), Table 2: scene relight, probe relight, cluster projection, receivers.
@@ -121,7 +119,7 @@ fn paper_size(bench: &mut Bench) -> Result<Value> {
     let coefs = (SPONZA.order + 1).pow(2) as usize;
     let mut product = Product::new(PRODUCT_SIDE, PRODUCT_SIDE, PRODUCT_SIDE);
     let mut same_shape = Product::new(coefs, SPONZA.rays as usize, 3 * SPONZA.probes as usize);
-    let block = vec![1u32; READ_BYTES / 4];
+    let block = vec![1u32; limits::LARGE_BYTES / 4];
     let (projection_bytes, reconstruction_bytes) = runtime.matrix_bytes(exec);
     // Operations or bytes beside each piece of work, and its limit.
     let operations = 2.0 * coefs as f64 * f64::from(SPONZA.rays) * 3.0 * f64::from(SPONZA.probes);
@@ -129,7 +127,7 @@ fn paper_size(bench: &mut Bench) -> Result<Value> {
     let runtime = &runtime;
     let mut works: Vec<(&'static str, &'static str, f64, Work<'_>)> = vec![
         ("limit: product", "product", product_operations, Box::new(|_| product.run())),
-        ("limit: reading", "reading", READ_BYTES as f64, Box::new(|_| read(&block))),
+        ("limit: reading", "reading", limits::LARGE_BYTES as f64, Box::new(|_| limits::read(&block))),
     ];
     for (name, pass) in PASSES {
         let (limit, size) = match name {
@@ -215,16 +213,6 @@ const SPONZA_TEXT: &str = "150 probes × 64 coefficients × 8000 rays, 935 clust
 
 fn verdict(ms: f64) -> &'static str {
     if ms <= BUDGET_MS { "within" } else { "beyond" }
-}
-
-/// Reads every word once, on all threads.
-fn read(block: &[u32]) -> Result<()> {
-    let sum: u32 = block
-        .par_chunks(1 << 16)
-        .map(|part| part.iter().fold(0u32, |sum, &word| sum.wrapping_add(word)))
-        .reduce(|| 0, u32::wrapping_add);
-    anyhow::ensure!(sum == block.len() as u32, "the block was read wrongly");
-    Ok(())
 }
 
 /// A matrix product by a library that is made for it.

@@ -19,7 +19,7 @@ struct Params {
 fn voxel(bits: u32, k: u32, first: u32, direction: u32) -> vec4<f32> {
     if (((bits >> k) & 1u) == 0u) { return vec4<f32>(0.0); }
     let record = first + countOneBits(bits & ((1u << k) - 1u));
-    return finer[record * params.direction_count + direction];
+    return finer[record * 6u + direction];
 }
 
 fn over(front: vec4<f32>, back: vec4<f32>) -> vec4<f32> {
@@ -28,45 +28,33 @@ fn over(front: vec4<f32>, back: vec4<f32>) -> vec4<f32> {
     return front + back * (free / back.w);
 }
 
-fn pair(a: vec4<f32>, b: vec4<f32>, reversed: bool) -> vec4<f32> {
-    if (reversed) { return over(b, a); }
-    return over(a, b);
+// Both ways along an axis: `step` is the distance of a pair's voxels, `a` to `d` are the four near voxels.
+fn along(bits: u32, first: u32, axis: u32, step: u32, a: u32, b: u32, c: u32, d: u32, i: u32) {
+    let forth = 2u * axis;
+    let back = forth + 1u;
+    result[6u * i + forth] = 0.25 * (
+        over(voxel(bits, a, first, forth), voxel(bits, a + step, first, forth)) +
+        over(voxel(bits, b, first, forth), voxel(bits, b + step, first, forth)) +
+        over(voxel(bits, c, first, forth), voxel(bits, c + step, first, forth)) +
+        over(voxel(bits, d, first, forth), voxel(bits, d + step, first, forth)));
+    result[6u * i + back] = 0.25 * (
+        over(voxel(bits, a + step, first, back), voxel(bits, a, first, back)) +
+        over(voxel(bits, b + step, first, back), voxel(bits, b, first, back)) +
+        over(voxel(bits, c + step, first, back), voxel(bits, c, first, back)) +
+        over(voxel(bits, d + step, first, back), voxel(bits, d, first, back)));
 }
 
 @compute @workgroup_size(64)
 fn voxel_mip(@builtin(global_invocation_id) id: vec3<u32>) {
     let i = id.x + id.y * 2097152u;
     if (i >= params.count) { return; }
-    let element = params.first + i;
-    let record = element / params.direction_count;
-    let direction = element - record * params.direction_count;
-
+    let record = params.first + i;
     let child = children[record];
     let shift = 8u * (child & 3u);
     let word = cells[2u * (child >> 2u)];
     let bits = word >> shift;
     let first = cells[2u * (child >> 2u) + 1u] + countOneBits(word & ((1u << shift) - 1u));
-    let v0 = voxel(bits, 0u, first, direction);
-    let v1 = voxel(bits, 1u, first, direction);
-    let v2 = voxel(bits, 2u, first, direction);
-    let v3 = voxel(bits, 3u, first, direction);
-    let v4 = voxel(bits, 4u, first, direction);
-    let v5 = voxel(bits, 5u, first, direction);
-    let v6 = voxel(bits, 6u, first, direction);
-    let v7 = voxel(bits, 7u, first, direction);
-
-    var value: vec4<f32>;
-    if (params.direction_count == 1u) {
-        value = 0.25 * (((v0 + v1) + (v2 + v3)) + ((v4 + v5) + (v6 + v7)));
-        if (value.w > 1.0) { value = value / value.w; }
-    } else {
-        let back = (direction & 1u) == 1u;
-        switch (direction >> 1u) {
-            case 0u: { value = pair(v0, v1, back) + pair(v2, v3, back) + pair(v4, v5, back) + pair(v6, v7, back); }
-            case 1u: { value = pair(v0, v2, back) + pair(v1, v3, back) + pair(v4, v6, back) + pair(v5, v7, back); }
-            default: { value = pair(v0, v4, back) + pair(v1, v5, back) + pair(v2, v6, back) + pair(v3, v7, back); }
-        }
-        value *= 0.25;
-    }
-    result[element] = value;
+    along(bits, first, 0u, 1u, 0u, 2u, 4u, 6u, record);
+    along(bits, first, 1u, 2u, 0u, 1u, 4u, 5u, record);
+    along(bits, first, 2u, 4u, 0u, 1u, 2u, 3u, record);
 }
