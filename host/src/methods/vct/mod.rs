@@ -4,11 +4,14 @@
 //! `interreflect_kernels::{voxel, cone}`. Order: voxelize (geometry changed); inject, radiate, mipmap, and for each further
 //! bounce cones between voxels, radiate, mipmap (lights changed); cones per pixel (every frame).
 
+mod series;
+
+use self::series::Series;
 use super::settings::parse;
 use super::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use super::{Input, Method, MethodError, MethodRow, SearchAxis, Setting, Settings, StageClock, Terms, Unit};
-use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
-use glam::{DVec3, Vec3, Vec4};
+use crate::exec::{BufferId, Executor, ExecutorExt};
+use glam::{Vec3, Vec4};
 use interreflect_kernels::cone::gather::{cone_bounce, cone_gather};
 use interreflect_kernels::cone::set::{CONE_COUNTS, cone_parts, diffuse_cones, half_angle_tangent};
 use interreflect_shared::cone::ConeParams;
@@ -47,17 +50,24 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "bounces",
-            default: "2",
+            default: "16",
             allowed: "a whole number from 1 to 64",
-            help: "Reflections that light may make before it reaches a pixel. Each after the first takes a pass of cones \
-                   over all voxels when lights change.",
+            help: "Reflections that light makes before it reaches a pixel, at most; they end earlier when they change little \
+                   (`converged`). Each after the first takes a pass of cones over all voxels when lights change.",
+        },
+        Setting {
+            key: "converged",
+            default: "0.1",
+            allowed: "a number from 0 to 1",
+            help: "Bounces end when one changes the light on surfaces by less than this share, or no less than the one before \
+                   (noise), but for `tail=0`. 0: all of them are made.",
         },
         Setting {
             key: "tail",
             default: "1",
             allowed: "0 or 1",
-            help: "1 adds the light of all further bounces, spread like the last one, as a geometric series; 0 leaves it out \
-                   (and the picture too dark where surfaces are bright). Needs 2 bounces to know the series' ratio.",
+            help: "1 scales bounced light until its flux is in balance, so that the bounces after the last are not missing; 0 \
+                   leaves them out (and the picture too dark where surfaces are bright). Needs 2 bounces.",
         },
         Setting {
             key: "bounce_cones",
@@ -112,11 +122,14 @@ pub const ROW: MethodRow = MethodRow {
         },
     ],
     ladder: &[
-        ("32, 5 cones", &[("resolution", "32"), ("cones", "5"), ("bounce_cones", "5"), ("aperture", "1")]),
-        ("64, 6 cones", &[("resolution", "64"), ("cones", "6"), ("bounce_cones", "5")]),
-        ("128, 9 cones", &[("resolution", "128"), ("cones", "9")]),
+        (
+            "32, 5 cones",
+            &[("resolution", "32"), ("cones", "5"), ("bounces", "2"), ("bounce_cones", "5"), ("aperture", "1")],
+        ),
+        ("64, 6 cones", &[("resolution", "64"), ("cones", "6"), ("bounces", "2"), ("bounce_cones", "5")]),
+        ("128, 9 cones", &[("resolution", "128"), ("cones", "9"), ("bounces", "2")]),
         ("128, 16 cones", &[("resolution", "128"), ("cones", "16")]),
-        ("256, 16 cones, 3 bounces", &[("resolution", "256"), ("cones", "16"), ("bounces", "3")]),
+        ("256, 16 cones", &[("resolution", "256"), ("cones", "16")]),
     ],
     new: |settings| Ok(Box::new(Vct { options: Options::parse(settings)?, state: None })),
 };
@@ -128,6 +141,7 @@ struct Options {
     anisotropic: bool,
     cones: u32,
     bounces: u32,
+    converged: f64,
     tail: bool,
     bounce_cones: u32,
     aperture: f32,
@@ -148,6 +162,7 @@ impl Options {
                 == "anisotropic",
             cones: parse(&ROW, settings, "cones", cones)?,
             bounces: parse(&ROW, settings, "bounces", |n| (1..=64).contains(n))?,
+            converged: parse(&ROW, settings, "converged", |x| (0.0..=1.0).contains(x))?,
             tail: parse(&ROW, settings, "tail", |n: &u32| *n <= 1)? == 1,
             bounce_cones: parse(&ROW, settings, "bounce_cones", cones)?,
             aperture: parse(&ROW, settings, "aperture", |x| (0.05..=2.0).contains(x))?,
@@ -175,15 +190,44 @@ struct State {
     bounce_uniform: BufferId,
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
     reflecting: Vec<Vec3>,
-    /// Ratio of the last bounce's flux to the one before.
+    /// Bounces made, what the last of them changed, and the share of light that one keeps.
+    made: u32,
+    change: Option<f64>,
     ratio: Option<f64>,
 }
 
 impl State {
-    /// Reflected flux, up to a constant factor, that irradiance on all facets' sides makes.
-    fn flux(&self, exec: &mut dyn Executor, irradiance: BufferId) -> Result<DVec3, ExecError> {
-        let sides = exec.read_slice::<Vec4>(irradiance)?;
-        Ok(sides.chunks_exact(2).zip(&self.reflecting).map(|(e, w)| ((e[0] + e[1]).truncate() * *w).as_dvec3()).sum())
+    /// Light's further bounces, until they change little.
+    fn further_bounces(
+        &mut self,
+        exec: &mut dyn Executor,
+        o: &Options,
+        cone_seed: u32,
+        clock: &mut StageClock,
+    ) -> Result<(), MethodError> {
+        let reflecting = std::mem::take(&mut self.reflecting);
+        let mut series = Series::new(&reflecting, &exec.read_slice::<Vec4>(self.voxels.direct)?, o.tail, o.converged);
+        for bounce in 2..=o.bounces {
+            // Every bounce points the cones anew, so that their errors do not add up.
+            let params = ConeParams { seed: cone_seed.wrapping_mul(bounce), ..self.bounce };
+            exec.write(self.bounce_uniform, bytemuck::bytes_of(&params))?;
+            let mut settled = false;
+            clock.stage(exec, &format!("bounce {bounce}"), |exec| {
+                let [a, b, c, d, e, f] = self.pyramid();
+                exec.run(&cone_bounce::KERNEL, &[self.bounce_uniform, a, b, c, d, e, f, self.voxels.bounced])?;
+                let step = series.step(&exec.read_slice::<Vec4>(self.voxels.bounced)?);
+                self.voxels.set_bounce_gain(exec, step.gain)?;
+                (self.made, self.change, settled) = (bounce, Some(step.change), step.settled);
+                self.voxels.radiate(exec)
+            })?;
+            clock.stage(exec, "mipmap", |exec| self.voxels.mipmap(exec))?;
+            if settled {
+                break;
+            }
+        }
+        self.ratio = series.ratio();
+        self.reflecting = reflecting;
+        Ok(())
     }
 
     fn pyramid(&self) -> [BufferId; 6] {
@@ -243,7 +287,17 @@ impl Method for Vct {
         let reflecting = facets.iter().map(|f| Vec3::from(f.albedo) * f.area).collect();
         let gather_uniform = exec.upload_one("cone parameters", &gather)?;
         let bounce_uniform = exec.upload_one("bounce parameters", &bounce)?;
-        self.state = Some(State { voxels, gather, gather_uniform, bounce, bounce_uniform, reflecting, ratio: None });
+        self.state = Some(State {
+            voxels,
+            gather,
+            gather_uniform,
+            bounce,
+            bounce_uniform,
+            reflecting,
+            made: 1,
+            change: None,
+            ratio: None,
+        });
         Ok(())
     }
 
@@ -275,32 +329,7 @@ impl Method for Vct {
             state.voxels.radiate(exec)
         })?;
         clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
-        // Reflected flux of the last two bounces, and of all but the first.
-        let (mut before, mut last, mut bounced) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
-        if o.tail && o.bounces > 1 {
-            last = state.flux(exec, state.voxels.direct)?;
-        }
-        for bounce in 2..=o.bounces {
-            // Every bounce points the cones anew, so that their errors do not add up.
-            let params = ConeParams { seed: cone_seed.wrapping_mul(bounce), ..state.bounce };
-            exec.write(state.bounce_uniform, bytemuck::bytes_of(&params))?;
-            clock.stage(exec, &format!("bounce {bounce}"), |exec| {
-                let [a, b, c, d, e, f] = state.pyramid();
-                exec.run(&cone_bounce::KERNEL, &[state.bounce_uniform, a, b, c, d, e, f, state.voxels.bounced])?;
-                if o.tail {
-                    let all = state.flux(exec, state.voxels.bounced)?;
-                    (before, last, bounced) = (last, all - bounced, all);
-                }
-                if o.tail && bounce == o.bounces {
-                    state.voxels.set_bounce_gain(exec, tail_gain(before, last, bounced))?;
-                }
-                state.voxels.radiate(exec)
-            })?;
-            clock.stage(exec, "mipmap", |exec| state.voxels.mipmap(exec))?;
-        }
-        let known = before.min_element() > 0.0;
-        state.ratio = known.then(|| (last / before).max_element());
-        Ok(())
+        if o.bounces > 1 { state.further_bounces(exec, &o, cone_seed, clock) } else { Ok(()) }
     }
 
     fn frame(
@@ -324,7 +353,8 @@ impl Method for Vct {
     fn needs(&self) -> serde_json::Value {
         let Some(state) = &self.state else { return serde_json::Value::Null };
         let mut needs = state.voxels.needs();
-        needs["bounces"] = json!(self.options.bounces);
+        needs["bounces"] = json!(state.made);
+        needs["last_bounce_changed"] = json!(state.change);
         needs["bounce_ratio"] = json!(state.ratio);
         needs["cone_half_angle_rad"] = json!(half_angle_tangent(self.options.cones).atan());
         needs
@@ -348,7 +378,7 @@ impl Method for Vct {
                 key: "resolution",
                 values: &["24", "32", "48", "64", "96", "128", "192", "256", "384", "512"],
             },
-            SearchAxis { key: "bounces", values: &["1", "2", "3", "4", "6"] },
+            SearchAxis { key: "bounces", values: &["1", "2", "3", "4", "6", "16"] },
             SearchAxis { key: "cones", values: &["5", "6", "9", "16"] },
             SearchAxis { key: "bounce_cones", values: &["5", "6", "9", "16"] },
             SearchAxis { key: "aperture", values: &["2", "1", "0.5", "0.35"] },
@@ -361,34 +391,9 @@ impl Method for Vct {
     }
 }
 
-/// Factor on bounced light that adds the bounces after the last: flux in geometric series, with the ratio of the last two.
-/// No room keeps more than [`MAX_RATIO`] of its light per bounce; a larger ratio is noise.
-fn tail_gain(before: DVec3, last: DVec3, bounced: DVec3) -> Vec3 {
-    let gain = |before: f64, last: f64, bounced: f64| {
-        if before <= 0.0 || last <= 0.0 || bounced <= 0.0 {
-            return 1.0;
-        }
-        let ratio = (last / before).min(MAX_RATIO);
-        1.0 + last * ratio / (1.0 - ratio) / bounced
-    };
-    DVec3::new(gain(before.x, last.x, bounced.x), gain(before.y, last.y, bounced.y), gain(before.z, last.z, bounced.z))
-        .as_vec3()
-}
-
-/// Largest ratio of one bounce's flux to the one before.
-const MAX_RATIO: f64 = 0.95;
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn tails_sum_geometric_series() {
-        // 8 + 4 + 2 + 1 + …: the bounces after the first carry 8 together.
-        let gain = tail_gain(DVec3::splat(4.0), DVec3::splat(2.0), DVec3::splat(6.0));
-        assert!((gain * 6.0 - 8.0).abs().max_element() < 1e-6, "{gain}");
-        assert_eq!(tail_gain(DVec3::ZERO, DVec3::ONE, DVec3::ONE), Vec3::ONE);
-    }
 
     #[test]
     fn settings_are_checked() {
