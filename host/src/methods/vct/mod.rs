@@ -17,6 +17,7 @@ use interreflect_kernels::cone::set::{CONE_COUNTS, cone_parts, diffuse_cones, ha
 use interreflect_shared::cone::ConeParams;
 use interreflect_shared::voxel::VoxelFacet;
 use serde_json::json;
+use std::sync::Arc;
 
 const NAME: &str = "vct";
 
@@ -189,7 +190,7 @@ struct State {
     bounce: ConeParams,
     bounce_uniform: BufferId,
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
-    reflecting: Vec<Vec3>,
+    reflecting: Arc<[Vec3]>,
     /// Bounces made, what the last of them changed, and the share of light that one keeps.
     made: u32,
     change: Option<f64>,
@@ -205,8 +206,8 @@ impl State {
         cone_seed: u32,
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
-        let reflecting = std::mem::take(&mut self.reflecting);
-        let mut series = Series::new(&reflecting, &exec.read_slice::<Vec4>(self.voxels.direct)?, o.tail, o.converged);
+        let direct = exec.read_slice::<Vec4>(self.voxels.direct)?;
+        let mut series = Series::new(Arc::clone(&self.reflecting), &direct, o.tail, o.converged);
         for bounce in 2..=o.bounces {
             // Every bounce points the cones anew, so that their errors do not add up.
             let params = ConeParams { seed: cone_seed.wrapping_mul(bounce), ..self.bounce };
@@ -226,7 +227,6 @@ impl State {
             }
         }
         self.ratio = series.ratio();
-        self.reflecting = reflecting;
         Ok(())
     }
 
@@ -324,6 +324,7 @@ impl Method for Vct {
         let o = self.options;
         let cone_seed = self.cone_seed(input.seed);
         let state = self.state()?;
+        (state.made, state.change, state.ratio) = (1, None, None);
         clock.stage(exec, "inject", |exec| {
             state.voxels.inject(exec, input, o.light_samples, o.environment_samples)?;
             state.voxels.radiate(exec)

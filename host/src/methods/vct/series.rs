@@ -8,6 +8,7 @@
 //! than the one before: what is left then is the noise of few cones.
 
 use glam::{DVec3, Vec3, Vec4};
+use std::sync::Arc;
 
 /// Largest share of light that a room keeps per bounce; a larger λ is noise.
 const MAX_RATIO: f64 = 0.95;
@@ -31,28 +32,29 @@ pub struct Step {
 }
 
 /// Steps so far.
-pub struct Series<'a> {
+pub struct Series {
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
-    reflecting: &'a [Vec3],
+    reflecting: Arc<[Vec3]>,
     /// Whether the bounces after the last are wanted too.
     balanced: bool,
     /// Change that a step may leave.
     converged: f64,
     /// Reflected flux that direct light makes.
     direct: DVec3,
-    /// That of the first step, and of what the last one went out from.
+    /// That of the first step, and of what the next one goes out from.
     first: Option<DVec3>,
     before: DVec3,
     /// Reflected flux per group of facets after the last step, and what that changed.
     groups: Vec<f64>,
     change: f64,
+    /// λ.
     ratio: DVec3,
 }
 
-impl<'a> Series<'a> {
+impl Series {
     /// A series that starts from direct irradiance, two sides per facet.
-    pub fn new(reflecting: &'a [Vec3], direct: &[Vec4], balanced: bool, converged: f64) -> Self {
-        let direct = fluxes(reflecting, direct).into_iter().sum();
+    pub fn new(reflecting: Arc<[Vec3]>, direct: &[Vec4], balanced: bool, converged: f64) -> Self {
+        let direct = fluxes(&reflecting, direct).into_iter().sum();
         let (before, ratio) = (DVec3::ZERO, DVec3::ZERO);
         let (first, groups, change) = (None, Vec::new(), f64::INFINITY);
         Self { reflecting, balanced, converged, direct, first, before, groups, change, ratio }
@@ -60,15 +62,15 @@ impl<'a> Series<'a> {
 
     /// Takes what cones gathered from direct light and the last step's irradiance times its gain.
     pub fn step(&mut self, irradiance: &[Vec4]) -> Step {
-        let fluxes = fluxes(self.reflecting, irradiance);
+        let fluxes = fluxes(&self.reflecting, irradiance);
         let flux: DVec3 = fluxes.iter().sum();
         self.ratio = match self.first {
-            None => ratio(flux, self.direct),
-            Some(first) => ratio(flux - first, self.before),
+            None => divided(flux, self.direct, 0.0),
+            Some(first) => divided(flux - first, self.before, 0.0),
         };
         let first = *self.first.get_or_insert(flux);
         let kept = DVec3::ONE - self.ratio.clamp(DVec3::ZERO, DVec3::splat(MAX_RATIO));
-        let gain = if self.balanced { ratio(first / kept, flux) } else { DVec3::ONE };
+        let gain = if self.balanced { divided(first / kept, flux, 1.0) } else { DVec3::ONE };
         self.before = flux * gain;
         let groups: Vec<f64> = fluxes.iter().map(|flux| (*flux * gain).element_sum()).collect();
         // The first step has nothing to be compared with: its λ may be small because light starts where little leaves.
@@ -82,16 +84,16 @@ impl<'a> Series<'a> {
         Step { gain: gain.as_vec3(), change, settled }
     }
 
-    /// λ, the share of reflected flux that comes back, in the channel that keeps most; `None` without light.
+    /// λ, the share of reflected flux that comes back, in the channel that keeps most; `None` where none does.
     pub fn ratio(&self) -> Option<f64> {
-        (self.ratio.min_element() > 0.0).then(|| self.ratio.max_element())
+        (self.ratio.max_element() > 0.0).then(|| self.ratio.max_element())
     }
 }
 
-/// Per channel; 1 where there is nothing to divide by (a scene without light stays dark whatever the factor).
-fn ratio(of: DVec3, to: DVec3) -> DVec3 {
-    let divide = |of: f64, to: f64| if to > 0.0 { of / to } else { 1.0 };
-    DVec3::new(divide(of.x, to.x), divide(of.y, to.y), divide(of.z, to.z))
+/// Channel by channel; `none` in a channel without light.
+fn divided(a: DVec3, b: DVec3, none: f64) -> DVec3 {
+    let divide = |a: f64, b: f64| if b > 0.0 { a / b } else { none };
+    DVec3::new(divide(a.x, b.x), divide(a.y, b.y), divide(a.z, b.z))
 }
 
 /// Reflected flux of each group, up to a constant factor.
@@ -121,8 +123,8 @@ mod tests {
         let per_group = |values: &[f32]| -> Vec<Vec4> {
             values.iter().flat_map(|v| std::iter::repeat_n(Vec3::splat(*v).extend(0.0), GROUP)).collect()
         };
-        let reflecting = vec![Vec3::ONE; direct.len() * GROUP / 2];
-        let mut series = Series::new(&reflecting, &per_group(direct), balanced, 0.01);
+        let reflecting = vec![Vec3::ONE; direct.len() * GROUP / 2].into();
+        let mut series = Series::new(reflecting, &per_group(direct), balanced, 0.01);
         let (mut x, mut made) = (vec![0.0; direct.len()], Vec::new());
         for _ in 0..count {
             let from: Vec<f32> = direct.iter().zip(&x).map(|(d, x)| d + x).collect();
@@ -175,7 +177,16 @@ mod tests {
         let (x, made) = steps(&[&[0.5]], &[0.0], true, 3);
         assert_eq!(x, [0.0]);
         assert!(made[1].change == 0.0 && made[1].settled, "{made:?}");
-        let mut series = Series::new(&[], &[], true, 0.0);
+        let mut series = Series::new([].into(), &[], true, 0.0);
         assert_eq!(series.step(&[]).gain, Vec3::ONE);
+        assert_eq!(series.ratio(), None);
+    }
+
+    #[test]
+    fn a_red_lamp_says_nothing_of_green() {
+        let red = |value: f32| vec![Vec4::new(value, 0.0, 0.0, 0.0); 2];
+        let mut series = Series::new([Vec3::splat(0.5)].into(), &red(8.0), true, 0.01);
+        assert_eq!(series.step(&red(4.0)).gain, Vec3::new(2.0, 1.0, 1.0));
+        assert_eq!(series.ratio(), Some(0.5));
     }
 }
