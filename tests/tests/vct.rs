@@ -5,7 +5,7 @@ use interreflect::exec::{CpuExecutor, Executor, ExecutorExt};
 use interreflect::methods::voxels::{VoxelGrid, VoxelOptions, VoxelScene};
 use interreflect::methods::{Input, Settings, StageClock, vct};
 use interreflect::reference::{Receiver, ReferenceSettings, irradiance};
-use interreflect::scene::built_in::{cornell_box, furnace, two_rooms};
+use interreflect::scene::built_in::{cornell_box, furnace, louvres, two_rooms};
 use interreflect::scene::device::SceneBuffers;
 use interreflect::scene::{Alpha, Camera, LoadOptions, Scene, load};
 use interreflect_kernels::cone::gather::cone_gather;
@@ -130,6 +130,26 @@ fn a_furnace_keeps_its_energy() {
     let (nrmse, ratio) = error(&result.irradiance, &expected);
     println!("furnace: {ratio:.4} of the closed form, nrmse {nrmse:.4}");
     assert!((ratio - 1.0).abs() < 0.1 && nrmse < 0.15, "{ratio} {nrmse}");
+}
+
+/// Sun falls on slats, and from them through a room: the second bounce says little of those after it.
+#[test]
+fn bounces_go_on_until_light_has_spread() {
+    let scene = louvres();
+    let receivers = picture_surfels(&scene, &scene.cameras[0]);
+    let truth = block_means(&truth(&scene, &receivers, 128));
+    let of = |changes: &[(&str, &str)]| {
+        let result = run(&scene, &receivers, &[&[("resolution", "64")], changes].concat());
+        let made = result.needs["bounces"].as_u64().unwrap();
+        (error(&block_means(&result.irradiance), &truth), made)
+    };
+    let ((few, few_bias), two) = of(&[("bounces", "2")]);
+    let ((enough, bias), made) = of(&[]);
+    let ((all, _), most) = of(&[("converged", "0")]);
+    println!("{few:.3} {few_bias:.3}, {made}: {enough:.3} {bias:.3}, {most}: {all:.3}");
+    assert!(two == 2 && (3..=8).contains(&made) && most == 16, "{two} {made} {most}");
+    assert!(enough < 0.7 * few && (bias - 1.0).abs() < (few_bias - 1.0).abs(), "{few} {enough} {bias}");
+    assert!(enough < all + 0.05, "it ended too early: {enough} {all}");
 }
 
 /// Mean irradiance in the lit and in the dark room of `two_rooms`.

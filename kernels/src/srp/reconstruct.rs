@@ -117,7 +117,7 @@ kernel! {
     read 3 basis: f32;
     write 4 irradiance: f32 x 3;
     over super::rows;
-    case super::case; tolerance Tolerance::RelAbs(4e-6, 4e-6), "up to 14 multiply-adds of numbers below 1 that may cancel; a device may fuse each";
+    case super::case; tolerance Tolerance::RelAbs(4e-6, 4e-6), "in small cases up to 14 multiply-adds of numbers below 1 that may cancel; a device may fuse each";
 }
 
 kernel! {
@@ -129,5 +129,5 @@ kernel! {
     read 3 basis: f32;
     write 4 radiance: f32 x 12;
     over super::rows;
-    case super::case4; tolerance Tolerance::RelAbs(4e-6, 4e-6), "up to 14 multiply-adds of numbers below 1 that may cancel; a device may fuse each";
+    case super::case4; tolerance Tolerance::RelAbs(4e-6, 4e-6), "in small cases up to 14 multiply-adds of numbers below 1 that may cancel; a device may fuse each";
 }

@@ -101,7 +101,8 @@ fn ask_ahead(facet: u32, facets: &[VoxelFacet], radiance: &[Vec4]) {
     prefetch(radiance, 2 * ahead);
 }
 
-/// As [`facets_seen`] without regard to direction and cut at full coverage, in a pass over all voxels.
+/// As [`facets_seen`] without regard to direction and cut at full coverage, in a pass over all voxels. (Cones jump from voxel to
+/// voxel: what lies ahead is of no use to them, and a device shall have one loop for both of theirs.)
 #[inline(always)]
 pub fn facets_seen_from_everywhere(first: u32, count: u32, facets: &[VoxelFacet], radiance: &[Vec4]) -> Vec4 {
     let mut seen = Vec4::ZERO;

@@ -20,6 +20,9 @@ const MAX_BUFFER_BYTES: usize = 128 << 20;
 /// or when making it took this long.
 const MAX_CASE_SECONDS: f64 = 8.0;
 
+/// Name of the one row that is no kernel.
+const CLEAR: &str = "clear";
+
 /// A kernel's figures.
 #[derive(Serialize)]
 struct Row {
@@ -52,8 +55,10 @@ pub fn run(bench: &mut Bench) -> Result<Value> {
         print_row(&row);
         rows.push(row);
     }
-    if bench.wants("clear") {
-        clear(bench)?;
+    if bench.wants(CLEAR) {
+        let row = clear(bench)?;
+        print_row(&row);
+        rows.push(row);
     }
     let speedups: Vec<f64> = rows.iter().filter_map(|row| row.cpu_speedup).collect();
     let mean = geometric_mean(&speedups);
@@ -121,8 +126,8 @@ fn measure(bench: &mut Bench, kernel: &'static Kernel) -> Result<Row> {
     })
 }
 
-/// Clears a buffer as large as those that a frame of a large scene clears, on the CPU.
-fn clear(bench: &mut Bench) -> Result<()> {
+/// Clearing a buffer as large as those that a frame of a large scene clears, on the CPU.
+fn clear(bench: &mut Bench) -> Result<Row> {
     const BYTES: usize = 32 << 20;
     let id = bench.cpu.zeroed("cleared", BYTES)?;
     let mut seconds = Vec::new();
@@ -132,18 +137,21 @@ fn clear(bench: &mut Bench) -> Result<()> {
         seconds.push(bench.cpu.end()? * 1e-3);
     }
     bench.cpu.free(id);
+    // The first turn warms up.
     let cpu = median(seconds.split_off(1));
-    let share = bench.limits.least_seconds(Moved { read: 0, written: BYTES }) / cpu;
-    let (words, ns) = (BYTES / 4, cpu * 1e9 / (BYTES / 4) as f64);
-    println!(
-        "{:<26} {:>8} {words:>10} {ns:>10.2} {:>11} {:>9} {:>10}",
-        "clear",
-        "words",
-        "–",
-        "–",
-        format!("{:.0} %", 100.0 * share)
-    );
-    Ok(())
+    let moved = Moved { read: 0, written: BYTES };
+    let words = BYTES / 4;
+    Ok(Row {
+        kernel: CLEAR,
+        form: "words".into(),
+        invocations: words as u32,
+        moved,
+        cpu_ns_per_invocation: cpu * 1e9 / words as f64,
+        device_ns_per_invocation: None,
+        cpu_speedup: None,
+        bandwidth_share: bench.limits.least_seconds(moved) / cpu,
+        arithmetic_share: None,
+    })
 }
 
 /// Dispatches of a stage: enough for a clock.

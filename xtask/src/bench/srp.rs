@@ -24,7 +24,6 @@ const REPEATS: usize = 40;
 const PROCESSOR_REPEATS: usize = 40;
 /// Repeats of a point of a curve.
 const CURVE_REPEATS: usize = 9;
-/// Bytes of the read-bandwidth measurement: far more than caches hold.
 /// Side of the square matrices of the product that is the limit.
 const PRODUCT_SIDE: usize = 1024;
 /// The paper's times on a Titan X (Pascal), Table 2: scene relight, probe relight, cluster projection, receivers.

@@ -191,9 +191,17 @@ struct State {
     bounce_uniform: BufferId,
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
     reflecting: Arc<[Vec3]>,
-    /// Bounces made, what the last of them changed, and the share of light that one keeps.
-    made: u32,
+    bounces: Bounces,
+}
+
+/// What the last change of light took.
+#[derive(Clone, Copy, Default)]
+struct Bounces {
+    /// Passes of cones between voxels.
+    passes: u32,
+    /// What the last of them changed.
     change: Option<f64>,
+    /// Share of light that a bounce keeps.
     ratio: Option<f64>,
 }
 
@@ -218,7 +226,8 @@ impl State {
                 exec.run(&cone_bounce::KERNEL, &[self.bounce_uniform, a, b, c, d, e, f, self.voxels.bounced])?;
                 let step = series.step(&exec.read_slice::<Vec4>(self.voxels.bounced)?);
                 self.voxels.set_bounce_gain(exec, step.gain)?;
-                (self.made, self.change, settled) = (bounce, Some(step.change), step.settled);
+                settled = step.settled;
+                self.bounces = Bounces { passes: bounce - 1, change: Some(step.change), ratio: series.ratio() };
                 self.voxels.radiate(exec)
             })?;
             clock.stage(exec, "mipmap", |exec| self.voxels.mipmap(exec))?;
@@ -226,7 +235,6 @@ impl State {
                 break;
             }
         }
-        self.ratio = series.ratio();
         Ok(())
     }
 
@@ -294,9 +302,7 @@ impl Method for Vct {
             bounce,
             bounce_uniform,
             reflecting,
-            made: 1,
-            change: None,
-            ratio: None,
+            bounces: Bounces::default(),
         });
         Ok(())
     }
@@ -324,7 +330,7 @@ impl Method for Vct {
         let o = self.options;
         let cone_seed = self.cone_seed(input.seed);
         let state = self.state()?;
-        (state.made, state.change, state.ratio) = (1, None, None);
+        state.bounces = Bounces::default();
         clock.stage(exec, "inject", |exec| {
             state.voxels.inject(exec, input, o.light_samples, o.environment_samples)?;
             state.voxels.radiate(exec)
@@ -354,9 +360,9 @@ impl Method for Vct {
     fn needs(&self) -> serde_json::Value {
         let Some(state) = &self.state else { return serde_json::Value::Null };
         let mut needs = state.voxels.needs();
-        needs["bounces"] = json!(state.made);
-        needs["last_bounce_changed"] = json!(state.change);
-        needs["bounce_ratio"] = json!(state.ratio);
+        needs["bounces"] = json!(1 + state.bounces.passes);
+        needs["last_bounce_changed"] = json!(state.bounces.change);
+        needs["bounce_ratio"] = json!(state.bounces.ratio);
         needs["cone_half_angle_rad"] = json!(half_angle_tangent(self.options.cones).atan());
         needs
     }
@@ -366,7 +372,7 @@ impl Method for Vct {
     }
 
     fn feedback_gain(&self) -> Option<f64> {
-        self.state.as_ref()?.ratio
+        self.state.as_ref()?.bounces.ratio
     }
 
     fn terms(&self) -> Vec<Terms> {

@@ -9,16 +9,17 @@ struct Params {
     light: vec4<u32>,
 }
 
+const NONE: u32 = 0xffffffffu;
+
 @group(0) @binding(0) var<uniform> params: Params;
 @group(0) @binding(1) var<storage> cells: array<u32>;
 @group(0) @binding(2) var<storage> children: array<u32>;
 @group(0) @binding(3) var<storage> finer: array<vec4<f32>>;
 @group(0) @binding(4) var<storage, read_write> result: array<vec4<f32>>;
 
-// The k-th of eight voxels: records of occupied voxels lie side by side.
-fn voxel(bits: u32, k: u32, first: u32, direction: u32) -> vec4<f32> {
-    if (((bits >> k) & 1u) == 0u) { return vec4<f32>(0.0); }
-    let record = first + countOneBits(bits & ((1u << k) - 1u));
+// Along one direction; nothing where there is no record.
+fn voxel(record: u32, direction: u32) -> vec4<f32> {
+    if (record == NONE) { return vec4<f32>(0.0); }
     return finer[record * 6u + direction];
 }
 
@@ -28,20 +29,14 @@ fn over(front: vec4<f32>, back: vec4<f32>) -> vec4<f32> {
     return front + back * (free / back.w);
 }
 
-// Both ways along an axis: `step` is the distance of a pair's voxels, `a` to `d` are the four near voxels.
-fn along(bits: u32, first: u32, axis: u32, step: u32, a: u32, b: u32, c: u32, d: u32, i: u32) {
-    let forth = 2u * axis;
-    let back = forth + 1u;
-    result[6u * i + forth] = 0.25 * (
-        over(voxel(bits, a, first, forth), voxel(bits, a + step, first, forth)) +
-        over(voxel(bits, b, first, forth), voxel(bits, b + step, first, forth)) +
-        over(voxel(bits, c, first, forth), voxel(bits, c + step, first, forth)) +
-        over(voxel(bits, d, first, forth), voxel(bits, d + step, first, forth)));
-    result[6u * i + back] = 0.25 * (
-        over(voxel(bits, a + step, first, back), voxel(bits, a, first, back)) +
-        over(voxel(bits, b + step, first, back), voxel(bits, b, first, back)) +
-        over(voxel(bits, c + step, first, back), voxel(bits, c, first, back)) +
-        over(voxel(bits, d + step, first, back), voxel(bits, d, first, back)));
+fn pairs(front0: u32, back0: u32, front1: u32, back1: u32, front2: u32, back2: u32, front3: u32, back3: u32, d: u32) -> vec4<f32> {
+    return 0.25 * (over(voxel(front0, d), voxel(back0, d)) + over(voxel(front1, d), voxel(back1, d)) +
+        over(voxel(front2, d), voxel(back2, d)) + over(voxel(front3, d), voxel(back3, d)));
+}
+
+// Records of occupied voxels lie side by side.
+fn record_of(bits: u32, k: u32, first: u32) -> u32 {
+    return select(NONE, first + countOneBits(bits & ((1u << k) - 1u)), ((bits >> k) & 1u) == 1u);
 }
 
 @compute @workgroup_size(64)
@@ -54,7 +49,18 @@ fn voxel_mip(@builtin(global_invocation_id) id: vec3<u32>) {
     let word = cells[2u * (child >> 2u)];
     let bits = word >> shift;
     let first = cells[2u * (child >> 2u) + 1u] + countOneBits(word & ((1u << shift) - 1u));
-    along(bits, first, 0u, 1u, 0u, 2u, 4u, 6u, record);
-    along(bits, first, 1u, 2u, 0u, 1u, 4u, 5u, record);
-    along(bits, first, 2u, 4u, 0u, 1u, 2u, 3u, record);
+    let a = record_of(bits, 0u, first);
+    let b = record_of(bits, 1u, first);
+    let c = record_of(bits, 2u, first);
+    let d = record_of(bits, 3u, first);
+    let e = record_of(bits, 4u, first);
+    let f = record_of(bits, 5u, first);
+    let g = record_of(bits, 6u, first);
+    let h = record_of(bits, 7u, first);
+    result[6u * record] = pairs(a, b, c, d, e, f, g, h, 0u);
+    result[6u * record + 1u] = pairs(b, a, d, c, f, e, h, g, 1u);
+    result[6u * record + 2u] = pairs(a, c, b, d, e, g, f, h, 2u);
+    result[6u * record + 3u] = pairs(c, a, d, b, g, e, h, f, 3u);
+    result[6u * record + 4u] = pairs(a, e, b, f, c, g, d, h, 4u);
+    result[6u * record + 5u] = pairs(e, a, f, b, g, c, h, d, 5u);
 }
