@@ -34,7 +34,8 @@ struct Row {
     device_ns_per_invocation: Option<f64>,
     /// Device's time over the CPU's: above 1 the CPU is faster.
     cpu_speedup: Option<f64>,
-    /// What memory takes at least ([`Limits::least_seconds`]) over the time taken, when every byte of every buffer moves once.
+    /// What memory takes at least ([`super::limits::Limits::least_seconds`]) over the time taken, when every byte of every
+    /// buffer moves once.
     bandwidth_share: f64,
     /// Share of the multiply-add rate (lane-generic kernels, which count their operations).
     arithmetic_share: Option<f64>,
