@@ -69,7 +69,7 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e28 = gid_1;
-            let _e34 = params.member.member_2[1u];
+            let _e34 = params.member.member_2[2u];
             let _e39 = params.member.member_2[0u];
             let _e41 = ((3u * _e39) * _e34);
             let _e45 = (_e28.x + (_e28.y * 2097152u));
@@ -94,7 +94,7 @@ fn function_() {
                 let _e74 = select(0f, 1f, ((f32(_e39) - 1.5f) < _e68));
                 let _e76 = select(0f, 1f, (_e67 == 0u));
                 let _e79 = select(0f, 1f, ((_e67 + 1u) == _e34));
-                let _e83 = params.member.member_2[2u];
+                let _e83 = params.member.member_2[1u];
                 phi_158_ = type_11(0u, _e83);
                 phi_161_ = 0f;
                 phi_163_ = 0f;
@@ -124,7 +124,7 @@ fn function_() {
                     let _e111 = phi_192_;
                     let _e115 = (bitcast<i32>(_e111.member) != 0i);
                     if _e115 {
-                        let _e120 = (((_e58 + _e51) + (_e67 * _e54)) + (_e111.member_1 * _e57));
+                        let _e120 = (((_e58 + _e51) + (_e111.member_1 * _e54)) + (_e67 * _e57));
                         let _e122 = ((_e65 * _e62) + _e120);
                         let _e124 = select(0f, 1f, (_e111.member_1 == 0u));
                         let _e127 = select(0f, 1f, ((_e111.member_1 + 1u) == _e83));
@@ -190,8 +190,8 @@ fn function_() {
                         let _e312 = (((_e219 + _e221) + (_e262 + _e264)) + (_e305 + _e307));
                         let _e350 = state.member[((_e62 * 15u) + _e122)];
                         phi_162_ = select(_e312, _e88, (_e312 < _e88));
-                        phi_164_ = fma((_e307 * (1f - _e124)), (1f - fma(_e160, _e134, 1f)), fma((_e305 * (1f - _e127)), (1f - fma(_e155, _e134, 1f)), fma((_e264 * (1f - _e76)), (1f - fma(_e149, _e134, 1f)), fma((_e262 * (1f - _e79)), (1f - fma(_e144, _e134, 1f)), fma((_e221 * (1f - _e70)), (1f - fma(_e139, _e134, 1f)), fma((_e219 * (1f - _e74)), (1f - fma(_e130, _e134, 1f)), _e90))))));
-                        phi_166_ = fma(_e307, _e124, fma(_e305, _e127, fma(_e264, _e76, fma(_e262, _e79, fma(_e221, _e70, fma(_e219, _e74, _e92))))));
+                        phi_164_ = fma((_e307 * (1f - _e76)), (1f - fma(_e160, _e134, 1f)), fma((_e305 * (1f - _e79)), (1f - fma(_e155, _e134, 1f)), fma((_e264 * (1f - _e124)), (1f - fma(_e149, _e134, 1f)), fma((_e262 * (1f - _e127)), (1f - fma(_e144, _e134, 1f)), fma((_e221 * (1f - _e70)), (1f - fma(_e139, _e134, 1f)), fma((_e219 * (1f - _e74)), (1f - fma(_e130, _e134, 1f)), _e90))))));
+                        phi_166_ = fma(_e307, _e76, fma(_e305, _e79, fma(_e264, _e124, fma(_e262, _e127, fma(_e221, _e70, fma(_e219, _e74, _e92))))));
                         phi_168_ = (_e94 + _e312);
                         phi_170_ = select(_e350, _e96, (_e350 < _e96));
                     } else {

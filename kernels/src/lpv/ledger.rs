@@ -1,8 +1,9 @@
 //! Where the flux is: sums over columns of cells, for stopping and for the proof that none is made or lost.
 //!
-//! One invocation adds up one channel of one column along z: flux that will be sent (stored), the part of it that will leave
+//! One invocation adds up one channel of one column along y: flux that will be sent (stored), the part of it that will leave
 //! the grid, the part that opacities will absorb, and the largest of what travels and of what has passed in a cell. Grid:
-//! columns (x, y) of each channel, lanes along x. The host adds columns in double precision. Pass before: `propagate.rs`.
+//! columns (x, z) of each channel, lanes along x: what one of them reads after another lies side by side in memory. The host
+//! adds columns in double precision. Pass before: `propagate.rs`.
 
 use super::lobe::outflow;
 use super::propagate::open_ways;
@@ -14,9 +15,9 @@ use crate::real::Real;
 use interreflect_shared::lpv::LEDGER_VALUES;
 use interreflect_shared::lpv::{LpvLayout, LpvParams};
 
-/// One row per y and channel.
+/// One row per z and channel.
 pub fn columns(p: &LpvParams) -> Rows {
-    Rows { count: 3 * p.dims.y, len: p.dims.x, pitch: p.dims.x, first: 0, plane: 3 * p.dims.x * p.dims.y }
+    Rows { count: 3 * p.dims.z, len: p.dims.x, pitch: p.dims.x, first: 0, plane: 3 * p.dims.x * p.dims.z }
 }
 
 /// Sums of a column: flux stored, leaving, absorbed; largest travelling, largest passed flux (times `Y₀₀`).
@@ -24,21 +25,21 @@ pub fn columns(p: &LpvParams) -> Rows {
 pub fn column<R: Real>(at: At, p: &LpvParams, state: &[f32], opacity: &[f32]) -> [R; 5] {
     let l = LpvLayout::new(p.dims);
     let value = l.value() as usize;
-    let channel = at.row / p.dims.y;
-    let y = at.row - channel * p.dims.y;
+    let channel = at.row / p.dims.z;
+    let z = at.row - channel * p.dims.z;
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let x = R::ramp(at.x as f32, 1.0);
     // 1 where the neighbour on that side is outside.
     let low_x = R::select(x.lt(R::splat(0.5)), one, zero);
     let high_x = R::select(R::splat(p.dims.x as f32 - 1.5).lt(x), one, zero);
-    let low_y = R::splat(if y == 0 { 1.0 } else { 0.0 });
-    let high_y = R::splat(if y + 1 == p.dims.y { 1.0 } else { 0.0 });
+    let low_z = R::splat(if z == 0 { 1.0 } else { 0.0 });
+    let high_z = R::splat(if z + 1 == p.dims.z { 1.0 } else { 0.0 });
     let (mut stored, mut leaving, mut absorbed, mut largest, mut passed) = (zero, zero, zero, zero, zero);
-    for z in 0..p.dims.z {
+    for y in 0..p.dims.y {
         let i = l.at(at.x, y, z) as usize;
         let j = (channel * l.plane) as usize + i;
-        let low_z = R::splat(if z == 0 { 1.0 } else { 0.0 });
-        let high_z = R::splat(if z + 1 == p.dims.z { 1.0 } else { 0.0 });
+        let low_y = R::splat(if y == 0 { 1.0 } else { 0.0 });
+        let high_y = R::splat(if y + 1 == p.dims.y { 1.0 } else { 0.0 });
         let mut outside = [high_x; 6];
         outside[1] = low_x;
         outside[2] = high_y;

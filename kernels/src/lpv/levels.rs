@@ -12,6 +12,7 @@
 
 use super::grid::{CellRow, cell_row, coarse_rows, rows};
 use super::lobe::outflow;
+use super::propagate::AHEAD;
 use crate::kernel::At;
 #[cfg(not(target_arch = "spirv"))]
 use crate::kernel::{Case, CaseInput, Tolerance};
@@ -62,6 +63,10 @@ pub fn prolong<R: Real>(
     let row = cell_row(at, p.dims, &l);
     let mut out = [R::splat(0.0); 6];
     if row.real {
+        unroll!(J in 0, 1, 2, 3, 4, 5 => {
+            R::prefetch(before, J * value + i + AHEAD);
+            R::prefetch(state, front + J * value + i + AHEAD);
+        });
         let keep = R::splat(p.keep);
         unroll!(J in 0, 1, 2, 3, 4, 5 => {
             out[J] = R::load(before, J * value + i).mul_add(keep, R::load(state, front + J * value + i));

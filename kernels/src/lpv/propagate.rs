@@ -93,7 +93,7 @@ fn values<R: Real>(t: &Travelling<R>, weight: R) -> [R; 11] {
 }
 
 /// Elements ahead that are asked for: a plane's rows lie on pages of their own, and twenty planes are read at once.
-const AHEAD: usize = 128;
+pub(super) const AHEAD: usize = 128;
 
 /// Asks for what a later row reads first: what travels in the layer above it, and what has passed.
 #[inline(always)]

@@ -126,7 +126,7 @@ impl Level {
             facet_area: per_axis(exec, "lpv facet area")?,
             texel_area: per_axis(exec, "lpv texel area")?,
             ledger: exec
-                .zeroed_slice::<f32>("lpv ledger", (LEDGER_VALUES * 3 * params.dims.x * params.dims.y) as usize)?,
+                .zeroed_slice::<f32>("lpv ledger", (LEDGER_VALUES * 3 * params.dims.x * params.dims.z) as usize)?,
             totals: [values(exec, "lpv total", PASSED_VALUES)?, values(exec, "lpv total", PASSED_VALUES)?],
             total: 0,
             params,
@@ -195,7 +195,7 @@ impl Level {
     pub fn ledger(&self, exec: &mut dyn Executor) -> Result<Ledger, ExecError> {
         exec.run(&ledger::lpv_ledger::KERNEL, &[self.later, self.state(), self.opacity, self.ledger])?;
         let columns = exec.read_slice::<f32>(self.ledger)?;
-        let n = (self.params.dims.x * self.params.dims.y) as usize;
+        let n = (self.params.dims.x * self.params.dims.z) as usize;
         let sum = |k: usize| columns[k * n..(k + 1) * n].iter().map(|&v| f64::from(v)).sum::<f64>();
         let sums = |value: usize| DVec3::new(sum(3 * value), sum(3 * value + 1), sum(3 * value + 2));
         let most = |value: usize| columns[3 * value * n..3 * (value + 1) * n].iter().copied().fold(0.0, f32::max);
