@@ -6,6 +6,7 @@ use crate::evaluate::View;
 use crate::exec::CpuExecutor;
 use crate::image_io::{Image, ToneMap, write_whole};
 use crate::metrics::{self, BLOCK_PX, ErrorMetrics, MetricsError, NoiseFloor};
+use crate::reference::trace::KeptTree;
 use crate::reference::{self, Progress, Receiver, ReferenceSettings};
 use crate::report::{self, Frame};
 use crate::scene::device::SceneBuffers;
@@ -102,7 +103,9 @@ impl Judge {
         let ms_per_sample = pilot.ms / f64::from(pilot.spp.max(1));
         let note = format!("{}-{}x{}-{seed}", &scene_hash[..16], size[0], size[1]);
         let settings = plan.affordable(ms_per_sample, pilot.noise, &note)?;
-        let irradiance = reference::cached_irradiance(&plan.cache, &scene, &receivers, &settings, progress)?.truth;
+        let irradiance =
+            reference::cached_irradiance(&plan.cache, &KeptTree::default(), &scene, &receivers, &settings, progress)?
+                .truth;
         let picture = reference::cached(&plan.cache, &scene, &camera, size[0], size[1], &settings, progress)?.truth;
 
         let image = |pixels: &[Vec3]| Image::new(size[0], size[1], pixels.to_vec());

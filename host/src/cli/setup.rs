@@ -4,6 +4,7 @@ use super::args::{DeviceArgs, SceneArgs, TruthArgs};
 use super::progress::TruthBar;
 use crate::error::Error;
 use crate::exec::{self, Executor};
+use crate::reference::trace::KeptTree;
 use crate::reference::{self, IrradianceTruth, Receiver, ReferenceSettings, Truth};
 use crate::scene::{self, Camera, LoadOptions, Scene};
 use std::path::Path;
@@ -60,8 +61,9 @@ pub fn truth_irradiance(
     settings: &ReferenceSettings,
 ) -> Result<IrradianceTruth, Error> {
     let bar = TruthBar::new("irradiance");
+    let tree = KeptTree::default();
     let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
-    Ok(reference::cached_irradiance(&folder, scene, receivers, settings, &mut |p| bar.update(p))?.truth)
+    Ok(reference::cached_irradiance(&folder, &tree, scene, receivers, settings, &mut |p| bar.update(p))?.truth)
 }
 
 /// The path of this program, to start it again.

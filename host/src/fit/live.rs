@@ -9,6 +9,7 @@ use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::image_io::{Image, ImageError, ToneMap, png_bytes};
 use crate::methods::{Input, MethodRow, SetUp, Settings, SharedParts, StageClock};
 use crate::metrics::BLOCK_PX;
+use crate::reference::trace::KeptTree;
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::Scene;
 use crate::scene::device::SceneBuffers;
@@ -37,6 +38,8 @@ const KEPT: (usize, u64) = (8, 1 << 30);
 pub struct Live {
     /// Scene.
     pub scene: Scene,
+    /// Its tree, for the truth.
+    tree: KeptTree,
     /// Where methods run.
     pub exec: Box<dyn Executor>,
     buffers: SceneBuffers,
@@ -90,6 +93,7 @@ impl Live {
         let irradiance = [irradiance(sample.1)?, irradiance(view.surfels.len())?];
         Ok(Self {
             scene,
+            tree: KeptTree::default(),
             exec,
             buffers,
             view,
@@ -253,7 +257,9 @@ impl Source for Live {
         let new = &self.blocks[blocks];
         let receivers: Vec<Receiver> = new.iter().flatten().map(|&k| Receiver::from(&self.view.surfels[k])).collect();
         let settings = ReferenceSettings { spp: Some(spp), seed: self.seed ^ seed, ..ReferenceSettings::default() };
-        let truth = reference::cached_irradiance(&self.cache, &self.scene, &receivers, &settings, &mut |_| {})?.truth;
+        let truth =
+            reference::cached_irradiance(&self.cache, &self.tree, &self.scene, &receivers, &settings, &mut |_| {})?
+                .truth;
         let mut values = truth.values.iter();
         let block = |block: &Vec<usize>| {
             let n = block.len() as f64;

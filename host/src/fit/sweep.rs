@@ -28,8 +28,7 @@ pub const MOST_TIME: f64 = 0.2;
 /// Least share of choices that keep the limit.
 pub const LEAST_WITHIN: f64 = 0.9;
 
-/// Errors that the search is asked for, as parts of the sweep's settings that are better: wherever they lie, the sweep
-/// reaches them.
+/// [`targets`] as parts of the sweep's settings that are better: wherever they lie, the sweep reaches them.
 const QUANTILES: [f64; 5] = [0.1, 0.25, 0.4, 0.6, 0.75];
 /// Errors from which on a target asks for nothing: without any indirect light it is about this.
 const NO_LIGHT: f64 = 1.0;
@@ -193,13 +192,8 @@ pub fn evaluate_scene(
         sweep_s + shared_s,
         judge.about.noise_floor.map_or(0.0, |f| f.nrmse_block)
     ));
-    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).filter(|e| *e < NO_LIGHT).collect();
-    errors.sort_by(f64::total_cmp);
-    let mut targets: Vec<f64> =
-        QUANTILES.iter().filter_map(|q| errors.get((q * errors.len() as f64) as usize).map(|e| SLACK * e)).collect();
-    targets.dedup();
     let mut cases = Vec::new();
-    for target in targets {
+    for target in targets(&swept, judge.about.noise_floor.map_or(0.0, |f| f.nrmse_block)) {
         let goal = Goal { error: Some(target), ..limits.goal };
         let mut case =
             one(spec, size, goal, &swept, &judge, &mut evidence, [sweep_s, shared_s], (open, methods, truth.seed))?;
@@ -208,6 +202,17 @@ pub fn evaluate_scene(
         cases.push(case);
     }
     Ok(cases)
+}
+
+/// Errors that the search is asked for, the smallest first: none below the truth's own noise, where luck decides which settings
+/// keep a limit.
+fn targets(swept: &[Swept], noise: f64) -> Vec<f64> {
+    let mut errors: Vec<f64> = swept.iter().map(|s| s.error).filter(|e| *e < NO_LIGHT).collect();
+    errors.sort_by(f64::total_cmp);
+    let at = |q: &f64| errors.get((q * errors.len() as f64) as usize);
+    let mut targets: Vec<f64> = QUANTILES.iter().filter_map(at).map(|e| (SLACK * e).max(noise)).collect();
+    targets.dedup();
+    targets
 }
 
 /// A rung's settings and its neighbours'.
@@ -337,6 +342,19 @@ fn one(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn targets_are_reached_by_the_sweep_and_not_drowned_in_noise() {
+        let row = crate::methods::method("ambient").unwrap();
+        let swept = |error: f64| Swept { row, settings: row.defaults(), error, cost: 1.0 };
+        let all: Vec<Swept> = (1..=20).map(|k| swept(0.05 * f64::from(k))).collect();
+        let found = targets(&all, 0.2);
+        // A tenth, a quarter and so on of the 19 that are better than no light at all; the first lies in the noise.
+        let wanted = [0.2, 0.25, 0.4, 0.6, 0.75].map(|e: f64| if e > 0.2 { SLACK * e } else { e });
+        assert!(found.len() == 5 && found.iter().zip(wanted).all(|(f, w)| (f - w).abs() < 1e-9), "{found:?}");
+        assert_eq!(targets(&all, 2.0), [2.0]);
+        assert!(targets(&[], 0.1).is_empty());
+    }
 
     #[test]
     fn a_verdict_needs_all_three() {

@@ -4,8 +4,9 @@
 //! camera and the size (or the receivers), and the settings. It holds a magic number, the payload's length, its SHA-256, and the payload:
 //! numbers little-endian, then the pictures (or the values at the receivers). A file that does not hold what it says is ignored and written anew.
 
+use super::trace::KeptTree;
 use super::{
-    Irradiance, IrradianceTruth, Progress, Receiver, ReferenceError, ReferenceSettings, Truth, irradiance, render,
+    Irradiance, IrradianceTruth, Progress, Receiver, ReferenceError, ReferenceSettings, Truth, irradiance_by, render,
 };
 use crate::scene::{Camera, Scene};
 use glam::Vec3;
@@ -85,12 +86,14 @@ pub fn cached(
     Ok(Cached { truth, from_cache: false, path })
 }
 
-/// [`irradiance()`], or the same values from `dir`, where an earlier run left them; as careful as [`cached`].
+/// [`super::irradiance()`], or the same values from `dir`, where an earlier run left them; as careful as [`cached`]. `tree` is the
+/// scene's, and built only where something is to be traced.
 ///
 /// # Errors
-/// As [`irradiance()`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
+/// As [`super::irradiance()`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
 pub fn cached_irradiance(
     dir: &Path,
+    tree: &KeptTree,
     scene: &Scene,
     receivers: &[Receiver],
     settings: &ReferenceSettings,
@@ -104,7 +107,7 @@ pub fn cached_irradiance(
         return Ok(CachedIrradiance { truth, from_cache: true, path });
     }
     let file = writable(dir)?;
-    let truth = irradiance(scene, receivers, settings, progress)?;
+    let truth = irradiance_by(tree, scene, receivers, settings, progress)?;
     keep(file, &path, &encode_irradiance(&truth))?;
     Ok(CachedIrradiance { truth, from_cache: false, path })
 }
@@ -270,7 +273,7 @@ mod tests {
         let mut receivers = vec![Receiver::new(Vec3::splat(0.3), Vec3::Y), Receiver::new(Vec3::splat(0.6), Vec3::X)];
         let settings = ReferenceSettings { spp: Some(4), ..Default::default() };
         let ask = |scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings| {
-            cached_irradiance(dir.path(), scene, receivers, settings, &mut |_| {}).unwrap()
+            cached_irradiance(dir.path(), &KeptTree::default(), scene, receivers, settings, &mut |_| {}).unwrap()
         };
         let first = ask(&scene, &receivers, &settings);
         let again = ask(&scene, &receivers, &settings);

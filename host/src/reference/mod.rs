@@ -48,6 +48,7 @@ use rounds::{BatchMean, MAX_SPP, Measure, Rounds};
 use sampler::Sampler;
 use std::path::PathBuf;
 use surface::Vertex;
+use trace::KeptTree;
 
 /// Largest width and height of a picture.
 pub const MAX_SIZE: u32 = 16_384;
@@ -261,8 +262,19 @@ pub fn irradiance(
     settings: &ReferenceSettings,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<IrradianceTruth, ReferenceError> {
+    irradiance_by(&KeptTree::default(), scene, receivers, settings, progress)
+}
+
+/// The same with the scene's tree, which is built unless it is there.
+fn irradiance_by(
+    tree: &KeptTree,
+    scene: &Scene,
+    receivers: &[Receiver],
+    settings: &ReferenceSettings,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<IrradianceTruth, ReferenceError> {
     check_lights(scene)?;
-    let paths = Paths::new(trace::Tracer::new(scene)?, settings.max_bounces);
+    let paths = Paths::new(tree.tracer(scene)?, settings.max_bounces);
     let (lo, hi) = scene.bounds();
     let extent = (hi - lo).max_element();
     let sample = |i: u32, batch: u32, count: u32| {

@@ -8,6 +8,7 @@ use super::tree::Tree;
 use super::walk;
 use crate::scene::Scene;
 use glam::Vec3;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// No triangle: nothing is excluded from a query.
 pub const NO_TRIANGLE: u32 = u32::MAX;
@@ -28,7 +29,28 @@ pub struct Tracer<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// Its triangles in boxes.
-    pub(super) tree: Tree,
+    pub(super) tree: Arc<Tree>,
+}
+
+/// The tree of one scene, built when a ray is first to be traced, for tracers that follow one another.
+#[derive(Default)]
+pub struct KeptTree(Mutex<Option<Arc<Tree>>>);
+
+impl KeptTree {
+    /// A tracer with the kept tree. The scene must be the same every time.
+    ///
+    /// # Errors
+    /// As [`Tracer::new`].
+    pub fn tracer<'a>(&self, scene: &'a Scene) -> Result<Tracer<'a>, ReferenceError> {
+        // A tree is put there whole: a builder that panicked has left nothing behind.
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let tracer = match &*kept {
+            Some(tree) => Tracer { scene, tree: tree.clone() },
+            None => Tracer::new(scene)?,
+        };
+        *kept = Some(tracer.tree.clone());
+        Ok(tracer)
+    }
 }
 
 impl<'a> Tracer<'a> {
@@ -39,7 +61,7 @@ impl<'a> Tracer<'a> {
     /// [`ReferenceError::TooDeep`] where the geometry is so degenerate that a walk's stack would not suffice.
     pub fn new(scene: &'a Scene) -> Result<Self, ReferenceError> {
         check(scene)?;
-        Ok(Self { scene, tree: Tree::build(scene)? })
+        Ok(Self { scene, tree: Arc::new(Tree::build(scene)?) })
     }
 
     /// Closest hit with 0 < t < `tmax` on any triangle but `exclude`.

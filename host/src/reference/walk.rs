@@ -48,18 +48,19 @@ fn walk_to_closest(
     exclude: u32,
     stack: &mut Stack,
 ) -> Hit {
+    let tree = &*tracer.tree;
     let mut ray = WalkRay::new(origin, direction, tmax);
     let mut best = Hit { t: tmax, triangle: NO_TRIANGLE, barycentric: Vec3::ZERO };
     let mut next = Some(0);
     while let Some(reference) = next {
         if reference & LEAF == 0 {
-            let node = &tracer.tree.nodes[reference as usize];
-            next = stack.enter::<true>(boxes!(node, ray), node, &tracer.tree);
+            let node = &tree.nodes[reference as usize];
+            next = stack.enter::<true>(boxes!(node, ray), node, tree);
             if next.is_some() {
                 continue;
             }
         } else {
-            let block = &tracer.tree.blocks[(reference & !LEAF) as usize];
+            let block = &tree.blocks[(reference & !LEAF) as usize];
             let hits = ray.intersect(block);
             let mut lanes = hits.lanes;
             while lanes != 0 {
@@ -91,18 +92,19 @@ fn walk_to_any(
     exclude: [u32; 2],
     stack: &mut Stack,
 ) -> bool {
+    let tree = &*tracer.tree;
     let ray = WalkRay::new(origin, direction, tmax);
     let mut next = Some(0);
     while let Some(reference) = next {
         if reference & LEAF == 0 {
             // The nearest first here too: what is close hides most. The order of the others does not pay for itself.
-            let node = &tracer.tree.nodes[reference as usize];
-            next = stack.enter::<false>(boxes!(node, ray), node, &tracer.tree);
+            let node = &tree.nodes[reference as usize];
+            next = stack.enter::<false>(boxes!(node, ray), node, tree);
             if next.is_some() {
                 continue;
             }
         } else {
-            let block = &tracer.tree.blocks[(reference & !LEAF) as usize];
+            let block = &tree.blocks[(reference & !LEAF) as usize];
             let hits = ray.intersect(block);
             let mut lanes = hits.lanes;
             while lanes != 0 {

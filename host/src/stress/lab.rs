@@ -5,6 +5,7 @@ use crate::evaluate::View;
 use crate::exec::{BufferId, Executor, ExecutorExt};
 use crate::image_io::{Image, ToneMap, png_bytes};
 use crate::methods::{Input, Method, MethodRow, Settings, StageClock, Unit};
+use crate::reference::trace::KeptTree;
 use crate::reference::{self, Receiver, ReferenceSettings};
 use crate::scene::device::SceneBuffers;
 use crate::scene::{Camera, Light, Scene};
@@ -157,7 +158,9 @@ impl Lab {
     pub fn truth_by(&self, scene: &Scene, surfels: &[Surfel], spp: u32, seed: u32) -> Result<Vec<Vec3>, Error> {
         let receivers: Vec<Receiver> = surfels.iter().map(Receiver::from).collect();
         let settings = ReferenceSettings { spp: Some(spp), seed, ..ReferenceSettings::default() };
-        let truth = reference::cached_irradiance(&self.cache, scene, &receivers, &settings, &mut |_| {})?.truth;
+        let truth =
+            reference::cached_irradiance(&self.cache, &KeptTree::default(), scene, &receivers, &settings, &mut |_| {})?
+                .truth;
         Ok(truth.values.iter().map(|v| v.indirect).collect())
     }
 

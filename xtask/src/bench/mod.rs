@@ -13,6 +13,7 @@ mod lpv;
 mod memory;
 mod rays;
 mod scene;
+mod set_up;
 mod srp;
 mod twins;
 mod voxels;
@@ -55,6 +56,7 @@ const SECTIONS: &[(&str, Section)] = &[
     ("lpv", lpv::run),
     ("srp", srp::run),
     ("bake", bake::run),
+    ("set-up", set_up::run),
 ];
 
 /// Runs all sections, or the one that the filter names, or of the kernels those whose name contains it.

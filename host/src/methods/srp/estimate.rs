@@ -1,19 +1,23 @@
-//! What a bake will take, told before it: rays and receivers are counted, and one ray is timed on a sample.
+//! What a bake will take, told before it: receivers, rays and multiply-adds are counted, a ray and a product of matrices are
+//! timed on a sample.
 //!
 //! Charts are made in earnest, because the number of receivers follows from them, and left for the bake. Everything else is
-//! a count times the time of a ray; how many rays' time each part takes was fitted to first rungs of five scenes, from 30 to
-//! 260,000 triangles, and may be off by a factor of two: who asks corrects it by what a bake then took.
+//! a count times one of the two times; the constants were fitted to first rungs of four scenes, from 30 to 260,000 triangles,
+//! and may be off by a half (`cargo xtask bench --filter set-up` prints by how much): who asks corrects it by what a bake
+//! then took.
 
 use super::atlas::SMALLEST_CHART;
 use super::plan::{self, BakeOptions, VALIDITY_RAYS};
 use super::reach::{REFLECTIONS, WALKS};
-use super::{Memo, charts::Patches};
+use super::round_trip::KINDS_FITTED;
+use super::{Compression, Memo, charts::Patches};
 use crate::exec::{Executor, ExecutorExt};
 use crate::methods::{Input, MethodError, SetUp};
+use faer::Mat;
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::math::rng::rand2;
-use interreflect_kernels::math::sampling;
+use interreflect_kernels::math::{sampling, sh};
 use interreflect_kernels::trace::{Ray, SceneRef, closest_hit};
 use interreflect_shared::scene::SceneTriangle;
 use rayon::prelude::*;
@@ -32,8 +36,16 @@ const REFLECTION: f64 = 1.7;
 const KINDS: f64 = 300.0;
 const COVER: f64 = 450.0;
 const TRANSPORT: f64 = 2.8;
-/// Probes whose rays take as long as the algebra of a round trip.
-const ALGEBRA: f64 = 20.0;
+/// Probes whose rays take as long as preparing a round trip.
+const PREPARED: f64 = 20.0;
+/// Part of the most receivers of a cluster that one has.
+const FILLED: f64 = 0.65;
+/// Probes that support any receiver of a cluster, over those that support one.
+const REACHED: f64 = 2.2;
+/// Products of a number of a cluster's matrix in its compression.
+const COMPRESSED: f64 = 1500.0;
+/// Side of the matrices whose product is timed.
+const PRODUCT: usize = 256;
 
 /// What a bake will take.
 ///
@@ -56,14 +68,16 @@ pub(super) fn set_up(
     };
     let charts_s = charts_ms / 1e3;
     let receivers = f64::from(patches.texels(options.receivers, SMALLEST_CHART)) + options.free.len() as f64;
-    let parts = Parts::new(&patches, options, receivers, ray_s);
+    let product_s = *memo.product_s.get((), &mut 0.0, || Ok(timed_product()))?;
+    let parts = Parts::new(&patches, options, receivers, [ray_s, product_s]);
     let shared = [
+        (TREES * charts_s, memo.structures.holds(&())),
         (parts.ground_s, memo.ground.holds(&options.of_ground())),
         (parts.places_s, memo.places.holds(&options.of_places())),
         (parts.round_trip_s, memo.round_trips.holds(&options.of_round_trip())),
     ];
     let left_s: f64 = shared.iter().filter(|p| !p.1).map(|p| p.0).sum();
-    let always_s = TREES * charts_s + parts.transport_s;
+    let always_s = parts.transport_s + parts.algebra_s;
     Ok(SetUp { whole_s: charts_s + shared.iter().map(|p| p.0).sum::<f64>() + always_s, left_s: left_s + always_s })
 }
 
@@ -73,20 +87,56 @@ struct Parts {
     places_s: f64,
     round_trip_s: f64,
     transport_s: f64,
+    /// Correction and compression.
+    algebra_s: f64,
 }
 
 impl Parts {
-    fn new(patches: &Patches, o: &BakeOptions, receivers: f64, ray_s: f64) -> Self {
+    fn new(patches: &Patches, o: &BakeOptions, receivers: f64, [ray_s, product_s]: [f64; 2]) -> Self {
         let walks = f64::from(WALKS.0.max(WALKS.1 * patches.count));
-        let probes = f64::from(o.probes) + ALGEBRA;
+        let probes = f64::from(o.probes) + PREPARED;
         Self {
             ground_s: ray_s
                 * (walks * f64::from(REFLECTIONS) * REFLECTION + receivers * (f64::from(VALIDITY_RAYS) + KINDS)),
             places_s: ray_s * receivers * COVER,
             round_trip_s: ray_s * probes * f64::from(o.round_trip_rays()),
             transport_s: ray_s * receivers * f64::from(o.rays * o.rows) * TRANSPORT,
+            algebra_s: product_s * algebra(o, receivers),
         }
     }
+}
+
+/// Multiply-adds of the correction and the compression of all clusters; those in double precision count twice.
+fn algebra(o: &BakeOptions, receivers: f64) -> f64 {
+    let in_cluster = (FILLED * f64::from(o.cluster_size)).min(receivers).max(1.0);
+    let height = in_cluster * f64::from(o.rows);
+    let width = f64::from(o.probes).min(REACHED * f64::from(o.overlap)) * sh::count(o.order) as f64;
+    let kinds = KINDS_FITTED as f64;
+    // The normal matrix, its factors, a solution per row; before that, what each row is to be corrected by.
+    let correction = width * (width * (kinds + width * 2.0 / 3.0 + 4.0 * height) + 2.0 * height * kinds);
+    let correction = if o.ridge > 0.0 { correction } else { 0.0 };
+    let compression = if o.compression == Compression::None { 0.0 } else { COMPRESSED * height * width };
+    receivers / in_cluster * (correction + compression)
+}
+
+/// Seconds of a multiply-add in a product of matrices, on all threads together.
+fn timed_product() -> f64 {
+    let matrix = |seed: u32| Mat::from_fn(PRODUCT, PRODUCT, |i, j| rand2(seed, i as u32, j as u32).x);
+    let (a, b) = (matrix(1), matrix(2));
+    let each_s = least_of_three(|| {
+        std::hint::black_box(&a * &b);
+    });
+    each_s / (PRODUCT as f64).powi(3) / rayon::current_num_threads() as f64
+}
+
+/// Seconds of the quickest of three runs: the first warms up.
+fn least_of_three(work: impl Fn()) -> f64 {
+    let run = |_| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    };
+    (0..3).map(run).fold(f64::INFINITY, f64::min)
 }
 
 /// Seconds that one ray of the path tracer takes on all threads together.
@@ -96,13 +146,9 @@ fn timed_ray(exec: &mut dyn Executor, input: &Input<'_>) -> Result<f64, MethodEr
     let scene = SceneRef { nodes: &nodes, triangles: &triangles, attributes: &attributes, surfaces: &surfaces };
     let rays = sample(&triangles, input.seed);
     let trace = || rays.par_iter().filter(|ray| closest_hit(&scene, ray).is_some()).count();
-    // Once to warm up.
-    let mut least_s = f64::INFINITY;
-    for _ in 0..3 {
-        let start = Instant::now();
+    let least_s = least_of_three(|| {
         std::hint::black_box(trace());
-        least_s = least_s.min(start.elapsed().as_secs_f64());
-    }
+    });
     Ok(TRACER * least_s / rays.len().max(1) as f64)
 }
 
@@ -147,13 +193,14 @@ mod tests {
         let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
         let row = methods::method("srp").expect("a method");
         let mut parts = None;
-        let mut made = |set: [(&'static str, &'static str); 2]| {
+        let mut made = |receivers: &'static str, rays: &'static str, order: &'static str| {
+            let set = [("receivers", receivers), ("rays", rays), ("order", order)];
             let mut method = (row.new)(&row.with(set).expect("settings")).expect("a method");
             method.share(&mut parts);
             method
         };
-        // All by one timing of a ray: what other work does to the clock does not matter.
-        let mut first = made([("receivers", "2048"), ("rays", "128")]);
+        // All by one timing of a ray and of a product: what other work does to the clock does not matter.
+        let mut first = made("2048", "128", "1");
         let told = |method: &dyn Method, exec: &mut CpuExecutor| {
             method.set_up(exec, &input).expect("it reads").expect("it knows")
         };
@@ -161,13 +208,16 @@ mod tests {
         // Nothing but charts is there at first.
         assert!(before.whole_s > 0.0 && before.left_s > 0.9 * before.whole_s, "{before:?}");
         first.precompute(&mut exec, &input, &mut StageClock::default()).expect("it bakes");
-        // Then ground, probes and what they see are, and what rays bring is not.
+        // Then trees, ground, probes and what they see are, and what rays bring is not.
         let after = told(first.as_ref(), &mut exec);
         assert!(after.whole_s == before.whole_s && after.left_s < 0.6 * after.whole_s, "{before:?} {after:?}");
-        let rays = told(made([("receivers", "2048"), ("rays", "512")]).as_ref(), &mut exec);
+        let rays = told(made("2048", "512", "1").as_ref(), &mut exec);
         assert!(rays.whole_s > before.whole_s && rays.left_s > 3.0 * after.left_s, "{after:?} {rays:?}");
-        let receivers = told(made([("receivers", "8192"), ("rays", "512")]).as_ref(), &mut exec);
+        let receivers = told(made("8192", "512", "1").as_ref(), &mut exec);
         assert!(receivers.left_s > 3.0 * rays.left_s, "{rays:?} {receivers:?}");
+        // Sixteen times as many coefficients: the square of that in the matrices of the correction.
+        let order = told(made("2048", "128", "7").as_ref(), &mut exec);
+        assert!(order.whole_s > 1.5 * before.whole_s, "{before:?} {order:?}");
     }
 
     #[test]

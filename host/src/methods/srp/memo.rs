@@ -5,6 +5,7 @@ use super::charts::Patches;
 use super::plan::{BakeOptions, Ground, Places};
 use super::reach::Reach;
 use super::round_trip::RoundTrip;
+use super::world::Structures;
 use crate::methods::MethodError;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -15,10 +16,14 @@ const KEPT: usize = 6;
 /// Parts of plans for one scene.
 #[derive(Default)]
 pub struct Memo {
+    /// Of the scene alone.
+    pub(super) structures: Shelf<(), Structures>,
     /// By receivers.
     pub(super) patches: Shelf<u32, Patches>,
     /// Seconds of one ray; of the scene alone.
     pub(super) ray_s: Shelf<(), f64>,
+    /// Seconds of a multiply-add.
+    pub(super) product_s: Shelf<(), f64>,
     /// By seed, and chart of each triangle.
     pub(super) reach: Shelf<(u32, Vec<u32>), Reach>,
     pub(super) ground: Shelf<BakeOptions, Ground>,

@@ -12,7 +12,7 @@ use super::reach::Reach;
 use super::round_trip::{self, RoundTrip, Verdict};
 use super::transport::{self, Estimate, Rays, Scratch, Transport};
 use super::visibility::Visibility;
-use super::world::{Seen, World, frame};
+use super::world::{Seen, Structures, World, frame};
 use crate::methods::MethodError;
 use glam::Vec3;
 use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, spherical_fibonacci};
@@ -238,8 +238,9 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// As [`Plan::new`].
     pub fn sharing(scene: &'a crate::scene::Scene, options: &BakeOptions, memo: &Memo) -> Result<Self, MethodError> {
-        let world = World::new(scene)?;
         let mut spared_ms = 0.0;
+        let structures = memo.structures.get((), &mut spared_ms, || Structures::new(scene))?;
+        let world = World::sharing(scene, structures)?;
         let key = options.of_ground();
         let ground = memo.ground.get(key, &mut spared_ms, || Ground::new(&world, options, memo))?;
         spared_ms += ground.taken_ms;

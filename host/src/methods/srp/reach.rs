@@ -290,7 +290,7 @@ fn flood(space: &mut Space, mut queue: Vec<usize>, (low, high): (Vec3, Vec3)) {
 fn solid(world: &World<'_>) -> Result<(VoxelGrid, Vec<bool>), MethodError> {
     let grid = VoxelGrid::around(world.scene.bounds(), RESOLUTION);
     let mut exec = CpuExecutor::new();
-    let buffers = world.packed.upload(&mut exec)?;
+    let buffers = world.packed().upload(&mut exec)?;
     let options = VoxelOptions { method: super::NAME, anisotropic: false, limit_bytes: 1 << 30, emission_max: 0.0 };
     let voxels = VoxelScene::build(&mut exec, &buffers, &grid, &options, &mut StageClock::default())?;
     let cells = exec.read_slice::<u32>(voxels.cells)?;

@@ -42,6 +42,8 @@ use std::sync::Arc;
 const PATCHES: usize = 500;
 /// Patches of one size that make one of the next.
 const GROUP: usize = 4;
+/// Kinds of light to fit to, about: patches of all sizes, even light, states.
+pub(super) const KINDS_FITTED: usize = PATCHES * GROUP / (GROUP - 1) + 1 + super::states::FITTED;
 /// Standard deviation of the light of patches of one size over the mean light of all.
 const CONTRAST: f32 = 0.5;
 /// Root of the sum of squares of the states' weights, over that of even light.

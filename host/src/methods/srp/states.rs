@@ -16,7 +16,7 @@ use interreflect_kernels::math::sampling::{cosine_hemisphere, hammersley, sphere
 use rayon::prelude::*;
 
 /// States to fit to.
-const FITTED: usize = 128;
+pub(super) const FITTED: usize = 128;
 /// States to judge by.
 const JUDGES: usize = 32;
 /// One in so many is a judge.

@@ -3,13 +3,14 @@
 
 use super::model::Receiver;
 use crate::methods::MethodError;
-use crate::reference::trace::{NO_TRIANGLE, Tracer};
+use crate::reference::trace::{KeptTree, NO_TRIANGLE, Tracer};
 use crate::scene::Scene;
 use crate::scene::device::PackedScene;
 use glam::Vec3;
 use interreflect_kernels::math::frame::Frame;
 use interreflect_kernels::trace::{self, Hit, Ray, leave_surface};
 use interreflect_shared::scene::Surfel;
+use std::sync::Arc;
 
 /// Rays to a point end this share of the way: 8 roundings before it.
 const BEFORE_THE_POINT: f32 = 1.0 - 4.768_371_6e-7;
@@ -30,12 +31,36 @@ pub fn frame(normal: Vec3) -> Frame {
 pub struct World<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The same as kernels see it.
-    pub packed: PackedScene,
     tracer: Tracer<'a>,
+    structures: Arc<Structures>,
+}
+
+/// What is made of a scene's geometry for rays.
+pub struct Structures {
+    tree: KeptTree,
+    /// The scene as kernels see it.
+    packed: PackedScene,
     /// Device triangle of each of the scene's.
     device_triangle: Vec<u32>,
     faces: Vec<Face>,
+}
+
+impl Structures {
+    /// Of a scene that the path tracer takes.
+    ///
+    /// # Errors
+    /// As [`Tracer::new`].
+    pub fn new(scene: &Scene) -> Result<Self, MethodError> {
+        let tree = KeptTree::default();
+        tree.tracer(scene)?;
+        let packed = PackedScene::new(scene);
+        let mut device_triangle = vec![0; scene.triangles.len()];
+        for (device, t) in packed.triangles.iter().enumerate() {
+            device_triangle[t.source as usize] = device as u32;
+        }
+        let faces = scene.triangles.iter().map(|t| Face::new(scene.corners(t))).collect();
+        Ok(Self { tree, packed, device_triangle, faces })
+    }
 }
 
 /// What of a triangle a hit needs.
@@ -96,14 +121,20 @@ impl<'a> World<'a> {
     /// # Errors
     /// As [`Tracer::new`].
     pub fn new(scene: &'a Scene) -> Result<Self, MethodError> {
-        let tracer = Tracer::new(scene)?;
-        let packed = PackedScene::new(scene);
-        let mut device_triangle = vec![0; scene.triangles.len()];
-        for (device, t) in packed.triangles.iter().enumerate() {
-            device_triangle[t.source as usize] = device as u32;
-        }
-        let faces = scene.triangles.iter().map(|t| Face::new(scene.corners(t))).collect();
-        Ok(Self { scene, packed, tracer, device_triangle, faces })
+        Self::sharing(scene, Arc::new(Structures::new(scene)?))
+    }
+
+    /// The same with structures of the same scene.
+    ///
+    /// # Errors
+    /// As [`Tracer::new`].
+    pub fn sharing(scene: &'a Scene, structures: Arc<Structures>) -> Result<Self, MethodError> {
+        Ok(Self { scene, tracer: structures.tree.tracer(scene)?, structures })
+    }
+
+    /// The scene as kernels see it.
+    pub fn packed(&self) -> &PackedScene {
+        &self.structures.packed
     }
 
     /// What a ray from free space meets first.
@@ -134,7 +165,7 @@ impl<'a> World<'a> {
 
     #[inline(always)]
     fn on_side(&self, triangle: u32, weights: [f32; 3], is_front: impl Fn(Vec3) -> bool) -> Seen {
-        let f = &self.faces[triangle as usize];
+        let f = &self.structures.faces[triangle as usize];
         let front = is_front(f.outward);
         Seen {
             triangle,
@@ -156,13 +187,14 @@ impl<'a> World<'a> {
     /// The point of a triangle with the given weights of its corners, seen from one side: shading normal, reflectance
     /// and emission as in pictures. `triangle` is the host's index, and stays so in the result.
     pub fn surface(&self, triangle: u32, weights: [f32; 3], front: bool) -> Surfel {
-        let device = self.device_triangle[triangle as usize];
-        let t = &self.packed.triangles[device as usize];
+        let packed = self.packed();
+        let device = self.structures.device_triangle[triangle as usize];
+        let t = &packed.triangles[device as usize];
         let (a, b, c) = (Vec3::from(t.v0), Vec3::from(t.v1), Vec3::from(t.v2));
         let outward = (b - a).cross(c - a).normalize_or(Vec3::Y);
         let towards = if front { -outward } else { outward };
         let hit = Hit { t: 1.0, triangle: device, u: weights[1], v: weights[2] };
-        Surfel { triangle, ..trace::surface(&self.packed.view(), &Ray::new(Vec3::ZERO, towards), &hit) }
+        Surfel { triangle, ..trace::surface(&packed.view(), &Ray::new(Vec3::ZERO, towards), &hit) }
     }
 }
 
