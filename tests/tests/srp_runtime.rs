@@ -6,7 +6,7 @@ use interreflect::methods::StageClock;
 use interreflect::methods::srp::feedback::{Feedback, gain_bound};
 use interreflect::methods::srp::model::{Blend, RAY_INVALID, RAY_MISS, SrpBake};
 use interreflect::methods::srp::occluders::{Occluder, Shape};
-use interreflect::methods::srp::runtime::{RuntimeOptions, SrpRuntime};
+use interreflect::methods::srp::runtime::{RuntimeOptions, SrpRuntime, TAIL_FROM};
 use interreflect::methods::srp::synthetic::{self, Sizes};
 use interreflect::scene::built_in::SceneBuilder;
 use interreflect::scene::device::SceneBuffers;
@@ -469,6 +469,33 @@ fn a_loop_that_grows_alarms_and_is_damped() {
     // Undamped the same loop grows without end.
     let wild = bake.bounce(&direct(&bake), 60);
     assert!(wild[0].x > 1e5, "{}", wild[0]);
+}
+
+#[test]
+fn a_tail_stands_for_the_bounces_that_are_left_out() {
+    for (albedo, bounces) in [(0.5, TAIL_FROM), (0.9, TAIL_FROM), (0.97, 12), (0.99, 12)] {
+        let bake = white_room(albedo);
+        let (mut exec, mut runtime, _) = feedback(&bake);
+        runtime.set_bounces(bounces);
+        runtime.restart(&mut exec).unwrap();
+        let factors = runtime.update_with_tail(&mut exec, &mut StageClock::default()).unwrap();
+        assert!(runtime.is_settled() && factors.iter().all(|f| *f >= 1.0), "{factors:?}");
+        let got = runtime.read_irradiance(&mut exec).unwrap();
+        let all = bake.bounce(&direct(&bake), 2000);
+        // What half floats take from each bounce adds up over all of them.
+        let allowed = 2.0 * HALF / (1.0 - albedo);
+        let cut = relative(&bake.bounce(&direct(&bake), bounces), &all);
+        assert!(relative(&got, &all) < allowed, "{albedo}: {} > {allowed}, cut off {cut}", relative(&got, &all));
+        assert!(cut > 2.0 * allowed, "{albedo}: {cut}");
+    }
+    // Too few bounces to see what the loop hands on: as many as asked for, and no more.
+    let bake = white_room(0.9);
+    let (mut exec, mut runtime, _) = feedback(&bake);
+    runtime.set_bounces(TAIL_FROM - 1);
+    runtime.restart(&mut exec).unwrap();
+    assert_eq!(runtime.update_with_tail(&mut exec, &mut StageClock::default()).unwrap(), [1.0; 3]);
+    let expected = bake.bounce(&direct(&bake), TAIL_FROM - 1);
+    assert!(relative(&runtime.read_irradiance(&mut exec).unwrap(), &expected) < 2e-3);
 }
 
 #[test]

@@ -159,6 +159,12 @@ pub const ROW: MethodRow = MethodRow {
             help: "Indirect bounces at most; it ends earlier when they change nothing.",
         },
         Setting {
+            key: "tail",
+            default: "1",
+            allowed: "0 or 1",
+            help: "1: where light would need more than `bounces` (at least 4), it is scaled to what all of them would add. 0: cut off.",
+        },
+        Setting {
             key: "light_samples",
             default: "16",
             allowed: "from 1 to 1024",
@@ -209,6 +215,7 @@ struct Options {
     file: String,
     bake: BakeOptions,
     bounces: u32,
+    tail: bool,
     light_samples: u32,
     environment_samples: u32,
 }
@@ -255,6 +262,7 @@ impl Options {
                 ..BakeOptions::default()
             },
             bounces: parse(&ROW, settings, "bounces", |n| (1..=256).contains(n))?,
+            tail: parse(&ROW, settings, "tail", |n: &u32| *n <= 1)? == 1,
             light_samples: parse(&ROW, settings, "light_samples", |n| (1..=1024).contains(n))?,
             environment_samples: parse(&ROW, settings, "environment_samples", |n| *n <= 4096)?,
         })
@@ -354,7 +362,7 @@ impl Method for Srp {
         input: &Input<'_>,
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
-        let (most, params) = (self.options.bounces, self.direct_params(input));
+        let (most, tail, params) = (self.options.bounces, self.options.tail, self.direct_params(input));
         let state = self.state()?;
         // As many bounces as the slowest mode needs to fall below what is seen.
         let gain = state.feedback.spectral_radius.clamp(1e-3, 0.999);
@@ -362,8 +370,14 @@ impl Method for Srp {
         state.runtime.set_bounces(bounces.min(most));
         state.runtime.restart(exec)?;
         clock.stage(exec, "direct", |exec| state.runtime.light(exec, input.buffers, &params))?;
-        state.runtime.update(exec, most, clock)?;
+        let factors = if tail && bounces > most {
+            state.runtime.update_with_tail(exec, clock)?
+        } else {
+            state.runtime.update(exec, most, clock)?;
+            [1.0; 3]
+        };
         state.report["bounces"] = json!(bounces.min(most));
+        state.report["factors_of_later_bounces"] = json!(factors);
         let coefs: Vec<f32> = exec.read_slice(state.runtime.coefficients_buffer())?;
         state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count));
         state.beyond_order = beyond_order(&coefs, state.coefficient_count);
