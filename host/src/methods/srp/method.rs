@@ -162,7 +162,7 @@ pub const ROW: MethodRow = MethodRow {
             key: "tail",
             default: "1",
             allowed: "0 or 1",
-            help: "1: where light would need more than `bounces` (at least 4), it is scaled to what all of them would add. 0: cut off.",
+            help: "1: where light would need more than `bounces` (at least 4), what all of them would add is told from the last. 0: cut off.",
         },
         Setting {
             key: "light_samples",
@@ -370,14 +370,14 @@ impl Method for Srp {
         state.runtime.set_bounces(bounces.min(most));
         state.runtime.restart(exec)?;
         clock.stage(exec, "direct", |exec| state.runtime.light(exec, input.buffers, &params))?;
-        let factors = if tail && bounces > most {
-            state.runtime.update_with_tail(exec, clock)?
+        let handed_on = if tail && bounces > most {
+            Some(state.runtime.update_with_tail(exec, clock)?)
         } else {
             state.runtime.update(exec, most, clock)?;
-            [1.0; 3]
+            None
         };
         state.report["bounces"] = json!(bounces.min(most));
-        state.report["factors_of_later_bounces"] = json!(factors);
+        state.report["handed_on_by_later_bounces"] = json!(handed_on);
         let coefs: Vec<f32> = exec.read_slice(state.runtime.coefficients_buffer())?;
         state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count));
         state.beyond_order = beyond_order(&coefs, state.coefficient_count);

@@ -73,9 +73,9 @@ struct PartBuffers {
     words: BufferId,
 }
 
-/// Fewest bounces with a tail: the first, two to see what the loop hands on, and one that spreads it.
+/// Fewest bounces with a tail: three to see what the loop hands on, and one that spreads it.
 pub const TAIL_FROM: u32 = 4;
-/// Largest part of the light that a bounce is believed to hand on.
+/// Largest part of a change that a bounce is believed to hand on.
 const MOST_HANDED_ON: f64 = 0.999;
 
 /// A bake on an executor, with light.
@@ -358,12 +358,12 @@ impl SrpRuntime {
         Ok(count)
     }
 
-    /// [`SrpRuntime::update`] after [`SrpRuntime::restart`], all of it, with what bounces beyond the asked number would add: before
-    /// the last bounce, each colour's irradiance is scaled to what the loop settles at as a whole. Gives the factors; 1 for fewer
-    /// than [`TAIL_FROM`] bounces.
+    /// [`SrpRuntime::update`] after [`SrpRuntime::restart`], all of it, with what bounces beyond the asked number would add: what the
+    /// last but one changed is taken to go on falling as it did, and the last spreads it. Gives, for each colour, the part of
+    /// a change that the next bounce hands on; 0 for fewer than [`TAIL_FROM`] bounces.
     ///
-    /// One bounce makes `E' = M E + e`. It hands on `(E' − e) / E` of the sum of all receivers, and so that settles at
-    /// `e / (1 − (E' − e) / E)`. What is missing after many bounces is the loop's slowest mode, which is near that shape.
+    /// After many bounces what is missing is the loop's slowest mode (Aitken's extrapolation of it); where light has settled
+    /// nothing changes any more, and nothing is added.
     ///
     /// # Errors
     /// The executor's.
@@ -375,32 +375,28 @@ impl SrpRuntime {
         let count = self.pending;
         if count < TAIL_FROM {
             self.update(exec, count, clock)?;
-            return Ok([1.0; 3]);
+            return Ok([0.0; 3]);
         }
-        let mut sums_after = |bounces: u32| -> Result<[f64; 3], MethodError> {
+        let mut after = |bounces: u32| -> Result<Vec<f32>, MethodError> {
             self.update(exec, bounces, clock)?;
-            let planes: Vec<f32> = exec.read_slice(self.irradiance)?;
-            let sum = |c: usize| {
-                planes.chunks_exact(planes.len() / 3).nth(c).map_or(0.0, |p| p.iter().map(|x| f64::from(*x)).sum())
+            Ok(exec.read_slice(self.irradiance)?)
+        };
+        let [first, before, mut now] = [after(count - 3)?, after(1)?, after(1)?];
+        let length = now.len() / 3;
+        let mut handed_on = [0.0; 3];
+        for (c, part) in handed_on.iter_mut().enumerate() {
+            let colour = c * length..(c + 1) * length;
+            let change = |a: &[f32], b: &[f32]| -> f64 {
+                colour.clone().map(|i| (f64::from(b[i]) - f64::from(a[i])).abs()).sum()
             };
-            Ok([0, 1, 2].map(sum))
-        };
-        let [first, before, now] = [sums_after(1)?, sums_after(count - 3)?, sums_after(1)?];
-        let factor = |c: usize| {
-            let handed_on = ((now[c] - first[c]) / before[c]).min(MOST_HANDED_ON);
-            let factor = first[c] / (1.0 - handed_on) / now[c];
-            // A colour without light, or one that rings more than it shines.
-            if factor.is_finite() { factor.max(1.0) } else { 1.0 }
-        };
-        let factors = [0, 1, 2].map(factor);
-        let mut planes: Vec<f32> = exec.read_slice(self.irradiance)?;
-        let length = planes.len() / 3;
-        for (plane, factor) in planes.chunks_exact_mut(length).zip(factors) {
-            plane.iter_mut().for_each(|x| *x *= factor as f32);
+            let (last, this) = (change(&first, &before), change(&before, &now));
+            *part = if last > 0.0 { (this / last).min(MOST_HANDED_ON) } else { 0.0 };
+            let further = (*part / (1.0 - *part)) as f32;
+            colour.for_each(|i| now[i] += (now[i] - before[i]) * further);
         }
-        exec.write(self.irradiance, bytemuck::cast_slice(&planes))?;
+        exec.write(self.irradiance, bytemuck::cast_slice(&now))?;
         self.update(exec, 1, clock)?;
-        Ok(factors)
+        Ok(handed_on)
     }
 
     /// Bounces until one changes no receiver's irradiance by more than `change` of the mean, at most `most`. Gives the
