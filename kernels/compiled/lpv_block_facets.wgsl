@@ -60,33 +60,33 @@ var<storage, read_write> words: type_30;
 
 fn function_() {
     var phi_137_: vec3<f32>;
-    var phi_233_: bool;
-    var phi_235_: bool;
-    var phi_236_: bool;
-    var phi_237_: bool;
-    var phi_238_: bool;
-    var phi_239_: bool;
-    var phi_240_: bool;
-    var phi_241_: bool;
-    var phi_242_: bool;
+    var phi_271_: bool;
+    var phi_273_: bool;
+    var phi_274_: bool;
+    var phi_275_: bool;
+    var phi_276_: bool;
+    var phi_277_: bool;
+    var phi_278_: bool;
+    var phi_279_: bool;
+    var phi_280_: bool;
+    var phi_366_: bool;
+    var phi_368_: bool;
     var phi_369_: bool;
+    var phi_370_: bool;
     var phi_371_: bool;
     var phi_372_: bool;
     var phi_373_: bool;
     var phi_374_: bool;
     var phi_375_: bool;
-    var phi_376_: bool;
-    var phi_377_: bool;
-    var phi_378_: bool;
-    var phi_505_: bool;
-    var phi_507_: bool;
-    var phi_508_: bool;
-    var phi_509_: bool;
-    var phi_510_: bool;
-    var phi_511_: bool;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
+    var phi_461_: bool;
+    var phi_463_: bool;
+    var phi_464_: bool;
+    var phi_465_: bool;
+    var phi_466_: bool;
+    var phi_467_: bool;
+    var phi_468_: bool;
+    var phi_469_: bool;
+    var phi_470_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -120,190 +120,190 @@ fn function_() {
                 let _e103 = (((_e55[0] - _e72.x) / _e72.w) - (_e96.x * 0.015625f));
                 let _e104 = (((_e55[1] - _e72.y) / _e72.w) - (_e96.y * 0.015625f));
                 let _e105 = (((_e55[2] - _e72.z) / _e72.w) - (_e96.z * 0.015625f));
-                let _e107 = abs(_e67);
-                let _e110 = params.member.member_1;
-                let _e111 = floor((_e103 - 0.5f));
-                let _e119 = floor(_e104);
-                let _e127 = floor(_e105);
-                let _e138 = (select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < -2147483600f)), 2147483647i, (_e111 > 2147483500f)), (_e111 == _e111)) - _e110.x);
-                let _e139 = (select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < -2147483600f)), 2147483647i, (_e119 > 2147483500f)), (_e119 == _e119)) - _e110.y);
-                let _e140 = (select(0i, select(select(i32(_e127), i32(-2147483648), (_e127 < -2147483600f)), 2147483647i, (_e127 > 2147483500f)), (_e127 == _e127)) - _e110.z);
-                let _e145 = floor(((select(16f, _e107, (_e107 < 16f)) * 65536f) + 0.5f));
-                let _e150 = select(select(u32(_e145), 0u, (_e145 < 0f)), 4294967295u, (_e145 > 4294967000f));
-                let _e153 = params.member.member_2;
-                if (_e138 >= 0i) {
-                    if (_e139 >= 0i) {
-                        if (_e140 >= 0i) {
-                            if (_e138 < bitcast<i32>(_e153.x)) {
-                                let _e162 = (_e139 < bitcast<i32>(_e153.y));
-                                if _e162 {
-                                    phi_233_ = (_e140 < bitcast<i32>(_e153.z));
+                let _e108 = params.member.member_1;
+                let _e109 = floor(_e103);
+                let _e117 = floor(_e104);
+                let _e125 = floor(_e105);
+                let _e136 = (select(0i, select(select(i32(_e109), i32(-2147483648), (_e109 < -2147483600f)), 2147483647i, (_e109 > 2147483500f)), (_e109 == _e109)) - _e108.x);
+                let _e137 = (select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < -2147483600f)), 2147483647i, (_e117 > 2147483500f)), (_e117 == _e117)) - _e108.y);
+                let _e138 = (select(0i, select(select(i32(_e125), i32(-2147483648), (_e125 < -2147483600f)), 2147483647i, (_e125 > 2147483500f)), (_e125 == _e125)) - _e108.z);
+                let _e142 = floor((_e103 - 0.5f));
+                let _e150 = floor((_e104 - 0.5f));
+                let _e158 = floor((_e105 - 0.5f));
+                let _e166 = (select(0i, select(select(i32(_e142), i32(-2147483648), (_e142 < -2147483600f)), 2147483647i, (_e142 > 2147483500f)), (_e142 == _e142)) - _e108.x);
+                let _e167 = (select(0i, select(select(i32(_e150), i32(-2147483648), (_e150 < -2147483600f)), 2147483647i, (_e150 > 2147483500f)), (_e150 == _e150)) - _e108.y);
+                let _e168 = (select(0i, select(select(i32(_e158), i32(-2147483648), (_e158 < -2147483600f)), 2147483647i, (_e158 > 2147483500f)), (_e158 == _e158)) - _e108.z);
+                let _e169 = abs(_e67);
+                let _e174 = floor(((select(16f, _e169, (_e169 < 16f)) * 65536f) + 0.5f));
+                let _e179 = select(select(u32(_e174), 0u, (_e174 < 0f)), 4294967295u, (_e174 > 4294967000f));
+                let _e182 = params.member.member_2;
+                if (_e166 >= 0i) {
+                    if (_e137 >= 0i) {
+                        if (_e138 >= 0i) {
+                            if (_e166 < bitcast<i32>(_e182.x)) {
+                                let _e191 = (_e137 < bitcast<i32>(_e182.y));
+                                if _e191 {
+                                    phi_271_ = (_e138 < bitcast<i32>(_e182.z));
                                 } else {
-                                    phi_233_ = bool();
+                                    phi_271_ = bool();
                                 }
-                                let _e167 = phi_233_;
-                                phi_235_ = _e167;
-                                phi_236_ = select(true, false, _e162);
+                                let _e196 = phi_271_;
+                                phi_273_ = _e196;
+                                phi_274_ = select(true, false, _e191);
                             } else {
-                                phi_235_ = bool();
-                                phi_236_ = true;
+                                phi_273_ = bool();
+                                phi_274_ = true;
                             }
-                            let _e170 = phi_235_;
-                            let _e172 = phi_236_;
-                            phi_237_ = _e170;
-                            phi_238_ = _e172;
+                            let _e199 = phi_273_;
+                            let _e201 = phi_274_;
+                            phi_275_ = _e199;
+                            phi_276_ = _e201;
                         } else {
-                            phi_237_ = bool();
-                            phi_238_ = true;
+                            phi_275_ = bool();
+                            phi_276_ = true;
                         }
-                        let _e174 = phi_237_;
-                        let _e176 = phi_238_;
-                        phi_239_ = _e174;
-                        phi_240_ = _e176;
+                        let _e203 = phi_275_;
+                        let _e205 = phi_276_;
+                        phi_277_ = _e203;
+                        phi_278_ = _e205;
                     } else {
-                        phi_239_ = bool();
-                        phi_240_ = true;
+                        phi_277_ = bool();
+                        phi_278_ = true;
                     }
-                    let _e178 = phi_239_;
-                    let _e180 = phi_240_;
-                    phi_241_ = _e178;
-                    phi_242_ = _e180;
+                    let _e207 = phi_277_;
+                    let _e209 = phi_278_;
+                    phi_279_ = _e207;
+                    phi_280_ = _e209;
                 } else {
-                    phi_241_ = bool();
-                    phi_242_ = true;
+                    phi_279_ = bool();
+                    phi_280_ = true;
                 }
-                let _e182 = phi_241_;
-                let _e184 = phi_242_;
-                if select(_e182, false, _e184) {
-                    if (_e150 > 0u) {
-                        let _e188 = (_e153.x + 1u);
-                        let _e191 = ((_e153.y + 1u) * _e188);
-                        let _e200 = ((((_e191 + _e188) + bitcast<u32>(_e138)) + (bitcast<u32>(_e139) * _e188)) + (bitcast<u32>(_e140) * _e191));
-                        if (_e200 < _e34) {
+                let _e211 = phi_279_;
+                let _e213 = phi_280_;
+                if select(_e211, false, _e213) {
+                    if (_e179 > 0u) {
+                        let _e217 = (_e182.x + 1u);
+                        let _e220 = ((_e182.y + 1u) * _e217);
+                        let _e229 = ((((_e220 + _e217) + bitcast<u32>(_e166)) + (bitcast<u32>(_e137) * _e217)) + (bitcast<u32>(_e138) * _e220));
+                        if (_e229 < _e34) {
                         } else {
                             break;
                         }
-                        let _e204 = atomicAdd((&words.member[_e200]), _e150);
+                        let _e233 = atomicAdd((&words.member[_e229]), _e179);
                     }
                 }
-                let _e206 = abs(_e68);
-                let _e207 = floor(_e103);
-                let _e215 = floor((_e104 - 0.5f));
-                let _e223 = (select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < -2147483600f)), 2147483647i, (_e207 > 2147483500f)), (_e207 == _e207)) - _e110.x);
-                let _e224 = (select(0i, select(select(i32(_e215), i32(-2147483648), (_e215 < -2147483600f)), 2147483647i, (_e215 > 2147483500f)), (_e215 == _e215)) - _e110.y);
-                let _e229 = floor(((select(16f, _e206, (_e206 < 16f)) * 65536f) + 0.5f));
-                let _e234 = select(select(u32(_e229), 0u, (_e229 < 0f)), 4294967295u, (_e229 > 4294967000f));
-                let _e235 = (_e223 >= 0i);
-                if _e235 {
-                    if (_e224 >= 0i) {
-                        if (_e140 >= 0i) {
-                            if (_e223 < bitcast<i32>(_e153.x)) {
-                                let _e243 = (_e224 < bitcast<i32>(_e153.y));
-                                if _e243 {
-                                    phi_369_ = (_e140 < bitcast<i32>(_e153.z));
+                let _e234 = abs(_e68);
+                let _e239 = floor(((select(16f, _e234, (_e234 < 16f)) * 65536f) + 0.5f));
+                let _e244 = select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f));
+                let _e245 = (_e136 >= 0i);
+                if _e245 {
+                    if (_e167 >= 0i) {
+                        if (_e138 >= 0i) {
+                            if (_e136 < bitcast<i32>(_e182.x)) {
+                                let _e253 = (_e167 < bitcast<i32>(_e182.y));
+                                if _e253 {
+                                    phi_366_ = (_e138 < bitcast<i32>(_e182.z));
                                 } else {
-                                    phi_369_ = bool();
+                                    phi_366_ = bool();
                                 }
-                                let _e248 = phi_369_;
-                                phi_371_ = _e248;
-                                phi_372_ = select(true, false, _e243);
+                                let _e258 = phi_366_;
+                                phi_368_ = _e258;
+                                phi_369_ = select(true, false, _e253);
                             } else {
-                                phi_371_ = bool();
-                                phi_372_ = true;
+                                phi_368_ = bool();
+                                phi_369_ = true;
                             }
-                            let _e251 = phi_371_;
-                            let _e253 = phi_372_;
-                            phi_373_ = _e251;
-                            phi_374_ = _e253;
+                            let _e261 = phi_368_;
+                            let _e263 = phi_369_;
+                            phi_370_ = _e261;
+                            phi_371_ = _e263;
                         } else {
-                            phi_373_ = bool();
-                            phi_374_ = true;
+                            phi_370_ = bool();
+                            phi_371_ = true;
                         }
-                        let _e255 = phi_373_;
-                        let _e257 = phi_374_;
-                        phi_375_ = _e255;
-                        phi_376_ = _e257;
+                        let _e265 = phi_370_;
+                        let _e267 = phi_371_;
+                        phi_372_ = _e265;
+                        phi_373_ = _e267;
                     } else {
-                        phi_375_ = bool();
-                        phi_376_ = true;
+                        phi_372_ = bool();
+                        phi_373_ = true;
                     }
-                    let _e259 = phi_375_;
-                    let _e261 = phi_376_;
-                    phi_377_ = _e259;
-                    phi_378_ = _e261;
+                    let _e269 = phi_372_;
+                    let _e271 = phi_373_;
+                    phi_374_ = _e269;
+                    phi_375_ = _e271;
                 } else {
-                    phi_377_ = bool();
-                    phi_378_ = true;
+                    phi_374_ = bool();
+                    phi_375_ = true;
                 }
-                let _e263 = phi_377_;
-                let _e265 = phi_378_;
-                if select(_e263, false, _e265) {
-                    if (_e234 > 0u) {
-                        let _e269 = (_e153.x + 1u);
-                        let _e272 = ((_e153.y + 1u) * _e269);
-                        let _e273 = (_e272 + _e269);
-                        let _e286 = ((_e273 + ((_e153.z + 1u) * _e272)) + (((_e273 + bitcast<u32>(_e223)) + (bitcast<u32>(_e224) * _e269)) + (bitcast<u32>(_e140) * _e272)));
-                        if (_e286 < _e34) {
+                let _e273 = phi_374_;
+                let _e275 = phi_375_;
+                if select(_e273, false, _e275) {
+                    if (_e244 > 0u) {
+                        let _e279 = (_e182.x + 1u);
+                        let _e282 = ((_e182.y + 1u) * _e279);
+                        let _e283 = (_e282 + _e279);
+                        let _e296 = ((_e283 + ((_e182.z + 1u) * _e282)) + (((_e283 + bitcast<u32>(_e136)) + (bitcast<u32>(_e167) * _e279)) + (bitcast<u32>(_e138) * _e282)));
+                        if (_e296 < _e34) {
                         } else {
                             break;
                         }
-                        let _e290 = atomicAdd((&words.member[_e286]), _e234);
+                        let _e300 = atomicAdd((&words.member[_e296]), _e244);
                     }
                 }
-                let _e292 = abs(_e69);
-                let _e293 = floor((_e105 - 0.5f));
-                let _e301 = (select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < -2147483600f)), 2147483647i, (_e293 > 2147483500f)), (_e293 == _e293)) - _e110.z);
-                let _e306 = floor(((select(16f, _e292, (_e292 < 16f)) * 65536f) + 0.5f));
+                let _e301 = abs(_e69);
+                let _e306 = floor(((select(16f, _e301, (_e301 < 16f)) * 65536f) + 0.5f));
                 let _e311 = select(select(u32(_e306), 0u, (_e306 < 0f)), 4294967295u, (_e306 > 4294967000f));
-                if _e235 {
-                    if (_e139 >= 0i) {
-                        if (_e301 >= 0i) {
-                            if (_e223 < bitcast<i32>(_e153.x)) {
-                                let _e319 = (_e139 < bitcast<i32>(_e153.y));
+                if _e245 {
+                    if (_e137 >= 0i) {
+                        if (_e168 >= 0i) {
+                            if (_e136 < bitcast<i32>(_e182.x)) {
+                                let _e319 = (_e137 < bitcast<i32>(_e182.y));
                                 if _e319 {
-                                    phi_505_ = (_e301 < bitcast<i32>(_e153.z));
+                                    phi_461_ = (_e168 < bitcast<i32>(_e182.z));
                                 } else {
-                                    phi_505_ = bool();
+                                    phi_461_ = bool();
                                 }
-                                let _e324 = phi_505_;
-                                phi_507_ = _e324;
-                                phi_508_ = select(true, false, _e319);
+                                let _e324 = phi_461_;
+                                phi_463_ = _e324;
+                                phi_464_ = select(true, false, _e319);
                             } else {
-                                phi_507_ = bool();
-                                phi_508_ = true;
+                                phi_463_ = bool();
+                                phi_464_ = true;
                             }
-                            let _e327 = phi_507_;
-                            let _e329 = phi_508_;
-                            phi_509_ = _e327;
-                            phi_510_ = _e329;
+                            let _e327 = phi_463_;
+                            let _e329 = phi_464_;
+                            phi_465_ = _e327;
+                            phi_466_ = _e329;
                         } else {
-                            phi_509_ = bool();
-                            phi_510_ = true;
+                            phi_465_ = bool();
+                            phi_466_ = true;
                         }
-                        let _e331 = phi_509_;
-                        let _e333 = phi_510_;
-                        phi_511_ = _e331;
-                        phi_512_ = _e333;
+                        let _e331 = phi_465_;
+                        let _e333 = phi_466_;
+                        phi_467_ = _e331;
+                        phi_468_ = _e333;
                     } else {
-                        phi_511_ = bool();
-                        phi_512_ = true;
+                        phi_467_ = bool();
+                        phi_468_ = true;
                     }
-                    let _e335 = phi_511_;
-                    let _e337 = phi_512_;
-                    phi_513_ = _e335;
-                    phi_514_ = _e337;
+                    let _e335 = phi_467_;
+                    let _e337 = phi_468_;
+                    phi_469_ = _e335;
+                    phi_470_ = _e337;
                 } else {
-                    phi_513_ = bool();
-                    phi_514_ = true;
+                    phi_469_ = bool();
+                    phi_470_ = true;
                 }
-                let _e339 = phi_513_;
-                let _e341 = phi_514_;
+                let _e339 = phi_469_;
+                let _e341 = phi_470_;
                 if select(_e339, false, _e341) {
                     if (_e311 > 0u) {
-                        let _e345 = (_e153.x + 1u);
-                        let _e348 = ((_e153.y + 1u) * _e345);
+                        let _e345 = (_e182.x + 1u);
+                        let _e348 = ((_e182.y + 1u) * _e345);
                         let _e349 = (_e348 + _e345);
-                        let _e363 = ((2u * (_e349 + ((_e153.z + 1u) * _e348))) + (((_e349 + bitcast<u32>(_e223)) + (bitcast<u32>(_e139) * _e345)) + (bitcast<u32>(_e301) * _e348)));
+                        let _e363 = ((2u * (_e349 + ((_e182.z + 1u) * _e348))) + (((_e349 + bitcast<u32>(_e136)) + (bitcast<u32>(_e137) * _e345)) + (bitcast<u32>(_e168) * _e348)));
                         if (_e363 < _e34) {
                         } else {
                             break;

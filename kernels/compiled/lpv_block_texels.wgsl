@@ -60,33 +60,33 @@ var<storage> texels: type_18;
 
 fn function_() {
     var phi_150_: vec3<f32>;
-    var phi_246_: bool;
-    var phi_248_: bool;
-    var phi_249_: bool;
-    var phi_250_: bool;
-    var phi_251_: bool;
-    var phi_252_: bool;
-    var phi_253_: bool;
-    var phi_254_: bool;
-    var phi_255_: bool;
+    var phi_284_: bool;
+    var phi_286_: bool;
+    var phi_287_: bool;
+    var phi_288_: bool;
+    var phi_289_: bool;
+    var phi_290_: bool;
+    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_293_: bool;
+    var phi_379_: bool;
+    var phi_381_: bool;
     var phi_382_: bool;
+    var phi_383_: bool;
     var phi_384_: bool;
     var phi_385_: bool;
     var phi_386_: bool;
     var phi_387_: bool;
     var phi_388_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_518_: bool;
-    var phi_520_: bool;
-    var phi_521_: bool;
-    var phi_522_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_526_: bool;
-    var phi_527_: bool;
+    var phi_474_: bool;
+    var phi_476_: bool;
+    var phi_477_: bool;
+    var phi_478_: bool;
+    var phi_479_: bool;
+    var phi_480_: bool;
+    var phi_481_: bool;
+    var phi_482_: bool;
+    var phi_483_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -122,190 +122,190 @@ fn function_() {
                     let _e110 = (((_e61[0] - _e79.x) / _e79.w) - (_e103.x * 0.015625f));
                     let _e111 = (((_e61[1] - _e79.y) / _e79.w) - (_e103.y * 0.015625f));
                     let _e112 = (((_e61[2] - _e79.z) / _e79.w) - (_e103.z * 0.015625f));
-                    let _e114 = abs(_e74);
-                    let _e117 = params.member.member_1;
-                    let _e118 = floor((_e110 - 0.5f));
-                    let _e126 = floor(_e111);
-                    let _e134 = floor(_e112);
-                    let _e145 = (select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)) - _e117.x);
-                    let _e146 = (select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < -2147483600f)), 2147483647i, (_e126 > 2147483500f)), (_e126 == _e126)) - _e117.y);
-                    let _e147 = (select(0i, select(select(i32(_e134), i32(-2147483648), (_e134 < -2147483600f)), 2147483647i, (_e134 > 2147483500f)), (_e134 == _e134)) - _e117.z);
-                    let _e152 = floor(((select(16f, _e114, (_e114 < 16f)) * 65536f) + 0.5f));
-                    let _e157 = select(select(u32(_e152), 0u, (_e152 < 0f)), 4294967295u, (_e152 > 4294967000f));
-                    let _e160 = params.member.member_2;
-                    if (_e145 >= 0i) {
-                        if (_e146 >= 0i) {
-                            if (_e147 >= 0i) {
-                                if (_e145 < bitcast<i32>(_e160.x)) {
-                                    let _e169 = (_e146 < bitcast<i32>(_e160.y));
-                                    if _e169 {
-                                        phi_246_ = (_e147 < bitcast<i32>(_e160.z));
+                    let _e115 = params.member.member_1;
+                    let _e116 = floor(_e110);
+                    let _e124 = floor(_e111);
+                    let _e132 = floor(_e112);
+                    let _e143 = (select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < -2147483600f)), 2147483647i, (_e116 > 2147483500f)), (_e116 == _e116)) - _e115.x);
+                    let _e144 = (select(0i, select(select(i32(_e124), i32(-2147483648), (_e124 < -2147483600f)), 2147483647i, (_e124 > 2147483500f)), (_e124 == _e124)) - _e115.y);
+                    let _e145 = (select(0i, select(select(i32(_e132), i32(-2147483648), (_e132 < -2147483600f)), 2147483647i, (_e132 > 2147483500f)), (_e132 == _e132)) - _e115.z);
+                    let _e149 = floor((_e110 - 0.5f));
+                    let _e157 = floor((_e111 - 0.5f));
+                    let _e165 = floor((_e112 - 0.5f));
+                    let _e173 = (select(0i, select(select(i32(_e149), i32(-2147483648), (_e149 < -2147483600f)), 2147483647i, (_e149 > 2147483500f)), (_e149 == _e149)) - _e115.x);
+                    let _e174 = (select(0i, select(select(i32(_e157), i32(-2147483648), (_e157 < -2147483600f)), 2147483647i, (_e157 > 2147483500f)), (_e157 == _e157)) - _e115.y);
+                    let _e175 = (select(0i, select(select(i32(_e165), i32(-2147483648), (_e165 < -2147483600f)), 2147483647i, (_e165 > 2147483500f)), (_e165 == _e165)) - _e115.z);
+                    let _e176 = abs(_e74);
+                    let _e181 = floor(((select(16f, _e176, (_e176 < 16f)) * 65536f) + 0.5f));
+                    let _e186 = select(select(u32(_e181), 0u, (_e181 < 0f)), 4294967295u, (_e181 > 4294967000f));
+                    let _e189 = params.member.member_2;
+                    if (_e173 >= 0i) {
+                        if (_e144 >= 0i) {
+                            if (_e145 >= 0i) {
+                                if (_e173 < bitcast<i32>(_e189.x)) {
+                                    let _e198 = (_e144 < bitcast<i32>(_e189.y));
+                                    if _e198 {
+                                        phi_284_ = (_e145 < bitcast<i32>(_e189.z));
                                     } else {
-                                        phi_246_ = bool();
+                                        phi_284_ = bool();
                                     }
-                                    let _e174 = phi_246_;
-                                    phi_248_ = _e174;
-                                    phi_249_ = select(true, false, _e169);
+                                    let _e203 = phi_284_;
+                                    phi_286_ = _e203;
+                                    phi_287_ = select(true, false, _e198);
                                 } else {
-                                    phi_248_ = bool();
-                                    phi_249_ = true;
+                                    phi_286_ = bool();
+                                    phi_287_ = true;
                                 }
-                                let _e177 = phi_248_;
-                                let _e179 = phi_249_;
-                                phi_250_ = _e177;
-                                phi_251_ = _e179;
+                                let _e206 = phi_286_;
+                                let _e208 = phi_287_;
+                                phi_288_ = _e206;
+                                phi_289_ = _e208;
                             } else {
-                                phi_250_ = bool();
-                                phi_251_ = true;
+                                phi_288_ = bool();
+                                phi_289_ = true;
                             }
-                            let _e181 = phi_250_;
-                            let _e183 = phi_251_;
-                            phi_252_ = _e181;
-                            phi_253_ = _e183;
+                            let _e210 = phi_288_;
+                            let _e212 = phi_289_;
+                            phi_290_ = _e210;
+                            phi_291_ = _e212;
                         } else {
-                            phi_252_ = bool();
-                            phi_253_ = true;
+                            phi_290_ = bool();
+                            phi_291_ = true;
                         }
-                        let _e185 = phi_252_;
-                        let _e187 = phi_253_;
-                        phi_254_ = _e185;
-                        phi_255_ = _e187;
+                        let _e214 = phi_290_;
+                        let _e216 = phi_291_;
+                        phi_292_ = _e214;
+                        phi_293_ = _e216;
                     } else {
-                        phi_254_ = bool();
-                        phi_255_ = true;
+                        phi_292_ = bool();
+                        phi_293_ = true;
                     }
-                    let _e189 = phi_254_;
-                    let _e191 = phi_255_;
-                    if select(_e189, false, _e191) {
-                        if (_e157 > 0u) {
-                            let _e195 = (_e160.x + 1u);
-                            let _e198 = ((_e160.y + 1u) * _e195);
-                            let _e207 = ((((_e198 + _e195) + bitcast<u32>(_e145)) + (bitcast<u32>(_e146) * _e195)) + (bitcast<u32>(_e147) * _e198));
-                            if (_e207 < _e33) {
+                    let _e218 = phi_292_;
+                    let _e220 = phi_293_;
+                    if select(_e218, false, _e220) {
+                        if (_e186 > 0u) {
+                            let _e224 = (_e189.x + 1u);
+                            let _e227 = ((_e189.y + 1u) * _e224);
+                            let _e236 = ((((_e227 + _e224) + bitcast<u32>(_e173)) + (bitcast<u32>(_e144) * _e224)) + (bitcast<u32>(_e145) * _e227));
+                            if (_e236 < _e33) {
                             } else {
                                 break;
                             }
-                            let _e211 = atomicAdd((&words.member[_e207]), _e157);
+                            let _e240 = atomicAdd((&words.member[_e236]), _e186);
                         }
                     }
-                    let _e213 = abs(_e75);
-                    let _e214 = floor(_e110);
-                    let _e222 = floor((_e111 - 0.5f));
-                    let _e230 = (select(0i, select(select(i32(_e214), i32(-2147483648), (_e214 < -2147483600f)), 2147483647i, (_e214 > 2147483500f)), (_e214 == _e214)) - _e117.x);
-                    let _e231 = (select(0i, select(select(i32(_e222), i32(-2147483648), (_e222 < -2147483600f)), 2147483647i, (_e222 > 2147483500f)), (_e222 == _e222)) - _e117.y);
-                    let _e236 = floor(((select(16f, _e213, (_e213 < 16f)) * 65536f) + 0.5f));
-                    let _e241 = select(select(u32(_e236), 0u, (_e236 < 0f)), 4294967295u, (_e236 > 4294967000f));
-                    let _e242 = (_e230 >= 0i);
-                    if _e242 {
-                        if (_e231 >= 0i) {
-                            if (_e147 >= 0i) {
-                                if (_e230 < bitcast<i32>(_e160.x)) {
-                                    let _e250 = (_e231 < bitcast<i32>(_e160.y));
-                                    if _e250 {
-                                        phi_382_ = (_e147 < bitcast<i32>(_e160.z));
+                    let _e241 = abs(_e75);
+                    let _e246 = floor(((select(16f, _e241, (_e241 < 16f)) * 65536f) + 0.5f));
+                    let _e251 = select(select(u32(_e246), 0u, (_e246 < 0f)), 4294967295u, (_e246 > 4294967000f));
+                    let _e252 = (_e143 >= 0i);
+                    if _e252 {
+                        if (_e174 >= 0i) {
+                            if (_e145 >= 0i) {
+                                if (_e143 < bitcast<i32>(_e189.x)) {
+                                    let _e260 = (_e174 < bitcast<i32>(_e189.y));
+                                    if _e260 {
+                                        phi_379_ = (_e145 < bitcast<i32>(_e189.z));
                                     } else {
-                                        phi_382_ = bool();
+                                        phi_379_ = bool();
                                     }
-                                    let _e255 = phi_382_;
-                                    phi_384_ = _e255;
-                                    phi_385_ = select(true, false, _e250);
+                                    let _e265 = phi_379_;
+                                    phi_381_ = _e265;
+                                    phi_382_ = select(true, false, _e260);
                                 } else {
-                                    phi_384_ = bool();
-                                    phi_385_ = true;
+                                    phi_381_ = bool();
+                                    phi_382_ = true;
                                 }
-                                let _e258 = phi_384_;
-                                let _e260 = phi_385_;
-                                phi_386_ = _e258;
-                                phi_387_ = _e260;
+                                let _e268 = phi_381_;
+                                let _e270 = phi_382_;
+                                phi_383_ = _e268;
+                                phi_384_ = _e270;
                             } else {
-                                phi_386_ = bool();
-                                phi_387_ = true;
+                                phi_383_ = bool();
+                                phi_384_ = true;
                             }
-                            let _e262 = phi_386_;
-                            let _e264 = phi_387_;
-                            phi_388_ = _e262;
-                            phi_389_ = _e264;
+                            let _e272 = phi_383_;
+                            let _e274 = phi_384_;
+                            phi_385_ = _e272;
+                            phi_386_ = _e274;
                         } else {
-                            phi_388_ = bool();
-                            phi_389_ = true;
+                            phi_385_ = bool();
+                            phi_386_ = true;
                         }
-                        let _e266 = phi_388_;
-                        let _e268 = phi_389_;
-                        phi_390_ = _e266;
-                        phi_391_ = _e268;
+                        let _e276 = phi_385_;
+                        let _e278 = phi_386_;
+                        phi_387_ = _e276;
+                        phi_388_ = _e278;
                     } else {
-                        phi_390_ = bool();
-                        phi_391_ = true;
+                        phi_387_ = bool();
+                        phi_388_ = true;
                     }
-                    let _e270 = phi_390_;
-                    let _e272 = phi_391_;
-                    if select(_e270, false, _e272) {
-                        if (_e241 > 0u) {
-                            let _e276 = (_e160.x + 1u);
-                            let _e279 = ((_e160.y + 1u) * _e276);
-                            let _e280 = (_e279 + _e276);
-                            let _e293 = ((_e280 + ((_e160.z + 1u) * _e279)) + (((_e280 + bitcast<u32>(_e230)) + (bitcast<u32>(_e231) * _e276)) + (bitcast<u32>(_e147) * _e279)));
-                            if (_e293 < _e33) {
+                    let _e280 = phi_387_;
+                    let _e282 = phi_388_;
+                    if select(_e280, false, _e282) {
+                        if (_e251 > 0u) {
+                            let _e286 = (_e189.x + 1u);
+                            let _e289 = ((_e189.y + 1u) * _e286);
+                            let _e290 = (_e289 + _e286);
+                            let _e303 = ((_e290 + ((_e189.z + 1u) * _e289)) + (((_e290 + bitcast<u32>(_e143)) + (bitcast<u32>(_e174) * _e286)) + (bitcast<u32>(_e145) * _e289)));
+                            if (_e303 < _e33) {
                             } else {
                                 break;
                             }
-                            let _e297 = atomicAdd((&words.member[_e293]), _e241);
+                            let _e307 = atomicAdd((&words.member[_e303]), _e251);
                         }
                     }
-                    let _e299 = abs(_e76);
-                    let _e300 = floor((_e112 - 0.5f));
-                    let _e308 = (select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < -2147483600f)), 2147483647i, (_e300 > 2147483500f)), (_e300 == _e300)) - _e117.z);
-                    let _e313 = floor(((select(16f, _e299, (_e299 < 16f)) * 65536f) + 0.5f));
+                    let _e308 = abs(_e76);
+                    let _e313 = floor(((select(16f, _e308, (_e308 < 16f)) * 65536f) + 0.5f));
                     let _e318 = select(select(u32(_e313), 0u, (_e313 < 0f)), 4294967295u, (_e313 > 4294967000f));
-                    if _e242 {
-                        if (_e146 >= 0i) {
-                            if (_e308 >= 0i) {
-                                if (_e230 < bitcast<i32>(_e160.x)) {
-                                    let _e326 = (_e146 < bitcast<i32>(_e160.y));
+                    if _e252 {
+                        if (_e144 >= 0i) {
+                            if (_e175 >= 0i) {
+                                if (_e143 < bitcast<i32>(_e189.x)) {
+                                    let _e326 = (_e144 < bitcast<i32>(_e189.y));
                                     if _e326 {
-                                        phi_518_ = (_e308 < bitcast<i32>(_e160.z));
+                                        phi_474_ = (_e175 < bitcast<i32>(_e189.z));
                                     } else {
-                                        phi_518_ = bool();
+                                        phi_474_ = bool();
                                     }
-                                    let _e331 = phi_518_;
-                                    phi_520_ = _e331;
-                                    phi_521_ = select(true, false, _e326);
+                                    let _e331 = phi_474_;
+                                    phi_476_ = _e331;
+                                    phi_477_ = select(true, false, _e326);
                                 } else {
-                                    phi_520_ = bool();
-                                    phi_521_ = true;
+                                    phi_476_ = bool();
+                                    phi_477_ = true;
                                 }
-                                let _e334 = phi_520_;
-                                let _e336 = phi_521_;
-                                phi_522_ = _e334;
-                                phi_523_ = _e336;
+                                let _e334 = phi_476_;
+                                let _e336 = phi_477_;
+                                phi_478_ = _e334;
+                                phi_479_ = _e336;
                             } else {
-                                phi_522_ = bool();
-                                phi_523_ = true;
+                                phi_478_ = bool();
+                                phi_479_ = true;
                             }
-                            let _e338 = phi_522_;
-                            let _e340 = phi_523_;
-                            phi_524_ = _e338;
-                            phi_525_ = _e340;
+                            let _e338 = phi_478_;
+                            let _e340 = phi_479_;
+                            phi_480_ = _e338;
+                            phi_481_ = _e340;
                         } else {
-                            phi_524_ = bool();
-                            phi_525_ = true;
+                            phi_480_ = bool();
+                            phi_481_ = true;
                         }
-                        let _e342 = phi_524_;
-                        let _e344 = phi_525_;
-                        phi_526_ = _e342;
-                        phi_527_ = _e344;
+                        let _e342 = phi_480_;
+                        let _e344 = phi_481_;
+                        phi_482_ = _e342;
+                        phi_483_ = _e344;
                     } else {
-                        phi_526_ = bool();
-                        phi_527_ = true;
+                        phi_482_ = bool();
+                        phi_483_ = true;
                     }
-                    let _e346 = phi_526_;
-                    let _e348 = phi_527_;
+                    let _e346 = phi_482_;
+                    let _e348 = phi_483_;
                     if select(_e346, false, _e348) {
                         if (_e318 > 0u) {
-                            let _e352 = (_e160.x + 1u);
-                            let _e355 = ((_e160.y + 1u) * _e352);
+                            let _e352 = (_e189.x + 1u);
+                            let _e355 = ((_e189.y + 1u) * _e352);
                             let _e356 = (_e355 + _e352);
-                            let _e370 = ((2u * (_e356 + ((_e160.z + 1u) * _e355))) + (((_e356 + bitcast<u32>(_e230)) + (bitcast<u32>(_e146) * _e352)) + (bitcast<u32>(_e308) * _e355)));
+                            let _e370 = ((2u * (_e356 + ((_e189.z + 1u) * _e355))) + (((_e356 + bitcast<u32>(_e143)) + (bitcast<u32>(_e144) * _e352)) + (bitcast<u32>(_e175) * _e355)));
                             if (_e370 < _e33) {
                             } else {
                                 break;

@@ -172,13 +172,13 @@ fn function_() {
     var local_1: array<f32, 64>;
     var local_2: array<f32, 3>;
     var local_3: array<f32, 3>;
-    var phi_1215_: f32;
-    var phi_1229_: u32;
-    var phi_1232_: u32;
-    var phi_1256_: u32;
-    var phi_1230_: u32;
-    var phi_1233_: u32;
-    var phi_5249_: bool;
+    var phi_1223_: f32;
+    var phi_1237_: u32;
+    var phi_1240_: u32;
+    var phi_1264_: u32;
+    var phi_1238_: u32;
+    var phi_1241_: u32;
+    var phi_5664_: bool;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
@@ -186,2304 +186,2523 @@ fn function_() {
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_1351_: vec3<f32>;
-    var phi_1353_: vec3<f32>;
-    var phi_1354_: bool;
-    var phi_1405_: vec2<f32>;
-    var phi_4461_: f32;
-    var phi_4469_: f32;
-    var phi_1486_: vec2<f32>;
-    var phi_1487_: bool;
-    var phi_1617_: f32;
+    var phi_1359_: vec3<f32>;
+    var phi_1361_: vec3<f32>;
+    var phi_1362_: bool;
+    var phi_1413_: vec2<f32>;
+    var phi_4876_: f32;
+    var phi_4884_: f32;
+    var phi_1494_: vec2<f32>;
+    var phi_1495_: bool;
     var phi_1625_: f32;
-    var phi_1551_: f32;
+    var phi_1633_: f32;
     var phi_1559_: f32;
-    var phi_1629_: vec2<f32>;
-    var phi_1630_: vec2<f32>;
-    var phi_1755_: f32;
-    var phi_5273_: bool;
-    var phi_1786_: type_59;
-    var phi_1021_: f32;
+    var phi_1567_: f32;
+    var phi_1637_: vec2<f32>;
+    var phi_1638_: vec2<f32>;
+    var phi_1763_: f32;
+    var phi_5688_: bool;
+    var phi_1794_: type_59;
     var phi_1029_: f32;
-    var phi_5272_: bool;
-    var phi_1787_: type_59;
-    var phi_756_: vec3<f32>;
-    var phi_800_: vec3<f32>;
-    var phi_844_: vec3<f32>;
-    var phi_888_: vec3<f32>;
-    var phi_4550_: f32;
-    var phi_4558_: f32;
-    var phi_4573_: f32;
-    var phi_4579_: f32;
-    var phi_4587_: f32;
-    var phi_4676_: f32;
-    var phi_4684_: f32;
-    var phi_4699_: f32;
-    var phi_4705_: f32;
-    var phi_4713_: f32;
-    var phi_4802_: f32;
-    var phi_4810_: f32;
-    var phi_4825_: f32;
-    var phi_4831_: f32;
-    var phi_4839_: f32;
-    var phi_4928_: f32;
-    var phi_4936_: f32;
-    var phi_4951_: f32;
-    var phi_4957_: f32;
+    var phi_1037_: f32;
+    var phi_5687_: bool;
+    var phi_1795_: type_59;
+    var phi_764_: vec3<f32>;
+    var phi_808_: vec3<f32>;
+    var phi_852_: vec3<f32>;
+    var phi_896_: vec3<f32>;
     var phi_4965_: f32;
-    var phi_900_: f32;
-    var phi_945_: vec3<f32>;
-    var phi_5271_: bool;
-    var phi_1788_: type_59;
-    var phi_4981_: f32;
-    var phi_4989_: f32;
-    var phi_405_: f32;
+    var phi_4973_: f32;
+    var phi_4988_: f32;
+    var phi_4994_: f32;
+    var phi_5002_: f32;
+    var phi_5091_: f32;
+    var phi_5099_: f32;
+    var phi_5114_: f32;
+    var phi_5120_: f32;
+    var phi_5128_: f32;
+    var phi_5217_: f32;
+    var phi_5225_: f32;
+    var phi_5240_: f32;
+    var phi_5246_: f32;
+    var phi_5254_: f32;
+    var phi_5343_: f32;
+    var phi_5351_: f32;
+    var phi_5366_: f32;
+    var phi_5372_: f32;
+    var phi_5380_: f32;
+    var phi_908_: f32;
+    var phi_953_: vec3<f32>;
+    var phi_5686_: bool;
+    var phi_1796_: type_59;
+    var phi_5396_: f32;
+    var phi_5404_: f32;
     var phi_413_: f32;
-    var phi_474_: vec2<f32>;
-    var phi_475_: bool;
-    var phi_605_: f32;
+    var phi_421_: f32;
+    var phi_482_: vec2<f32>;
+    var phi_483_: bool;
     var phi_613_: f32;
-    var phi_539_: f32;
+    var phi_621_: f32;
     var phi_547_: f32;
-    var phi_617_: vec2<f32>;
-    var phi_618_: vec2<f32>;
-    var phi_5270_: bool;
-    var phi_1789_: type_59;
-    var phi_1809_: bool;
-    var phi_1819_: u32;
-    var phi_1822_: bool;
-    var phi_1833_: u32;
-    var phi_1986_: f32;
+    var phi_555_: f32;
+    var phi_625_: vec2<f32>;
+    var phi_626_: vec2<f32>;
+    var phi_5685_: bool;
+    var phi_1797_: type_59;
+    var phi_1817_: bool;
+    var phi_1827_: u32;
+    var phi_1830_: bool;
+    var phi_1841_: u32;
     var phi_1994_: f32;
     var phi_2002_: f32;
-    var phi_5258_: bool;
-    var phi_2006_: u32;
-    var phi_2009_: u32;
-    var phi_2011_: type_64;
-    var phi_2504_: type_12;
-    var phi_2507_: type_64;
-    var phi_2505_: type_12;
-    var phi_2530_: type_12;
-    var phi_2646_: f32;
-    var phi_2657_: f32;
-    var phi_2668_: f32;
-    var phi_2683_: f32;
-    var phi_2684_: f32;
-    var phi_2685_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: bool;
-    var phi_2706_: f32;
-    var phi_2707_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2715_: f32;
-    var phi_2716_: bool;
-    var phi_2802_: array<f32, 3>;
-    var phi_2803_: array<f32, 3>;
-    var phi_2804_: array<f32, 3>;
-    var phi_2805_: array<f32, 3>;
-    var phi_2806_: bool;
-    var phi_2807_: array<f32, 3>;
-    var phi_2808_: array<f32, 3>;
-    var phi_2809_: bool;
-    var phi_2810_: bool;
+    var phi_2010_: f32;
+    var phi_5673_: bool;
+    var phi_2014_: u32;
+    var phi_2017_: u32;
+    var phi_2019_: type_64;
+    var phi_2512_: type_12;
+    var phi_2515_: type_64;
+    var phi_2513_: type_12;
+    var phi_2538_: type_12;
+    var phi_2654_: f32;
+    var phi_2665_: f32;
+    var phi_2676_: f32;
+    var phi_2691_: f32;
+    var phi_2692_: f32;
+    var phi_2693_: bool;
+    var phi_2694_: f32;
+    var phi_2695_: bool;
+    var phi_2714_: f32;
+    var phi_2715_: bool;
+    var phi_2716_: f32;
+    var phi_2717_: bool;
+    var phi_2718_: bool;
+    var phi_2723_: f32;
+    var phi_2724_: bool;
+    var phi_2810_: array<f32, 3>;
+    var phi_2811_: array<f32, 3>;
+    var phi_2812_: array<f32, 3>;
+    var phi_2813_: array<f32, 3>;
+    var phi_2814_: bool;
     var phi_2815_: array<f32, 3>;
-    var phi_2820_: array<f32, 3>;
-    var phi_3032_: u32;
-    var phi_3038_: u32;
-    var phi_3068_: u32;
-    var phi_3074_: u32;
-    var phi_3149_: bool;
-    var phi_3154_: bool;
-    var phi_3159_: type_64;
-    var phi_3161_: type_64;
-    var phi_3163_: bool;
-    var phi_3164_: type_64;
-    var phi_3166_: bool;
-    var phi_3167_: bool;
-    var phi_3168_: type_64;
-    var phi_3169_: bool;
-    var phi_3170_: bool;
-    var phi_3171_: bool;
-    var phi_3184_: type_64;
-    var phi_2508_: type_64;
-    var phi_5254_: bool;
-    var phi_2393_: type_65;
-    var phi_2404_: type_65;
-    var phi_2415_: type_65;
-    var phi_2426_: type_65;
-    var phi_2437_: type_65;
-    var phi_2459_: u32;
-    var phi_2477_: u32;
-    var phi_2495_: u32;
-    var phi_5403_: bool;
-    var phi_3185_: u32;
-    var phi_3186_: u32;
-    var phi_2012_: type_64;
-    var phi_2007_: u32;
-    var phi_2010_: u32;
-    var phi_3221_: u32;
-    var phi_3222_: u32;
-    var phi_3223_: u32;
-    var phi_3188_: u32;
-    var phi_3190_: u32;
-    var phi_3224_: bool;
-    var phi_5400_: bool;
+    var phi_2816_: array<f32, 3>;
+    var phi_2817_: bool;
+    var phi_2818_: bool;
+    var phi_2823_: array<f32, 3>;
+    var phi_2828_: array<f32, 3>;
+    var phi_3028_: f32;
+    var phi_3043_: f32;
+    var phi_3053_: bool;
+    var phi_3078_: u32;
+    var phi_3088_: u32;
+    var phi_3097_: bool;
+    var phi_3113_: bool;
+    var phi_3114_: bool;
+    var phi_3137_: f32;
+    var phi_3152_: f32;
+    var phi_3162_: bool;
+    var phi_3187_: u32;
+    var phi_3197_: u32;
+    var phi_3206_: bool;
+    var phi_3222_: bool;
+    var phi_3223_: bool;
+    var phi_3304_: bool;
+    var phi_3309_: bool;
+    var phi_3314_: type_64;
+    var phi_3316_: type_64;
+    var phi_3318_: bool;
+    var phi_3319_: type_64;
+    var phi_3321_: bool;
+    var phi_3322_: bool;
+    var phi_3323_: type_64;
+    var phi_3324_: bool;
+    var phi_3325_: bool;
+    var phi_3326_: bool;
+    var phi_3339_: type_64;
+    var phi_2516_: type_64;
+    var phi_5669_: bool;
+    var phi_2401_: type_65;
+    var phi_2412_: type_65;
+    var phi_2423_: type_65;
+    var phi_2434_: type_65;
+    var phi_2445_: type_65;
+    var phi_2467_: u32;
+    var phi_2485_: u32;
+    var phi_2503_: u32;
+    var phi_5848_: bool;
+    var phi_3340_: u32;
+    var phi_3341_: u32;
+    var phi_2020_: type_64;
+    var phi_2015_: u32;
+    var phi_2018_: u32;
+    var phi_3376_: u32;
+    var phi_3377_: u32;
+    var phi_3378_: u32;
+    var phi_3343_: u32;
+    var phi_3345_: u32;
+    var phi_3379_: bool;
+    var phi_5845_: bool;
     var local_11: bool;
-    var phi_5467_: bool;
-    var phi_4437_: type_64;
-    var phi_3331_: vec3<f32>;
-    var phi_3333_: vec3<f32>;
-    var phi_3334_: bool;
-    var phi_3356_: vec3<f32>;
-    var phi_3540_: u32;
-    var phi_3546_: u32;
-    var phi_3576_: u32;
-    var phi_3582_: u32;
-    var phi_3799_: type_67;
-    var phi_3866_: vec3<f32>;
-    var phi_3940_: vec3<f32>;
-    var phi_4014_: vec3<f32>;
-    var phi_4059_: vec3<f32>;
-    var phi_4061_: vec3<f32>;
-    var phi_4062_: bool;
-    var phi_4083_: vec3<f32>;
-    var phi_4117_: array<f32, 3>;
-    var phi_4163_: type_68;
-    var phi_4165_: type_68;
-    var phi_4189_: bool;
-    var phi_4217_: f32;
-    var phi_4227_: array<f32, 3>;
-    var phi_4232_: array<f32, 3>;
+    var phi_5912_: bool;
+    var phi_4852_: type_64;
+    var phi_3486_: vec3<f32>;
+    var phi_3488_: vec3<f32>;
+    var phi_3489_: bool;
+    var phi_3511_: vec3<f32>;
+    var phi_3683_: f32;
+    var phi_3698_: f32;
+    var phi_3708_: bool;
+    var phi_3733_: u32;
+    var phi_3743_: u32;
+    var phi_3752_: bool;
+    var phi_3768_: bool;
+    var phi_3769_: bool;
+    var phi_3792_: f32;
+    var phi_3807_: f32;
+    var phi_3817_: bool;
+    var phi_3842_: u32;
+    var phi_3852_: u32;
+    var phi_3861_: bool;
+    var phi_3877_: bool;
+    var phi_3878_: bool;
+    var phi_4101_: type_67;
+    var phi_4208_: vec3<f32>;
+    var phi_4284_: vec3<f32>;
+    var phi_4358_: vec3<f32>;
+    var phi_4432_: vec3<f32>;
+    var phi_4477_: vec3<f32>;
+    var phi_4479_: vec3<f32>;
+    var phi_4480_: bool;
+    var phi_4501_: vec3<f32>;
+    var phi_4532_: array<f32, 3>;
+    var phi_4578_: type_68;
+    var phi_4580_: type_68;
+    var phi_4604_: bool;
+    var phi_4632_: f32;
+    var phi_4642_: array<f32, 3>;
+    var phi_4647_: array<f32, 3>;
     var local_12: u32;
     var local_13: u32;
     var local_14: type_64;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e128 = gid_1;
-            let _e131 = arrayLength((&nodes.member));
-            let _e134 = arrayLength((&triangles.member));
-            let _e137 = arrayLength((&attributes.member));
-            let _e140 = arrayLength((&surfaces.member));
-            let _e142 = arrayLength((&lights.member));
-            let _e149 = params.member.member_2;
-            let _e152 = params.member.member_3;
-            let _e156 = (_e128.x + (_e128.y * 2097152u));
-            if (_e156 < _e152) {
-                let _e158 = (_e149 + _e156);
-                let _e161 = params.member.member_1;
-                let _e162 = (_e161 * _e161);
-                let _e163 = (_e162 == 0u);
-                if _e163 {
+            let _e136 = gid_1;
+            let _e139 = arrayLength((&nodes.member));
+            let _e142 = arrayLength((&triangles.member));
+            let _e145 = arrayLength((&attributes.member));
+            let _e148 = arrayLength((&surfaces.member));
+            let _e150 = arrayLength((&lights.member));
+            let _e157 = params.member.member_2;
+            let _e160 = params.member.member_3;
+            let _e164 = (_e136.x + (_e136.y * 2097152u));
+            if (_e164 < _e160) {
+                let _e166 = (_e157 + _e164);
+                let _e169 = params.member.member_1;
+                let _e170 = (_e169 * _e169);
+                let _e171 = (_e170 == 0u);
+                if _e171 {
                     break;
                 }
-                let _e164 = (_e158 / _e162);
-                if (_e164 < arrayLength((&maps.member))) {
+                let _e172 = (_e166 / _e170);
+                if (_e172 < arrayLength((&maps.member))) {
                 } else {
                     break;
                 }
-                let _e168 = maps.member[_e164];
-                if _e163 {
+                let _e176 = maps.member[_e172];
+                if _e171 {
                     break;
                 }
-                let _e170 = (_e158 - (_e164 * _e162));
-                if (_e161 == 0u) {
+                let _e178 = (_e166 - (_e172 * _e170));
+                if (_e169 == 0u) {
                     break;
                 }
-                let _e172 = (_e170 / _e161);
-                let _e179 = f32(_e161);
-                let _e180 = ((f32((_e170 - (_e172 * _e161))) + 0.5f) / _e179);
-                let _e181 = ((f32(_e172) + 0.5f) / _e179);
-                if (_e168.member_1 == 4u) {
-                    let _e1398 = (_e168.member_3 + _e170);
-                    let _e1413 = params.member.member_5;
-                    let _e1417 = ((_e1413 ^ (_e1413 >> bitcast<u32>(16i))) * 2146121005u);
-                    let _e1421 = ((_e1417 ^ (_e1417 >> bitcast<u32>(15i))) * 2221713035u);
-                    let _e1428 = (_e1413 ^ 2654435769u);
-                    let _e1432 = ((_e1428 ^ (_e1428 >> bitcast<u32>(16i))) * 2146121005u);
-                    let _e1436 = ((_e1432 ^ (_e1432 >> bitcast<u32>(15i))) * 2221713035u);
-                    let _e1444 = (0.000000059604645f * (f32(((2147483648u + (_e1398 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e1421 ^ (_e1421 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
-                    if (_e1444 >= 1f) {
-                        phi_4981_ = (_e1444 - 1f);
+                let _e180 = (_e178 / _e169);
+                let _e187 = f32(_e169);
+                let _e188 = ((f32((_e178 - (_e180 * _e169))) + 0.5f) / _e187);
+                let _e189 = ((f32(_e180) + 0.5f) / _e187);
+                if (_e176.member_1 == 4u) {
+                    let _e1406 = (_e176.member_3 + _e178);
+                    let _e1421 = params.member.member_5;
+                    let _e1425 = ((_e1421 ^ (_e1421 >> bitcast<u32>(16i))) * 2146121005u);
+                    let _e1429 = ((_e1425 ^ (_e1425 >> bitcast<u32>(15i))) * 2221713035u);
+                    let _e1436 = (_e1421 ^ 2654435769u);
+                    let _e1440 = ((_e1436 ^ (_e1436 >> bitcast<u32>(16i))) * 2146121005u);
+                    let _e1444 = ((_e1440 ^ (_e1440 >> bitcast<u32>(15i))) * 2221713035u);
+                    let _e1452 = (0.000000059604645f * (f32(((2147483648u + (_e1406 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e1429 ^ (_e1429 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
+                    if (_e1452 >= 1f) {
+                        phi_5396_ = (_e1452 - 1f);
                     } else {
-                        phi_4981_ = _e1444;
+                        phi_5396_ = _e1452;
                     }
-                    let _e1448 = phi_4981_;
-                    let _e1450 = (0.000000059604645f * (f32(((2147483648u + (_e1398 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e1436 ^ (_e1436 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
-                    if (_e1450 >= 1f) {
-                        phi_4989_ = (_e1450 - 1f);
+                    let _e1456 = phi_5396_;
+                    let _e1458 = (0.000000059604645f * (f32(((2147483648u + (_e1406 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e1444 ^ (_e1444 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
+                    if (_e1458 >= 1f) {
+                        phi_5404_ = (_e1458 - 1f);
                     } else {
-                        phi_4989_ = _e1450;
+                        phi_5404_ = _e1458;
                     }
-                    let _e1454 = phi_4989_;
-                    let _e1456 = (1f - (2f * _e1448));
-                    let _e1460 = floor(((_e1454 * 4f) + 0.5f));
-                    let _e1466 = ((((6.2831855f * _e1454) - (_e1460 * 1.5703125f)) - (_e1460 * 0.0004837513f)) - (_e1460 * 0.0000000754979f));
-                    let _e1467 = (_e1466 * _e1466);
-                    let _e1474 = (_e1466 + ((_e1466 * _e1467) * (-0.16666655f + (_e1467 * (0.008332161f + (_e1467 * -0.00019515296f))))));
-                    let _e1483 = ((1f - (0.5f * _e1467)) + ((_e1467 * _e1467) * (0.041666646f + (_e1467 * (-0.0013887316f + (_e1467 * 0.000024433157f))))));
-                    let _e1490 = select(0i, select(select(i32(_e1460), i32(-2147483648), (_e1460 < -2147483600f)), 2147483647i, (_e1460 > 2147483500f)), (_e1460 == _e1460));
-                    let _e1492 = ((_e1490 & 1i) == 0i);
-                    let _e1493 = select(_e1483, _e1474, _e1492);
-                    let _e1494 = select(_e1474, _e1483, _e1492);
-                    if ((_e1490 & 2i) == 0i) {
-                        phi_405_ = _e1493;
+                    let _e1462 = phi_5404_;
+                    let _e1464 = (1f - (2f * _e1456));
+                    let _e1468 = floor(((_e1462 * 4f) + 0.5f));
+                    let _e1474 = ((((6.2831855f * _e1462) - (_e1468 * 1.5703125f)) - (_e1468 * 0.0004837513f)) - (_e1468 * 0.0000000754979f));
+                    let _e1475 = (_e1474 * _e1474);
+                    let _e1482 = (_e1474 + ((_e1474 * _e1475) * (-0.16666655f + (_e1475 * (0.008332161f + (_e1475 * -0.00019515296f))))));
+                    let _e1491 = ((1f - (0.5f * _e1475)) + ((_e1475 * _e1475) * (0.041666646f + (_e1475 * (-0.0013887316f + (_e1475 * 0.000024433157f))))));
+                    let _e1498 = select(0i, select(select(i32(_e1468), i32(-2147483648), (_e1468 < -2147483600f)), 2147483647i, (_e1468 > 2147483500f)), (_e1468 == _e1468));
+                    let _e1500 = ((_e1498 & 1i) == 0i);
+                    let _e1501 = select(_e1491, _e1482, _e1500);
+                    let _e1502 = select(_e1482, _e1491, _e1500);
+                    if ((_e1498 & 2i) == 0i) {
+                        phi_413_ = _e1501;
                     } else {
-                        phi_405_ = -(_e1493);
+                        phi_413_ = -(_e1501);
                     }
-                    let _e1499 = phi_405_;
-                    if (((_e1490 + 1i) & 2i) == 0i) {
-                        phi_413_ = _e1494;
+                    let _e1507 = phi_413_;
+                    if (((_e1498 + 1i) & 2i) == 0i) {
+                        phi_421_ = _e1502;
                     } else {
-                        phi_413_ = -(_e1494);
+                        phi_421_ = -(_e1502);
                     }
-                    let _e1505 = phi_413_;
-                    let _e1507 = (1f - (_e1456 * _e1456));
-                    let _e1510 = sqrt(select(0f, _e1507, (_e1507 > 0f)));
-                    let _e1511 = (_e1510 * _e1505);
-                    let _e1512 = (_e1510 * _e1499);
-                    let _e1517 = ((_e1398 * 1664525u) + 1013904223u);
-                    let _e1519 = (((_e1413 * 1664525u) + 1013904223u) + (_e1517 * 1013904223u));
-                    let _e1521 = (_e1517 + (1015568748u * _e1519));
-                    let _e1523 = (1015568748u + (_e1519 * _e1521));
-                    let _e1525 = (1013904223u + (_e1521 * _e1523));
-                    let _e1531 = (_e1521 ^ (_e1521 >> bitcast<u32>(16i)));
-                    let _e1539 = ((_e1519 ^ (_e1519 >> bitcast<u32>(16i))) + (_e1531 * (_e1525 ^ (_e1525 >> bitcast<u32>(16i)))));
-                    let _e1549 = ((f32((_e1539 >> bitcast<u32>(8i))) * 0.00000011920929f) - 1f);
-                    let _e1551 = ((f32(((_e1531 + ((_e1523 ^ (_e1523 >> bitcast<u32>(16i))) * _e1539)) >> bitcast<u32>(8i))) * 0.00000011920929f) - 1f);
-                    if (_e1549 == 0f) {
-                        let _e1553 = (_e1551 == 0f);
-                        phi_474_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e1553));
-                        phi_475_ = select(true, false, _e1553);
+                    let _e1513 = phi_421_;
+                    let _e1515 = (1f - (_e1464 * _e1464));
+                    let _e1518 = sqrt(select(0f, _e1515, (_e1515 > 0f)));
+                    let _e1519 = (_e1518 * _e1513);
+                    let _e1520 = (_e1518 * _e1507);
+                    let _e1525 = ((_e1406 * 1664525u) + 1013904223u);
+                    let _e1527 = (((_e1421 * 1664525u) + 1013904223u) + (_e1525 * 1013904223u));
+                    let _e1529 = (_e1525 + (1015568748u * _e1527));
+                    let _e1531 = (1015568748u + (_e1527 * _e1529));
+                    let _e1533 = (1013904223u + (_e1529 * _e1531));
+                    let _e1539 = (_e1529 ^ (_e1529 >> bitcast<u32>(16i)));
+                    let _e1547 = ((_e1527 ^ (_e1527 >> bitcast<u32>(16i))) + (_e1539 * (_e1533 ^ (_e1533 >> bitcast<u32>(16i)))));
+                    let _e1557 = ((f32((_e1547 >> bitcast<u32>(8i))) * 0.00000011920929f) - 1f);
+                    let _e1559 = ((f32(((_e1539 + ((_e1531 ^ (_e1531 >> bitcast<u32>(16i))) * _e1547)) >> bitcast<u32>(8i))) * 0.00000011920929f) - 1f);
+                    if (_e1557 == 0f) {
+                        let _e1561 = (_e1559 == 0f);
+                        phi_482_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e1561));
+                        phi_483_ = select(true, false, _e1561);
                     } else {
-                        phi_474_ = vec2<f32>();
-                        phi_475_ = true;
+                        phi_482_ = vec2<f32>();
+                        phi_483_ = true;
                     }
-                    let _e1558 = phi_474_;
-                    let _e1560 = phi_475_;
-                    if _e1560 {
-                        if (abs(_e1549) > abs(_e1551)) {
-                            let _e1617 = (_e1551 / _e1549);
-                            let _e1621 = floor(((_e1617 * 0.5f) + 0.5f));
-                            let _e1627 = ((((0.7853982f * _e1617) - (_e1621 * 1.5703125f)) - (_e1621 * 0.0004837513f)) - (_e1621 * 0.0000000754979f));
-                            let _e1628 = (_e1627 * _e1627);
-                            let _e1635 = (_e1627 + ((_e1627 * _e1628) * (-0.16666655f + (_e1628 * (0.008332161f + (_e1628 * -0.00019515296f))))));
-                            let _e1644 = ((1f - (0.5f * _e1628)) + ((_e1628 * _e1628) * (0.041666646f + (_e1628 * (-0.0013887316f + (_e1628 * 0.000024433157f))))));
-                            let _e1651 = select(0i, select(select(i32(_e1621), i32(-2147483648), (_e1621 < -2147483600f)), 2147483647i, (_e1621 > 2147483500f)), (_e1621 == _e1621));
-                            let _e1653 = ((_e1651 & 1i) == 0i);
-                            let _e1654 = select(_e1644, _e1635, _e1653);
-                            let _e1655 = select(_e1635, _e1644, _e1653);
-                            if ((_e1651 & 2i) == 0i) {
-                                phi_539_ = _e1654;
+                    let _e1566 = phi_482_;
+                    let _e1568 = phi_483_;
+                    if _e1568 {
+                        if (abs(_e1557) > abs(_e1559)) {
+                            let _e1625 = (_e1559 / _e1557);
+                            let _e1629 = floor(((_e1625 * 0.5f) + 0.5f));
+                            let _e1635 = ((((0.7853982f * _e1625) - (_e1629 * 1.5703125f)) - (_e1629 * 0.0004837513f)) - (_e1629 * 0.0000000754979f));
+                            let _e1636 = (_e1635 * _e1635);
+                            let _e1643 = (_e1635 + ((_e1635 * _e1636) * (-0.16666655f + (_e1636 * (0.008332161f + (_e1636 * -0.00019515296f))))));
+                            let _e1652 = ((1f - (0.5f * _e1636)) + ((_e1636 * _e1636) * (0.041666646f + (_e1636 * (-0.0013887316f + (_e1636 * 0.000024433157f))))));
+                            let _e1659 = select(0i, select(select(i32(_e1629), i32(-2147483648), (_e1629 < -2147483600f)), 2147483647i, (_e1629 > 2147483500f)), (_e1629 == _e1629));
+                            let _e1661 = ((_e1659 & 1i) == 0i);
+                            let _e1662 = select(_e1652, _e1643, _e1661);
+                            let _e1663 = select(_e1643, _e1652, _e1661);
+                            if ((_e1659 & 2i) == 0i) {
+                                phi_547_ = _e1662;
                             } else {
-                                phi_539_ = -(_e1654);
+                                phi_547_ = -(_e1662);
                             }
-                            let _e1660 = phi_539_;
-                            if (((_e1651 + 1i) & 2i) == 0i) {
-                                phi_547_ = _e1655;
+                            let _e1668 = phi_547_;
+                            if (((_e1659 + 1i) & 2i) == 0i) {
+                                phi_555_ = _e1663;
                             } else {
-                                phi_547_ = -(_e1655);
+                                phi_555_ = -(_e1663);
                             }
-                            let _e1666 = phi_547_;
-                            phi_617_ = vec2<f32>((_e1549 * _e1666), (_e1549 * _e1660));
+                            let _e1674 = phi_555_;
+                            phi_625_ = vec2<f32>((_e1557 * _e1674), (_e1557 * _e1668));
                         } else {
-                            let _e1564 = (_e1549 / _e1551);
-                            let _e1568 = floor(((_e1564 * 0.5f) + 0.5f));
-                            let _e1574 = ((((0.7853982f * _e1564) - (_e1568 * 1.5703125f)) - (_e1568 * 0.0004837513f)) - (_e1568 * 0.0000000754979f));
-                            let _e1575 = (_e1574 * _e1574);
-                            let _e1582 = (_e1574 + ((_e1574 * _e1575) * (-0.16666655f + (_e1575 * (0.008332161f + (_e1575 * -0.00019515296f))))));
-                            let _e1591 = ((1f - (0.5f * _e1575)) + ((_e1575 * _e1575) * (0.041666646f + (_e1575 * (-0.0013887316f + (_e1575 * 0.000024433157f))))));
-                            let _e1598 = select(0i, select(select(i32(_e1568), i32(-2147483648), (_e1568 < -2147483600f)), 2147483647i, (_e1568 > 2147483500f)), (_e1568 == _e1568));
-                            let _e1600 = ((_e1598 & 1i) == 0i);
-                            let _e1601 = select(_e1591, _e1582, _e1600);
-                            let _e1602 = select(_e1582, _e1591, _e1600);
-                            if ((_e1598 & 2i) == 0i) {
-                                phi_605_ = _e1601;
+                            let _e1572 = (_e1557 / _e1559);
+                            let _e1576 = floor(((_e1572 * 0.5f) + 0.5f));
+                            let _e1582 = ((((0.7853982f * _e1572) - (_e1576 * 1.5703125f)) - (_e1576 * 0.0004837513f)) - (_e1576 * 0.0000000754979f));
+                            let _e1583 = (_e1582 * _e1582);
+                            let _e1590 = (_e1582 + ((_e1582 * _e1583) * (-0.16666655f + (_e1583 * (0.008332161f + (_e1583 * -0.00019515296f))))));
+                            let _e1599 = ((1f - (0.5f * _e1583)) + ((_e1583 * _e1583) * (0.041666646f + (_e1583 * (-0.0013887316f + (_e1583 * 0.000024433157f))))));
+                            let _e1606 = select(0i, select(select(i32(_e1576), i32(-2147483648), (_e1576 < -2147483600f)), 2147483647i, (_e1576 > 2147483500f)), (_e1576 == _e1576));
+                            let _e1608 = ((_e1606 & 1i) == 0i);
+                            let _e1609 = select(_e1599, _e1590, _e1608);
+                            let _e1610 = select(_e1590, _e1599, _e1608);
+                            if ((_e1606 & 2i) == 0i) {
+                                phi_613_ = _e1609;
                             } else {
-                                phi_605_ = -(_e1601);
+                                phi_613_ = -(_e1609);
                             }
-                            let _e1607 = phi_605_;
-                            if (((_e1598 + 1i) & 2i) == 0i) {
-                                phi_613_ = _e1602;
+                            let _e1615 = phi_613_;
+                            if (((_e1606 + 1i) & 2i) == 0i) {
+                                phi_621_ = _e1610;
                             } else {
-                                phi_613_ = -(_e1602);
+                                phi_621_ = -(_e1610);
                             }
-                            let _e1613 = phi_613_;
-                            phi_617_ = vec2<f32>((_e1551 * _e1607), (_e1551 * _e1613));
+                            let _e1621 = phi_621_;
+                            phi_625_ = vec2<f32>((_e1559 * _e1615), (_e1559 * _e1621));
                         }
-                        let _e1671 = phi_617_;
-                        phi_618_ = _e1671;
+                        let _e1679 = phi_625_;
+                        phi_626_ = _e1679;
                     } else {
-                        phi_618_ = _e1558;
+                        phi_626_ = _e1566;
                     }
-                    let _e1673 = phi_618_;
-                    let _e1676 = (_e1673.x * _e168.member.w);
-                    let _e1677 = (_e1673.y * _e168.member.w);
-                    let _e1681 = bitcast<f32>((1065353216u | (bitcast<u32>(_e1456) & 2147483648u)));
-                    let _e1683 = (-1f / (_e1681 + _e1456));
-                    let _e1685 = ((_e1511 * _e1512) * _e1683);
-                    let _e1697 = -(_e168.member.w);
-                    let _e1715 = (1f / f32(_e168.member_4));
-                    let _e1727 = params.member.member;
-                    let _e1733 = (((39.47842f * _e168.member.w) * _e168.member.w) * _e1715);
-                    phi_5270_ = false;
-                    phi_1789_ = type_59(type_58(vec3<f32>((_e168.member.x + ((((1f + (((_e1681 * _e1511) * _e1511) * _e1683)) * _e1676) + (_e1685 * _e1677)) + (_e1511 * _e1697))), (_e168.member.y + ((((_e1681 * _e1685) * _e1676) + ((_e1681 + ((_e1512 * _e1512) * _e1683)) * _e1677)) + (_e1512 * _e1697))), (_e168.member.z + ((((-(_e1681) * _e1511) * _e1676) + (-(_e1512) * _e1677)) + (_e1456 * _e1697)))), vec3<f32>(_e1511, _e1512, _e1456), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e1727.x * _e1733), (_e1727.y * _e1733), (_e1727.z * _e1733)), ((((12.566371f * _e168.member.w) * _e168.member.w) * _e1715) * 0.05f), 0f);
+                    let _e1681 = phi_626_;
+                    let _e1684 = (_e1681.x * _e176.member.w);
+                    let _e1685 = (_e1681.y * _e176.member.w);
+                    let _e1689 = bitcast<f32>((1065353216u | (bitcast<u32>(_e1464) & 2147483648u)));
+                    let _e1691 = (-1f / (_e1689 + _e1464));
+                    let _e1693 = ((_e1519 * _e1520) * _e1691);
+                    let _e1705 = -(_e176.member.w);
+                    let _e1723 = (1f / f32(_e176.member_4));
+                    let _e1735 = params.member.member;
+                    let _e1741 = (((39.47842f * _e176.member.w) * _e176.member.w) * _e1723);
+                    phi_5685_ = false;
+                    phi_1797_ = type_59(type_58(vec3<f32>((_e176.member.x + ((((1f + (((_e1689 * _e1519) * _e1519) * _e1691)) * _e1684) + (_e1693 * _e1685)) + (_e1519 * _e1705))), (_e176.member.y + ((((_e1689 * _e1693) * _e1684) + ((_e1689 + ((_e1520 * _e1520) * _e1691)) * _e1685)) + (_e1520 * _e1705))), (_e176.member.z + ((((-(_e1689) * _e1519) * _e1684) + (-(_e1520) * _e1685)) + (_e1464 * _e1705)))), vec3<f32>(_e1519, _e1520, _e1464), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e1735.x * _e1741), (_e1735.y * _e1741), (_e1735.z * _e1741)), ((((12.566371f * _e176.member.w) * _e176.member.w) * _e1723) * 0.05f), 0f);
                 } else {
-                    if (_e168.member_2 < _e142) {
+                    if (_e176.member_2 < _e150) {
                     } else {
                         break;
                     }
-                    let _e188 = lights.member[_e168.member_2];
-                    if (_e168.member_1 == 0u) {
-                        let _e881 = ((_e180 * 2f) - 1f);
-                        let _e882 = ((_e181 * 2f) - 1f);
-                        let _e883 = (1f / _e179);
-                        let _e884 = (-1f / _e179);
-                        let _e885 = (_e881 + _e884);
-                        let _e886 = (_e882 + _e884);
-                        let _e888 = (1f - abs(_e885));
-                        let _e889 = abs(_e886);
-                        let _e890 = (_e888 - _e889);
-                        let _e891 = -(_e890);
-                        let _e895 = (bitcast<u32>(select(0f, _e891, (_e891 > 0f))) & 2147483647u);
-                        let _e897 = (bitcast<u32>(_e885) & 2147483648u);
-                        let _e900 = (_e885 - bitcast<f32>((_e895 | _e897)));
-                        let _e902 = (bitcast<u32>(_e886) & 2147483648u);
-                        let _e905 = (_e886 - bitcast<f32>((_e895 | _e902)));
-                        let _e910 = (((_e900 * _e900) + (_e905 * _e905)) + (_e890 * _e890));
-                        if (_e910 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e913 = (1f / sqrt(_e910));
-                            phi_756_ = vec3<f32>((_e900 * _e913), (_e905 * _e913), (_e890 * _e913));
+                    let _e196 = lights.member[_e176.member_2];
+                    if (_e176.member_1 == 0u) {
+                        let _e889 = ((_e188 * 2f) - 1f);
+                        let _e890 = ((_e189 * 2f) - 1f);
+                        let _e891 = (1f / _e187);
+                        let _e892 = (-1f / _e187);
+                        let _e893 = (_e889 + _e892);
+                        let _e894 = (_e890 + _e892);
+                        let _e896 = (1f - abs(_e893));
+                        let _e897 = abs(_e894);
+                        let _e898 = (_e896 - _e897);
+                        let _e899 = -(_e898);
+                        let _e903 = (bitcast<u32>(select(0f, _e899, (_e899 > 0f))) & 2147483647u);
+                        let _e905 = (bitcast<u32>(_e893) & 2147483648u);
+                        let _e908 = (_e893 - bitcast<f32>((_e903 | _e905)));
+                        let _e910 = (bitcast<u32>(_e894) & 2147483648u);
+                        let _e913 = (_e894 - bitcast<f32>((_e903 | _e910)));
+                        let _e918 = (((_e908 * _e908) + (_e913 * _e913)) + (_e898 * _e898));
+                        if (_e918 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e921 = (1f / sqrt(_e918));
+                            phi_764_ = vec3<f32>((_e908 * _e921), (_e913 * _e921), (_e898 * _e921));
                         } else {
-                            phi_756_ = vec3<f32>(0f, 0f, 0f);
+                            phi_764_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e919 = phi_756_;
-                        let _e920 = (_e881 + _e883);
-                        let _e922 = (1f - abs(_e920));
-                        let _e923 = (_e922 - _e889);
-                        let _e924 = -(_e923);
-                        let _e928 = (bitcast<u32>(select(0f, _e924, (_e924 > 0f))) & 2147483647u);
-                        let _e930 = (bitcast<u32>(_e920) & 2147483648u);
-                        let _e933 = (_e920 - bitcast<f32>((_e928 | _e930)));
-                        let _e936 = (_e886 - bitcast<f32>((_e928 | _e902)));
-                        let _e941 = (((_e933 * _e933) + (_e936 * _e936)) + (_e923 * _e923));
-                        if (_e941 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e944 = (1f / sqrt(_e941));
-                            phi_800_ = vec3<f32>((_e933 * _e944), (_e936 * _e944), (_e923 * _e944));
+                        let _e927 = phi_764_;
+                        let _e928 = (_e889 + _e891);
+                        let _e930 = (1f - abs(_e928));
+                        let _e931 = (_e930 - _e897);
+                        let _e932 = -(_e931);
+                        let _e936 = (bitcast<u32>(select(0f, _e932, (_e932 > 0f))) & 2147483647u);
+                        let _e938 = (bitcast<u32>(_e928) & 2147483648u);
+                        let _e941 = (_e928 - bitcast<f32>((_e936 | _e938)));
+                        let _e944 = (_e894 - bitcast<f32>((_e936 | _e910)));
+                        let _e949 = (((_e941 * _e941) + (_e944 * _e944)) + (_e931 * _e931));
+                        if (_e949 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e952 = (1f / sqrt(_e949));
+                            phi_808_ = vec3<f32>((_e941 * _e952), (_e944 * _e952), (_e931 * _e952));
                         } else {
-                            phi_800_ = vec3<f32>(0f, 0f, 0f);
+                            phi_808_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e950 = phi_800_;
-                        let _e951 = (_e882 + _e883);
-                        let _e952 = abs(_e951);
-                        let _e953 = (_e922 - _e952);
-                        let _e954 = -(_e953);
-                        let _e958 = (bitcast<u32>(select(0f, _e954, (_e954 > 0f))) & 2147483647u);
-                        let _e961 = (_e920 - bitcast<f32>((_e958 | _e930)));
-                        let _e963 = (bitcast<u32>(_e951) & 2147483648u);
-                        let _e966 = (_e951 - bitcast<f32>((_e958 | _e963)));
-                        let _e971 = (((_e961 * _e961) + (_e966 * _e966)) + (_e953 * _e953));
-                        if (_e971 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e974 = (1f / sqrt(_e971));
-                            phi_844_ = vec3<f32>((_e961 * _e974), (_e966 * _e974), (_e953 * _e974));
+                        let _e958 = phi_808_;
+                        let _e959 = (_e890 + _e891);
+                        let _e960 = abs(_e959);
+                        let _e961 = (_e930 - _e960);
+                        let _e962 = -(_e961);
+                        let _e966 = (bitcast<u32>(select(0f, _e962, (_e962 > 0f))) & 2147483647u);
+                        let _e969 = (_e928 - bitcast<f32>((_e966 | _e938)));
+                        let _e971 = (bitcast<u32>(_e959) & 2147483648u);
+                        let _e974 = (_e959 - bitcast<f32>((_e966 | _e971)));
+                        let _e979 = (((_e969 * _e969) + (_e974 * _e974)) + (_e961 * _e961));
+                        if (_e979 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e982 = (1f / sqrt(_e979));
+                            phi_852_ = vec3<f32>((_e969 * _e982), (_e974 * _e982), (_e961 * _e982));
                         } else {
-                            phi_844_ = vec3<f32>(0f, 0f, 0f);
+                            phi_852_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e980 = phi_844_;
-                        let _e981 = (_e888 - _e952);
-                        let _e982 = -(_e981);
-                        let _e986 = (bitcast<u32>(select(0f, _e982, (_e982 > 0f))) & 2147483647u);
-                        let _e989 = (_e885 - bitcast<f32>((_e986 | _e897)));
-                        let _e992 = (_e951 - bitcast<f32>((_e986 | _e963)));
-                        let _e997 = (((_e989 * _e989) + (_e992 * _e992)) + (_e981 * _e981));
-                        if (_e997 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e1000 = (1f / sqrt(_e997));
-                            phi_888_ = vec3<f32>((_e989 * _e1000), (_e992 * _e1000), (_e981 * _e1000));
+                        let _e988 = phi_852_;
+                        let _e989 = (_e896 - _e960);
+                        let _e990 = -(_e989);
+                        let _e994 = (bitcast<u32>(select(0f, _e990, (_e990 > 0f))) & 2147483647u);
+                        let _e997 = (_e893 - bitcast<f32>((_e994 | _e905)));
+                        let _e1000 = (_e959 - bitcast<f32>((_e994 | _e971)));
+                        let _e1005 = (((_e997 * _e997) + (_e1000 * _e1000)) + (_e989 * _e989));
+                        if (_e1005 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e1008 = (1f / sqrt(_e1005));
+                            phi_896_ = vec3<f32>((_e997 * _e1008), (_e1000 * _e1008), (_e989 * _e1008));
                         } else {
-                            phi_888_ = vec3<f32>(0f, 0f, 0f);
+                            phi_896_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e1006 = phi_888_;
-                        if ((_e881 * _e882) > 0f) {
-                            let _e1198 = (((_e919.x * ((_e950.y * _e1006.z) - (_e1006.y * _e950.z))) + (_e919.y * ((_e950.z * _e1006.x) - (_e1006.z * _e950.x)))) + (_e919.z * ((_e950.x * _e1006.y) - (_e1006.x * _e950.y))));
-                            let _e1216 = (((1f + (((_e919.x * _e950.x) + (_e919.y * _e950.y)) + (_e919.z * _e950.z))) + (((_e950.x * _e1006.x) + (_e950.y * _e1006.y)) + (_e950.z * _e1006.z))) + (((_e1006.x * _e919.x) + (_e1006.y * _e919.y)) + (_e1006.z * _e919.z)));
-                            let _e1217 = abs(_e1216);
-                            let _e1218 = abs(_e1198);
-                            let _e1219 = (_e1218 > _e1217);
-                            let _e1220 = select(_e1217, _e1218, _e1219);
-                            if (_e1220 > 0f) {
-                                phi_4802_ = (select(_e1218, _e1217, _e1219) / _e1220);
+                        let _e1014 = phi_896_;
+                        if ((_e889 * _e890) > 0f) {
+                            let _e1206 = (((_e927.x * ((_e958.y * _e1014.z) - (_e1014.y * _e958.z))) + (_e927.y * ((_e958.z * _e1014.x) - (_e1014.z * _e958.x)))) + (_e927.z * ((_e958.x * _e1014.y) - (_e1014.x * _e958.y))));
+                            let _e1224 = (((1f + (((_e927.x * _e958.x) + (_e927.y * _e958.y)) + (_e927.z * _e958.z))) + (((_e958.x * _e1014.x) + (_e958.y * _e1014.y)) + (_e958.z * _e1014.z))) + (((_e1014.x * _e927.x) + (_e1014.y * _e927.y)) + (_e1014.z * _e927.z)));
+                            let _e1225 = abs(_e1224);
+                            let _e1226 = abs(_e1206);
+                            let _e1227 = (_e1226 > _e1225);
+                            let _e1228 = select(_e1225, _e1226, _e1227);
+                            if (_e1228 > 0f) {
+                                phi_5217_ = (select(_e1226, _e1225, _e1227) / _e1228);
                             } else {
-                                phi_4802_ = 0f;
+                                phi_5217_ = 0f;
                             }
-                            let _e1225 = phi_4802_;
-                            let _e1226 = (_e1225 > 0.41421357f);
-                            if _e1226 {
-                                phi_4810_ = ((_e1225 - 1f) / (_e1225 + 1f));
+                            let _e1233 = phi_5217_;
+                            let _e1234 = (_e1233 > 0.41421357f);
+                            if _e1234 {
+                                phi_5225_ = ((_e1233 - 1f) / (_e1233 + 1f));
                             } else {
-                                phi_4810_ = _e1225;
+                                phi_5225_ = _e1233;
                             }
-                            let _e1231 = phi_4810_;
-                            let _e1232 = (_e1231 * _e1231);
-                            let _e1241 = (_e1231 + ((_e1231 * _e1232) * (-0.3333295f + (_e1232 * (0.19977711f + (_e1232 * (-0.13877685f + (_e1232 * 0.080537446f))))))));
-                            if _e1226 {
-                                phi_4825_ = (_e1241 + 0.7853982f);
+                            let _e1239 = phi_5225_;
+                            let _e1240 = (_e1239 * _e1239);
+                            let _e1249 = (_e1239 + ((_e1239 * _e1240) * (-0.3333295f + (_e1240 * (0.19977711f + (_e1240 * (-0.13877685f + (_e1240 * 0.080537446f))))))));
+                            if _e1234 {
+                                phi_5240_ = (_e1249 + 0.7853982f);
                             } else {
-                                phi_4825_ = _e1241;
+                                phi_5240_ = _e1249;
                             }
-                            let _e1244 = phi_4825_;
-                            if _e1219 {
-                                phi_4831_ = (1.5707964f - _e1244);
+                            let _e1252 = phi_5240_;
+                            if _e1227 {
+                                phi_5246_ = (1.5707964f - _e1252);
                             } else {
-                                phi_4831_ = _e1244;
+                                phi_5246_ = _e1252;
                             }
-                            let _e1247 = phi_4831_;
-                            if ((bitcast<u32>(_e1216) & 2147483648u) == 0u) {
-                                phi_4839_ = _e1247;
+                            let _e1255 = phi_5246_;
+                            if ((bitcast<u32>(_e1224) & 2147483648u) == 0u) {
+                                phi_5254_ = _e1255;
                             } else {
-                                phi_4839_ = (3.1415927f - _e1247);
+                                phi_5254_ = (3.1415927f - _e1255);
                             }
-                            let _e1253 = phi_4839_;
-                            let _e1278 = (((_e950.x * ((_e980.y * _e1006.z) - (_e1006.y * _e980.z))) + (_e950.y * ((_e980.z * _e1006.x) - (_e1006.z * _e980.x)))) + (_e950.z * ((_e980.x * _e1006.y) - (_e1006.x * _e980.y))));
-                            let _e1296 = (((1f + (((_e950.x * _e980.x) + (_e950.y * _e980.y)) + (_e950.z * _e980.z))) + (((_e980.x * _e1006.x) + (_e980.y * _e1006.y)) + (_e980.z * _e1006.z))) + (((_e1006.x * _e950.x) + (_e1006.y * _e950.y)) + (_e1006.z * _e950.z)));
-                            let _e1297 = abs(_e1296);
-                            let _e1298 = abs(_e1278);
-                            let _e1299 = (_e1298 > _e1297);
-                            let _e1300 = select(_e1297, _e1298, _e1299);
-                            if (_e1300 > 0f) {
-                                phi_4928_ = (select(_e1298, _e1297, _e1299) / _e1300);
+                            let _e1261 = phi_5254_;
+                            let _e1286 = (((_e958.x * ((_e988.y * _e1014.z) - (_e1014.y * _e988.z))) + (_e958.y * ((_e988.z * _e1014.x) - (_e1014.z * _e988.x)))) + (_e958.z * ((_e988.x * _e1014.y) - (_e1014.x * _e988.y))));
+                            let _e1304 = (((1f + (((_e958.x * _e988.x) + (_e958.y * _e988.y)) + (_e958.z * _e988.z))) + (((_e988.x * _e1014.x) + (_e988.y * _e1014.y)) + (_e988.z * _e1014.z))) + (((_e1014.x * _e958.x) + (_e1014.y * _e958.y)) + (_e1014.z * _e958.z)));
+                            let _e1305 = abs(_e1304);
+                            let _e1306 = abs(_e1286);
+                            let _e1307 = (_e1306 > _e1305);
+                            let _e1308 = select(_e1305, _e1306, _e1307);
+                            if (_e1308 > 0f) {
+                                phi_5343_ = (select(_e1306, _e1305, _e1307) / _e1308);
                             } else {
-                                phi_4928_ = 0f;
+                                phi_5343_ = 0f;
                             }
-                            let _e1305 = phi_4928_;
-                            let _e1306 = (_e1305 > 0.41421357f);
-                            if _e1306 {
-                                phi_4936_ = ((_e1305 - 1f) / (_e1305 + 1f));
+                            let _e1313 = phi_5343_;
+                            let _e1314 = (_e1313 > 0.41421357f);
+                            if _e1314 {
+                                phi_5351_ = ((_e1313 - 1f) / (_e1313 + 1f));
                             } else {
-                                phi_4936_ = _e1305;
+                                phi_5351_ = _e1313;
                             }
-                            let _e1311 = phi_4936_;
-                            let _e1312 = (_e1311 * _e1311);
-                            let _e1321 = (_e1311 + ((_e1311 * _e1312) * (-0.3333295f + (_e1312 * (0.19977711f + (_e1312 * (-0.13877685f + (_e1312 * 0.080537446f))))))));
-                            if _e1306 {
-                                phi_4951_ = (_e1321 + 0.7853982f);
+                            let _e1319 = phi_5351_;
+                            let _e1320 = (_e1319 * _e1319);
+                            let _e1329 = (_e1319 + ((_e1319 * _e1320) * (-0.3333295f + (_e1320 * (0.19977711f + (_e1320 * (-0.13877685f + (_e1320 * 0.080537446f))))))));
+                            if _e1314 {
+                                phi_5366_ = (_e1329 + 0.7853982f);
                             } else {
-                                phi_4951_ = _e1321;
+                                phi_5366_ = _e1329;
                             }
-                            let _e1324 = phi_4951_;
-                            if _e1299 {
-                                phi_4957_ = (1.5707964f - _e1324);
+                            let _e1332 = phi_5366_;
+                            if _e1307 {
+                                phi_5372_ = (1.5707964f - _e1332);
                             } else {
-                                phi_4957_ = _e1324;
+                                phi_5372_ = _e1332;
                             }
-                            let _e1327 = phi_4957_;
-                            if ((bitcast<u32>(_e1296) & 2147483648u) == 0u) {
-                                phi_4965_ = _e1327;
+                            let _e1335 = phi_5372_;
+                            if ((bitcast<u32>(_e1304) & 2147483648u) == 0u) {
+                                phi_5380_ = _e1335;
                             } else {
-                                phi_4965_ = (3.1415927f - _e1327);
+                                phi_5380_ = (3.1415927f - _e1335);
                             }
-                            let _e1333 = phi_4965_;
-                            phi_900_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1253) & 2147483647u) | (bitcast<u32>(_e1198) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1333) & 2147483647u) | (bitcast<u32>(_e1278) & 2147483648u))))));
+                            let _e1341 = phi_5380_;
+                            phi_908_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1261) & 2147483647u) | (bitcast<u32>(_e1206) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1341) & 2147483647u) | (bitcast<u32>(_e1286) & 2147483648u))))));
                         } else {
-                            let _e1031 = (((_e919.x * ((_e950.y * _e980.z) - (_e980.y * _e950.z))) + (_e919.y * ((_e950.z * _e980.x) - (_e980.z * _e950.x)))) + (_e919.z * ((_e950.x * _e980.y) - (_e980.x * _e950.y))));
-                            let _e1049 = (((1f + (((_e919.x * _e950.x) + (_e919.y * _e950.y)) + (_e919.z * _e950.z))) + (((_e950.x * _e980.x) + (_e950.y * _e980.y)) + (_e950.z * _e980.z))) + (((_e980.x * _e919.x) + (_e980.y * _e919.y)) + (_e980.z * _e919.z)));
-                            let _e1050 = abs(_e1049);
-                            let _e1051 = abs(_e1031);
-                            let _e1052 = (_e1051 > _e1050);
-                            let _e1053 = select(_e1050, _e1051, _e1052);
-                            if (_e1053 > 0f) {
-                                phi_4550_ = (select(_e1051, _e1050, _e1052) / _e1053);
+                            let _e1039 = (((_e927.x * ((_e958.y * _e988.z) - (_e988.y * _e958.z))) + (_e927.y * ((_e958.z * _e988.x) - (_e988.z * _e958.x)))) + (_e927.z * ((_e958.x * _e988.y) - (_e988.x * _e958.y))));
+                            let _e1057 = (((1f + (((_e927.x * _e958.x) + (_e927.y * _e958.y)) + (_e927.z * _e958.z))) + (((_e958.x * _e988.x) + (_e958.y * _e988.y)) + (_e958.z * _e988.z))) + (((_e988.x * _e927.x) + (_e988.y * _e927.y)) + (_e988.z * _e927.z)));
+                            let _e1058 = abs(_e1057);
+                            let _e1059 = abs(_e1039);
+                            let _e1060 = (_e1059 > _e1058);
+                            let _e1061 = select(_e1058, _e1059, _e1060);
+                            if (_e1061 > 0f) {
+                                phi_4965_ = (select(_e1059, _e1058, _e1060) / _e1061);
                             } else {
-                                phi_4550_ = 0f;
+                                phi_4965_ = 0f;
                             }
-                            let _e1058 = phi_4550_;
-                            let _e1059 = (_e1058 > 0.41421357f);
-                            if _e1059 {
-                                phi_4558_ = ((_e1058 - 1f) / (_e1058 + 1f));
+                            let _e1066 = phi_4965_;
+                            let _e1067 = (_e1066 > 0.41421357f);
+                            if _e1067 {
+                                phi_4973_ = ((_e1066 - 1f) / (_e1066 + 1f));
                             } else {
-                                phi_4558_ = _e1058;
+                                phi_4973_ = _e1066;
                             }
-                            let _e1064 = phi_4558_;
-                            let _e1065 = (_e1064 * _e1064);
-                            let _e1074 = (_e1064 + ((_e1064 * _e1065) * (-0.3333295f + (_e1065 * (0.19977711f + (_e1065 * (-0.13877685f + (_e1065 * 0.080537446f))))))));
-                            if _e1059 {
-                                phi_4573_ = (_e1074 + 0.7853982f);
+                            let _e1072 = phi_4973_;
+                            let _e1073 = (_e1072 * _e1072);
+                            let _e1082 = (_e1072 + ((_e1072 * _e1073) * (-0.3333295f + (_e1073 * (0.19977711f + (_e1073 * (-0.13877685f + (_e1073 * 0.080537446f))))))));
+                            if _e1067 {
+                                phi_4988_ = (_e1082 + 0.7853982f);
                             } else {
-                                phi_4573_ = _e1074;
+                                phi_4988_ = _e1082;
                             }
-                            let _e1077 = phi_4573_;
-                            if _e1052 {
-                                phi_4579_ = (1.5707964f - _e1077);
+                            let _e1085 = phi_4988_;
+                            if _e1060 {
+                                phi_4994_ = (1.5707964f - _e1085);
                             } else {
-                                phi_4579_ = _e1077;
+                                phi_4994_ = _e1085;
                             }
-                            let _e1080 = phi_4579_;
-                            if ((bitcast<u32>(_e1049) & 2147483648u) == 0u) {
-                                phi_4587_ = _e1080;
+                            let _e1088 = phi_4994_;
+                            if ((bitcast<u32>(_e1057) & 2147483648u) == 0u) {
+                                phi_5002_ = _e1088;
                             } else {
-                                phi_4587_ = (3.1415927f - _e1080);
+                                phi_5002_ = (3.1415927f - _e1088);
                             }
-                            let _e1086 = phi_4587_;
-                            let _e1111 = (((_e919.x * ((_e980.y * _e1006.z) - (_e1006.y * _e980.z))) + (_e919.y * ((_e980.z * _e1006.x) - (_e1006.z * _e980.x)))) + (_e919.z * ((_e980.x * _e1006.y) - (_e1006.x * _e980.y))));
-                            let _e1129 = (((1f + (((_e919.x * _e980.x) + (_e919.y * _e980.y)) + (_e919.z * _e980.z))) + (((_e980.x * _e1006.x) + (_e980.y * _e1006.y)) + (_e980.z * _e1006.z))) + (((_e1006.x * _e919.x) + (_e1006.y * _e919.y)) + (_e1006.z * _e919.z)));
-                            let _e1130 = abs(_e1129);
-                            let _e1131 = abs(_e1111);
-                            let _e1132 = (_e1131 > _e1130);
-                            let _e1133 = select(_e1130, _e1131, _e1132);
-                            if (_e1133 > 0f) {
-                                phi_4676_ = (select(_e1131, _e1130, _e1132) / _e1133);
+                            let _e1094 = phi_5002_;
+                            let _e1119 = (((_e927.x * ((_e988.y * _e1014.z) - (_e1014.y * _e988.z))) + (_e927.y * ((_e988.z * _e1014.x) - (_e1014.z * _e988.x)))) + (_e927.z * ((_e988.x * _e1014.y) - (_e1014.x * _e988.y))));
+                            let _e1137 = (((1f + (((_e927.x * _e988.x) + (_e927.y * _e988.y)) + (_e927.z * _e988.z))) + (((_e988.x * _e1014.x) + (_e988.y * _e1014.y)) + (_e988.z * _e1014.z))) + (((_e1014.x * _e927.x) + (_e1014.y * _e927.y)) + (_e1014.z * _e927.z)));
+                            let _e1138 = abs(_e1137);
+                            let _e1139 = abs(_e1119);
+                            let _e1140 = (_e1139 > _e1138);
+                            let _e1141 = select(_e1138, _e1139, _e1140);
+                            if (_e1141 > 0f) {
+                                phi_5091_ = (select(_e1139, _e1138, _e1140) / _e1141);
                             } else {
-                                phi_4676_ = 0f;
+                                phi_5091_ = 0f;
                             }
-                            let _e1138 = phi_4676_;
-                            let _e1139 = (_e1138 > 0.41421357f);
-                            if _e1139 {
-                                phi_4684_ = ((_e1138 - 1f) / (_e1138 + 1f));
+                            let _e1146 = phi_5091_;
+                            let _e1147 = (_e1146 > 0.41421357f);
+                            if _e1147 {
+                                phi_5099_ = ((_e1146 - 1f) / (_e1146 + 1f));
                             } else {
-                                phi_4684_ = _e1138;
+                                phi_5099_ = _e1146;
                             }
-                            let _e1144 = phi_4684_;
-                            let _e1145 = (_e1144 * _e1144);
-                            let _e1154 = (_e1144 + ((_e1144 * _e1145) * (-0.3333295f + (_e1145 * (0.19977711f + (_e1145 * (-0.13877685f + (_e1145 * 0.080537446f))))))));
-                            if _e1139 {
-                                phi_4699_ = (_e1154 + 0.7853982f);
+                            let _e1152 = phi_5099_;
+                            let _e1153 = (_e1152 * _e1152);
+                            let _e1162 = (_e1152 + ((_e1152 * _e1153) * (-0.3333295f + (_e1153 * (0.19977711f + (_e1153 * (-0.13877685f + (_e1153 * 0.080537446f))))))));
+                            if _e1147 {
+                                phi_5114_ = (_e1162 + 0.7853982f);
                             } else {
-                                phi_4699_ = _e1154;
+                                phi_5114_ = _e1162;
                             }
-                            let _e1157 = phi_4699_;
-                            if _e1132 {
-                                phi_4705_ = (1.5707964f - _e1157);
+                            let _e1165 = phi_5114_;
+                            if _e1140 {
+                                phi_5120_ = (1.5707964f - _e1165);
                             } else {
-                                phi_4705_ = _e1157;
+                                phi_5120_ = _e1165;
                             }
-                            let _e1160 = phi_4705_;
-                            if ((bitcast<u32>(_e1129) & 2147483648u) == 0u) {
-                                phi_4713_ = _e1160;
+                            let _e1168 = phi_5120_;
+                            if ((bitcast<u32>(_e1137) & 2147483648u) == 0u) {
+                                phi_5128_ = _e1168;
                             } else {
-                                phi_4713_ = (3.1415927f - _e1160);
+                                phi_5128_ = (3.1415927f - _e1168);
                             }
-                            let _e1166 = phi_4713_;
-                            phi_900_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1086) & 2147483647u) | (bitcast<u32>(_e1031) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1166) & 2147483647u) | (bitcast<u32>(_e1111) & 2147483648u))))));
+                            let _e1174 = phi_5128_;
+                            phi_908_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1094) & 2147483647u) | (bitcast<u32>(_e1039) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1174) & 2147483647u) | (bitcast<u32>(_e1119) & 2147483648u))))));
                         }
-                        let _e1344 = phi_900_;
-                        let _e1353 = ((1f - abs(_e881)) - abs(_e882));
-                        let _e1354 = -(_e1353);
-                        let _e1358 = (bitcast<u32>(select(0f, _e1354, (_e1354 > 0f))) & 2147483647u);
-                        let _e1363 = (_e881 - bitcast<f32>((_e1358 | (bitcast<u32>(_e881) & 2147483648u))));
-                        let _e1368 = (_e882 - bitcast<f32>((_e1358 | (bitcast<u32>(_e882) & 2147483648u))));
-                        let _e1373 = (((_e1363 * _e1363) + (_e1368 * _e1368)) + (_e1353 * _e1353));
-                        if (_e1373 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e1376 = (1f / sqrt(_e1373));
-                            phi_945_ = vec3<f32>((_e1363 * _e1376), (_e1368 * _e1376), (_e1353 * _e1376));
+                        let _e1352 = phi_908_;
+                        let _e1361 = ((1f - abs(_e889)) - abs(_e890));
+                        let _e1362 = -(_e1361);
+                        let _e1366 = (bitcast<u32>(select(0f, _e1362, (_e1362 > 0f))) & 2147483647u);
+                        let _e1371 = (_e889 - bitcast<f32>((_e1366 | (bitcast<u32>(_e889) & 2147483648u))));
+                        let _e1376 = (_e890 - bitcast<f32>((_e1366 | (bitcast<u32>(_e890) & 2147483648u))));
+                        let _e1381 = (((_e1371 * _e1371) + (_e1376 * _e1376)) + (_e1361 * _e1361));
+                        if (_e1381 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e1384 = (1f / sqrt(_e1381));
+                            phi_953_ = vec3<f32>((_e1371 * _e1384), (_e1376 * _e1384), (_e1361 * _e1384));
                         } else {
-                            phi_945_ = vec3<f32>(0f, 0f, 0f);
+                            phi_953_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e1382 = phi_945_;
-                        phi_5271_ = false;
-                        phi_1788_ = type_59(type_58(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), _e1382, 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e1344), (_e188.member_6[1] * _e1344), (_e188.member_6[2] * _e1344)), 0f, _e1344);
+                        let _e1390 = phi_953_;
+                        phi_5686_ = false;
+                        phi_1796_ = type_59(type_58(vec3<f32>(_e196.member[0], _e196.member[1], _e196.member[2]), _e1390, 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e1352), (_e196.member_6[1] * _e1352), (_e196.member_6[2] * _e1352)), 0f, _e1352);
                     } else {
-                        if (_e168.member_1 == 1u) {
-                            let _e752 = (1f - _e188.member_4[1]);
-                            let _e753 = (_e180 * _e752);
-                            let _e757 = floor(((_e181 * 4f) + 0.5f));
-                            let _e763 = ((((6.2831855f * _e181) - (_e757 * 1.5703125f)) - (_e757 * 0.0004837513f)) - (_e757 * 0.0000000754979f));
-                            let _e764 = (_e763 * _e763);
-                            let _e771 = (_e763 + ((_e763 * _e764) * (-0.16666655f + (_e764 * (0.008332161f + (_e764 * -0.00019515296f))))));
-                            let _e780 = ((1f - (0.5f * _e764)) + ((_e764 * _e764) * (0.041666646f + (_e764 * (-0.0013887316f + (_e764 * 0.000024433157f))))));
-                            let _e787 = select(0i, select(select(i32(_e757), i32(-2147483648), (_e757 < -2147483600f)), 2147483647i, (_e757 > 2147483500f)), (_e757 == _e757));
-                            let _e789 = ((_e787 & 1i) == 0i);
-                            let _e790 = select(_e780, _e771, _e789);
-                            let _e791 = select(_e771, _e780, _e789);
-                            if ((_e787 & 2i) == 0i) {
-                                phi_1021_ = _e790;
+                        if (_e176.member_1 == 1u) {
+                            let _e760 = (1f - _e196.member_4[1]);
+                            let _e761 = (_e188 * _e760);
+                            let _e765 = floor(((_e189 * 4f) + 0.5f));
+                            let _e771 = ((((6.2831855f * _e189) - (_e765 * 1.5703125f)) - (_e765 * 0.0004837513f)) - (_e765 * 0.0000000754979f));
+                            let _e772 = (_e771 * _e771);
+                            let _e779 = (_e771 + ((_e771 * _e772) * (-0.16666655f + (_e772 * (0.008332161f + (_e772 * -0.00019515296f))))));
+                            let _e788 = ((1f - (0.5f * _e772)) + ((_e772 * _e772) * (0.041666646f + (_e772 * (-0.0013887316f + (_e772 * 0.000024433157f))))));
+                            let _e795 = select(0i, select(select(i32(_e765), i32(-2147483648), (_e765 < -2147483600f)), 2147483647i, (_e765 > 2147483500f)), (_e765 == _e765));
+                            let _e797 = ((_e795 & 1i) == 0i);
+                            let _e798 = select(_e788, _e779, _e797);
+                            let _e799 = select(_e779, _e788, _e797);
+                            if ((_e795 & 2i) == 0i) {
+                                phi_1029_ = _e798;
                             } else {
-                                phi_1021_ = -(_e790);
+                                phi_1029_ = -(_e798);
                             }
-                            let _e796 = phi_1021_;
-                            if (((_e787 + 1i) & 2i) == 0i) {
-                                phi_1029_ = _e791;
+                            let _e804 = phi_1029_;
+                            if (((_e795 + 1i) & 2i) == 0i) {
+                                phi_1037_ = _e799;
                             } else {
-                                phi_1029_ = -(_e791);
+                                phi_1037_ = -(_e799);
                             }
-                            let _e802 = phi_1029_;
-                            let _e805 = sqrt((_e753 * (2f - _e753)));
-                            let _e806 = (_e805 * _e802);
-                            let _e807 = (_e805 * _e796);
-                            let _e808 = (1f - _e753);
-                            let _e811 = ((6.2831855f * _e752) / f32(_e162));
-                            let _e820 = bitcast<f32>((1065353216u | (bitcast<u32>(_e188.member_2[2]) & 2147483648u)));
-                            let _e822 = (-1f / (_e820 + _e188.member_2[2]));
-                            let _e824 = ((_e188.member_2[0] * _e188.member_2[1]) * _e822);
-                            let _e860 = (_e188.member_4[0] - _e188.member_4[1]);
-                            let _e863 = ((_e808 - _e188.member_4[1]) / select(0.001f, _e860, (_e860 > 0.001f)));
-                            let _e865 = select(0f, _e863, (_e863 > 0f));
-                            let _e867 = select(1f, _e865, (_e865 < 1f));
-                            let _e869 = ((_e867 * _e867) * _e811);
-                            phi_5272_ = false;
-                            phi_1787_ = type_59(type_58(vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]), vec3<f32>(((((1f + (((_e820 * _e188.member_2[0]) * _e188.member_2[0]) * _e822)) * _e806) + (_e824 * _e807)) + (_e188.member_2[0] * _e808)), ((((_e820 * _e824) * _e806) + ((_e820 + ((_e188.member_2[1] * _e188.member_2[1]) * _e822)) * _e807)) + (_e188.member_2[1] * _e808)), ((((-(_e820) * _e188.member_2[0]) * _e806) + (-(_e188.member_2[1]) * _e807)) + (_e188.member_2[2] * _e808))), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e869), (_e188.member_6[1] * _e869), (_e188.member_6[2] * _e869)), 0f, _e811);
+                            let _e810 = phi_1037_;
+                            let _e813 = sqrt((_e761 * (2f - _e761)));
+                            let _e814 = (_e813 * _e810);
+                            let _e815 = (_e813 * _e804);
+                            let _e816 = (1f - _e761);
+                            let _e819 = ((6.2831855f * _e760) / f32(_e170));
+                            let _e828 = bitcast<f32>((1065353216u | (bitcast<u32>(_e196.member_2[2]) & 2147483648u)));
+                            let _e830 = (-1f / (_e828 + _e196.member_2[2]));
+                            let _e832 = ((_e196.member_2[0] * _e196.member_2[1]) * _e830);
+                            let _e868 = (_e196.member_4[0] - _e196.member_4[1]);
+                            let _e871 = ((_e816 - _e196.member_4[1]) / select(0.001f, _e868, (_e868 > 0.001f)));
+                            let _e873 = select(0f, _e871, (_e871 > 0f));
+                            let _e875 = select(1f, _e873, (_e873 < 1f));
+                            let _e877 = ((_e875 * _e875) * _e819);
+                            phi_5687_ = false;
+                            phi_1795_ = type_59(type_58(vec3<f32>(_e196.member[0], _e196.member[1], _e196.member[2]), vec3<f32>(((((1f + (((_e828 * _e196.member_2[0]) * _e196.member_2[0]) * _e830)) * _e814) + (_e832 * _e815)) + (_e196.member_2[0] * _e816)), ((((_e828 * _e832) * _e814) + ((_e828 + ((_e196.member_2[1] * _e196.member_2[1]) * _e830)) * _e815)) + (_e196.member_2[1] * _e816)), ((((-(_e828) * _e196.member_2[0]) * _e814) + (-(_e196.member_2[1]) * _e815)) + (_e196.member_2[2] * _e816))), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e877), (_e196.member_6[1] * _e877), (_e196.member_6[2] * _e877)), 0f, _e819);
                         } else {
-                            if (_e168.member_1 == 2u) {
-                                let _e683 = bitcast<f32>((1065353216u | (bitcast<u32>(_e188.member_2[2]) & 2147483648u)));
-                                let _e685 = (-1f / (_e683 + _e188.member_2[2]));
-                                let _e687 = ((_e188.member_2[0] * _e188.member_2[1]) * _e685);
-                                let _e701 = (((_e180 * 2f) - 1f) * _e168.member.w);
-                                let _e704 = (((_e181 * 2f) - 1f) * _e168.member.w);
-                                let _e705 = -(_e168.member.w);
-                                let _e707 = ((2f * _e168.member.w) / _e179);
-                                let _e736 = (_e707 * _e707);
-                                phi_5273_ = false;
-                                phi_1786_ = type_59(type_58(vec3<f32>((_e168.member.x + ((((1f + (((_e683 * _e188.member_2[0]) * _e188.member_2[0]) * _e685)) * _e701) + (_e687 * _e704)) + (_e188.member_2[0] * _e705))), (_e168.member.y + ((((_e683 * _e687) * _e701) + ((_e683 + ((_e188.member_2[1] * _e188.member_2[1]) * _e685)) * _e704)) + (_e188.member_2[1] * _e705))), (_e168.member.z + ((((-(_e683) * _e188.member_2[0]) * _e701) + (-(_e188.member_2[1]) * _e704)) + (_e188.member_2[2] * _e705)))), vec3<f32>(_e188.member_2[0], _e188.member_2[1], _e188.member_2[2]), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e188.member_6[0] * _e736), (_e188.member_6[1] * _e736), (_e188.member_6[2] * _e736)), _e736, 0f);
+                            if (_e176.member_1 == 2u) {
+                                let _e691 = bitcast<f32>((1065353216u | (bitcast<u32>(_e196.member_2[2]) & 2147483648u)));
+                                let _e693 = (-1f / (_e691 + _e196.member_2[2]));
+                                let _e695 = ((_e196.member_2[0] * _e196.member_2[1]) * _e693);
+                                let _e709 = (((_e188 * 2f) - 1f) * _e176.member.w);
+                                let _e712 = (((_e189 * 2f) - 1f) * _e176.member.w);
+                                let _e713 = -(_e176.member.w);
+                                let _e715 = ((2f * _e176.member.w) / _e187);
+                                let _e744 = (_e715 * _e715);
+                                phi_5688_ = false;
+                                phi_1794_ = type_59(type_58(vec3<f32>((_e176.member.x + ((((1f + (((_e691 * _e196.member_2[0]) * _e196.member_2[0]) * _e693)) * _e709) + (_e695 * _e712)) + (_e196.member_2[0] * _e713))), (_e176.member.y + ((((_e691 * _e695) * _e709) + ((_e691 + ((_e196.member_2[1] * _e196.member_2[1]) * _e693)) * _e712)) + (_e196.member_2[1] * _e713))), (_e176.member.z + ((((-(_e691) * _e196.member_2[0]) * _e709) + (-(_e196.member_2[1]) * _e712)) + (_e196.member_2[2] * _e713)))), vec3<f32>(_e196.member_2[0], _e196.member_2[1], _e196.member_2[2]), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e744), (_e196.member_6[1] * _e744), (_e196.member_6[2] * _e744)), _e744, 0f);
                             } else {
-                                let _e193 = (_e168.member_3 + _e170);
-                                if (_e168.member_2 > 0u) {
-                                    let _e195 = (_e168.member_2 - 1u);
-                                    if (_e195 < _e142) {
+                                let _e201 = (_e176.member_3 + _e178);
+                                if (_e176.member_2 > 0u) {
+                                    let _e203 = (_e176.member_2 - 1u);
+                                    if (_e203 < _e150) {
                                     } else {
                                         break;
                                     }
-                                    let _e200 = lights.member[_e195].member_5;
-                                    phi_1215_ = _e200;
+                                    let _e208 = lights.member[_e203].member_5;
+                                    phi_1223_ = _e208;
                                 } else {
-                                    phi_1215_ = 0f;
+                                    phi_1223_ = 0f;
                                 }
-                                let _e202 = phi_1215_;
-                                let _e203 = (1f - _e202);
-                                let _e206 = params.member.member_4;
-                                let _e210 = f32(_e168.member_4);
-                                phi_1229_ = (_e206 - 1u);
-                                phi_1232_ = _e168.member_2;
+                                let _e210 = phi_1223_;
+                                let _e211 = (1f - _e210);
+                                let _e214 = params.member.member_4;
+                                let _e218 = f32(_e176.member_4);
+                                phi_1237_ = (_e214 - 1u);
+                                phi_1240_ = _e176.member_2;
                                 loop {
-                                    let _e216 = phi_1229_;
-                                    let _e218 = phi_1232_;
-                                    local_4 = _e218;
-                                    local_5 = _e218;
-                                    local_6 = _e218;
-                                    local_7 = _e218;
-                                    local_8 = _e218;
-                                    local_9 = _e218;
-                                    local_10 = _e218;
-                                    let _e219 = (_e218 < _e216);
-                                    if _e219 {
-                                        let _e221 = ((_e218 + _e216) / 2u);
-                                        if (_e221 < _e142) {
+                                    let _e224 = phi_1237_;
+                                    let _e226 = phi_1240_;
+                                    local_4 = _e226;
+                                    local_5 = _e226;
+                                    local_6 = _e226;
+                                    local_7 = _e226;
+                                    local_8 = _e226;
+                                    local_9 = _e226;
+                                    local_10 = _e226;
+                                    let _e227 = (_e226 < _e224);
+                                    if _e227 {
+                                        let _e229 = ((_e226 + _e224) / 2u);
+                                        if (_e229 < _e150) {
                                         } else {
-                                            phi_5249_ = true;
+                                            phi_5664_ = true;
                                             break;
                                         }
-                                        let _e226 = lights.member[_e221].member_5;
-                                        let _e227 = (_e226 > (_e202 + (_e203 * ((f32(_e193) + 0.5f) / _e210))));
-                                        if _e227 {
-                                            phi_1256_ = _e218;
+                                        let _e234 = lights.member[_e229].member_5;
+                                        let _e235 = (_e234 > (_e210 + (_e211 * ((f32(_e201) + 0.5f) / _e218))));
+                                        if _e235 {
+                                            phi_1264_ = _e226;
                                         } else {
-                                            phi_1256_ = (_e221 + 1u);
+                                            phi_1264_ = (_e229 + 1u);
                                         }
-                                        let _e230 = phi_1256_;
-                                        phi_1230_ = select(_e216, _e221, _e227);
-                                        phi_1233_ = _e230;
+                                        let _e238 = phi_1264_;
+                                        phi_1238_ = select(_e224, _e229, _e235);
+                                        phi_1241_ = _e238;
                                     } else {
-                                        phi_1230_ = u32();
-                                        phi_1233_ = u32();
+                                        phi_1238_ = u32();
+                                        phi_1241_ = u32();
                                     }
-                                    let _e233 = phi_1230_;
-                                    let _e235 = phi_1233_;
+                                    let _e241 = phi_1238_;
+                                    let _e243 = phi_1241_;
                                     continue;
                                     continuing {
-                                        phi_1229_ = _e233;
-                                        phi_1232_ = _e235;
-                                        phi_5249_ = false;
-                                        break if !(_e219);
+                                        phi_1237_ = _e241;
+                                        phi_1240_ = _e243;
+                                        phi_5664_ = false;
+                                        break if !(_e227);
                                     }
                                 }
-                                let _e238 = phi_5249_;
-                                if _e238 {
+                                let _e246 = phi_5664_;
+                                if _e246 {
                                     break;
                                 }
-                                let _e240 = local_4;
-                                if (_e240 < _e142) {
+                                let _e248 = local_4;
+                                if (_e248 < _e150) {
                                 } else {
                                     break;
                                 }
-                                let _e244 = local_5;
-                                let _e247 = lights.member[_e244].member;
-                                let _e250 = local_6;
-                                let _e253 = lights.member[_e250].member_2;
-                                let _e256 = local_7;
-                                let _e259 = lights.member[_e256].member_3;
-                                let _e262 = local_8;
-                                let _e265 = lights.member[_e262].member_4;
-                                let _e268 = local_9;
-                                let _e271 = lights.member[_e268].member_6;
-                                let _e274 = local_10;
-                                let _e277 = lights.member[_e274].member_7;
-                                let _e287 = (_e253[0] - _e247[0]);
-                                let _e288 = (_e253[1] - _e247[1]);
-                                let _e289 = (_e253[2] - _e247[2]);
-                                let _e290 = (_e265[0] - _e247[0]);
-                                let _e291 = (_e265[1] - _e247[1]);
-                                let _e292 = (_e265[2] - _e247[2]);
-                                let _e295 = ((_e288 * _e292) - (_e291 * _e289));
-                                let _e298 = ((_e289 * _e290) - (_e292 * _e287));
-                                let _e301 = ((_e287 * _e291) - (_e290 * _e288));
-                                let _e302 = abs(_e295);
-                                let _e303 = abs(_e298);
-                                let _e305 = select(_e303, _e302, (_e302 > _e303));
-                                let _e306 = abs(_e301);
-                                let _e308 = select(_e306, _e305, (_e305 > _e306));
-                                if (_e308 > 0.000000000000000000000000000000000000011754944f) {
-                                    let _e310 = (_e308 < 340282350000000000000000000000000000000f);
-                                    if _e310 {
-                                        let _e311 = (_e295 / _e308);
-                                        let _e312 = (_e298 / _e308);
-                                        let _e313 = (_e301 / _e308);
-                                        let _e319 = sqrt((((_e311 * _e311) + (_e312 * _e312)) + (_e313 * _e313)));
-                                        phi_1351_ = vec3<f32>((_e311 / _e319), (_e312 / _e319), (_e313 / _e319));
+                                let _e252 = local_5;
+                                let _e255 = lights.member[_e252].member;
+                                let _e258 = local_6;
+                                let _e261 = lights.member[_e258].member_2;
+                                let _e264 = local_7;
+                                let _e267 = lights.member[_e264].member_3;
+                                let _e270 = local_8;
+                                let _e273 = lights.member[_e270].member_4;
+                                let _e276 = local_9;
+                                let _e279 = lights.member[_e276].member_6;
+                                let _e282 = local_10;
+                                let _e285 = lights.member[_e282].member_7;
+                                let _e295 = (_e261[0] - _e255[0]);
+                                let _e296 = (_e261[1] - _e255[1]);
+                                let _e297 = (_e261[2] - _e255[2]);
+                                let _e298 = (_e273[0] - _e255[0]);
+                                let _e299 = (_e273[1] - _e255[1]);
+                                let _e300 = (_e273[2] - _e255[2]);
+                                let _e303 = ((_e296 * _e300) - (_e299 * _e297));
+                                let _e306 = ((_e297 * _e298) - (_e300 * _e295));
+                                let _e309 = ((_e295 * _e299) - (_e298 * _e296));
+                                let _e310 = abs(_e303);
+                                let _e311 = abs(_e306);
+                                let _e313 = select(_e311, _e310, (_e310 > _e311));
+                                let _e314 = abs(_e309);
+                                let _e316 = select(_e314, _e313, (_e313 > _e314));
+                                if (_e316 > 0.000000000000000000000000000000000000011754944f) {
+                                    let _e318 = (_e316 < 340282350000000000000000000000000000000f);
+                                    if _e318 {
+                                        let _e319 = (_e303 / _e316);
+                                        let _e320 = (_e306 / _e316);
+                                        let _e321 = (_e309 / _e316);
+                                        let _e327 = sqrt((((_e319 * _e319) + (_e320 * _e320)) + (_e321 * _e321)));
+                                        phi_1359_ = vec3<f32>((_e319 / _e327), (_e320 / _e327), (_e321 / _e327));
                                     } else {
-                                        phi_1351_ = vec3<f32>();
+                                        phi_1359_ = vec3<f32>();
                                     }
-                                    let _e325 = phi_1351_;
-                                    phi_1353_ = _e325;
-                                    phi_1354_ = select(true, false, _e310);
+                                    let _e333 = phi_1359_;
+                                    phi_1361_ = _e333;
+                                    phi_1362_ = select(true, false, _e318);
                                 } else {
-                                    phi_1353_ = vec3<f32>();
-                                    phi_1354_ = true;
+                                    phi_1361_ = vec3<f32>();
+                                    phi_1362_ = true;
                                 }
-                                let _e328 = phi_1353_;
-                                let _e330 = phi_1354_;
-                                let _e332 = select(_e328, vec3<f32>(0f, 1f, 0f), vec3(_e330));
-                                let _e335 = params.member.member_5;
-                                let _e339 = ((_e193 * 1664525u) + 1013904223u);
-                                let _e341 = (((_e335 * 1664525u) + 1013904223u) + (_e339 * 1013904223u));
-                                let _e343 = (_e339 + (1013904223u * _e341));
-                                let _e345 = (1013904223u + (_e341 * _e343));
-                                let _e347 = (1013904223u + (_e343 * _e345));
-                                let _e353 = (_e343 ^ (_e343 >> bitcast<u32>(16i)));
-                                let _e361 = ((_e341 ^ (_e341 >> bitcast<u32>(16i))) + (_e353 * (_e347 ^ (_e347 >> bitcast<u32>(16i)))));
-                                let _e366 = f32((_e361 >> bitcast<u32>(8i)));
-                                let _e367 = (_e366 * 0.000000059604645f);
-                                let _e370 = f32(((_e353 + ((_e345 ^ (_e345 >> bitcast<u32>(16i))) * _e361)) >> bitcast<u32>(8i)));
-                                let _e371 = (_e370 * 0.000000059604645f);
-                                if (_e367 < _e371) {
-                                    let _e376 = (_e366 * 0.000000029802322f);
-                                    phi_1405_ = vec2<f32>(_e376, (_e371 - _e376));
+                                let _e336 = phi_1361_;
+                                let _e338 = phi_1362_;
+                                let _e340 = select(_e336, vec3<f32>(0f, 1f, 0f), vec3(_e338));
+                                let _e343 = params.member.member_5;
+                                let _e347 = ((_e201 * 1664525u) + 1013904223u);
+                                let _e349 = (((_e343 * 1664525u) + 1013904223u) + (_e347 * 1013904223u));
+                                let _e351 = (_e347 + (1013904223u * _e349));
+                                let _e353 = (1013904223u + (_e349 * _e351));
+                                let _e355 = (1013904223u + (_e351 * _e353));
+                                let _e361 = (_e351 ^ (_e351 >> bitcast<u32>(16i)));
+                                let _e369 = ((_e349 ^ (_e349 >> bitcast<u32>(16i))) + (_e361 * (_e355 ^ (_e355 >> bitcast<u32>(16i)))));
+                                let _e374 = f32((_e369 >> bitcast<u32>(8i)));
+                                let _e375 = (_e374 * 0.000000059604645f);
+                                let _e378 = f32(((_e361 + ((_e353 ^ (_e353 >> bitcast<u32>(16i))) * _e369)) >> bitcast<u32>(8i)));
+                                let _e379 = (_e378 * 0.000000059604645f);
+                                if (_e375 < _e379) {
+                                    let _e384 = (_e374 * 0.000000029802322f);
+                                    phi_1413_ = vec2<f32>(_e384, (_e379 - _e384));
                                 } else {
-                                    let _e373 = (_e370 * 0.000000029802322f);
-                                    phi_1405_ = vec2<f32>((_e367 - _e373), _e373);
+                                    let _e381 = (_e378 * 0.000000029802322f);
+                                    phi_1413_ = vec2<f32>((_e375 - _e381), _e381);
                                 }
-                                let _e380 = phi_1405_;
-                                let _e408 = ((_e335 ^ (_e335 >> bitcast<u32>(16i))) * 2146121005u);
-                                let _e412 = ((_e408 ^ (_e408 >> bitcast<u32>(15i))) * 2221713035u);
-                                let _e419 = (_e335 ^ 2654435769u);
-                                let _e423 = ((_e419 ^ (_e419 >> bitcast<u32>(16i))) * 2146121005u);
-                                let _e427 = ((_e423 ^ (_e423 >> bitcast<u32>(15i))) * 2221713035u);
-                                let _e435 = (0.000000059604645f * (f32(((2147483648u + (_e193 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e412 ^ (_e412 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
-                                if (_e435 >= 1f) {
-                                    phi_4461_ = (_e435 - 1f);
+                                let _e388 = phi_1413_;
+                                let _e416 = ((_e343 ^ (_e343 >> bitcast<u32>(16i))) * 2146121005u);
+                                let _e420 = ((_e416 ^ (_e416 >> bitcast<u32>(15i))) * 2221713035u);
+                                let _e427 = (_e343 ^ 2654435769u);
+                                let _e431 = ((_e427 ^ (_e427 >> bitcast<u32>(16i))) * 2146121005u);
+                                let _e435 = ((_e431 ^ (_e431 >> bitcast<u32>(15i))) * 2221713035u);
+                                let _e443 = (0.000000059604645f * (f32(((2147483648u + (_e201 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e420 ^ (_e420 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
+                                if (_e443 >= 1f) {
+                                    phi_4876_ = (_e443 - 1f);
                                 } else {
-                                    phi_4461_ = _e435;
+                                    phi_4876_ = _e443;
                                 }
-                                let _e439 = phi_4461_;
-                                let _e441 = (0.000000059604645f * (f32(((2147483648u + (_e193 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e427 ^ (_e427 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
-                                if (_e441 >= 1f) {
-                                    phi_4469_ = (_e441 - 1f);
+                                let _e447 = phi_4876_;
+                                let _e449 = (0.000000059604645f * (f32(((2147483648u + (_e201 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e435 ^ (_e435 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
+                                if (_e449 >= 1f) {
+                                    phi_4884_ = (_e449 - 1f);
                                 } else {
-                                    phi_4469_ = _e441;
+                                    phi_4884_ = _e449;
                                 }
-                                let _e445 = phi_4469_;
-                                let _e447 = ((2f * _e439) - 1f);
-                                let _e449 = ((2f * _e445) - 1f);
-                                if (_e447 == 0f) {
-                                    let _e451 = (_e449 == 0f);
-                                    phi_1486_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e451));
-                                    phi_1487_ = select(true, false, _e451);
+                                let _e453 = phi_4884_;
+                                let _e455 = ((2f * _e447) - 1f);
+                                let _e457 = ((2f * _e453) - 1f);
+                                if (_e455 == 0f) {
+                                    let _e459 = (_e457 == 0f);
+                                    phi_1494_ = select(vec2<f32>(), vec2<f32>(0f, 0f), vec2(_e459));
+                                    phi_1495_ = select(true, false, _e459);
                                 } else {
-                                    phi_1486_ = vec2<f32>();
-                                    phi_1487_ = true;
+                                    phi_1494_ = vec2<f32>();
+                                    phi_1495_ = true;
                                 }
-                                let _e456 = phi_1486_;
-                                let _e458 = phi_1487_;
-                                if _e458 {
-                                    if (abs(_e447) > abs(_e449)) {
-                                        let _e515 = (_e449 / _e447);
-                                        let _e519 = floor(((_e515 * 0.5f) + 0.5f));
-                                        let _e525 = ((((0.7853982f * _e515) - (_e519 * 1.5703125f)) - (_e519 * 0.0004837513f)) - (_e519 * 0.0000000754979f));
-                                        let _e526 = (_e525 * _e525);
-                                        let _e533 = (_e525 + ((_e525 * _e526) * (-0.16666655f + (_e526 * (0.008332161f + (_e526 * -0.00019515296f))))));
-                                        let _e542 = ((1f - (0.5f * _e526)) + ((_e526 * _e526) * (0.041666646f + (_e526 * (-0.0013887316f + (_e526 * 0.000024433157f))))));
-                                        let _e549 = select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < -2147483600f)), 2147483647i, (_e519 > 2147483500f)), (_e519 == _e519));
-                                        let _e551 = ((_e549 & 1i) == 0i);
-                                        let _e552 = select(_e542, _e533, _e551);
-                                        let _e553 = select(_e533, _e542, _e551);
-                                        if ((_e549 & 2i) == 0i) {
-                                            phi_1551_ = _e552;
+                                let _e464 = phi_1494_;
+                                let _e466 = phi_1495_;
+                                if _e466 {
+                                    if (abs(_e455) > abs(_e457)) {
+                                        let _e523 = (_e457 / _e455);
+                                        let _e527 = floor(((_e523 * 0.5f) + 0.5f));
+                                        let _e533 = ((((0.7853982f * _e523) - (_e527 * 1.5703125f)) - (_e527 * 0.0004837513f)) - (_e527 * 0.0000000754979f));
+                                        let _e534 = (_e533 * _e533);
+                                        let _e541 = (_e533 + ((_e533 * _e534) * (-0.16666655f + (_e534 * (0.008332161f + (_e534 * -0.00019515296f))))));
+                                        let _e550 = ((1f - (0.5f * _e534)) + ((_e534 * _e534) * (0.041666646f + (_e534 * (-0.0013887316f + (_e534 * 0.000024433157f))))));
+                                        let _e557 = select(0i, select(select(i32(_e527), i32(-2147483648), (_e527 < -2147483600f)), 2147483647i, (_e527 > 2147483500f)), (_e527 == _e527));
+                                        let _e559 = ((_e557 & 1i) == 0i);
+                                        let _e560 = select(_e550, _e541, _e559);
+                                        let _e561 = select(_e541, _e550, _e559);
+                                        if ((_e557 & 2i) == 0i) {
+                                            phi_1559_ = _e560;
                                         } else {
-                                            phi_1551_ = -(_e552);
+                                            phi_1559_ = -(_e560);
                                         }
-                                        let _e558 = phi_1551_;
-                                        if (((_e549 + 1i) & 2i) == 0i) {
-                                            phi_1559_ = _e553;
+                                        let _e566 = phi_1559_;
+                                        if (((_e557 + 1i) & 2i) == 0i) {
+                                            phi_1567_ = _e561;
                                         } else {
-                                            phi_1559_ = -(_e553);
+                                            phi_1567_ = -(_e561);
                                         }
-                                        let _e564 = phi_1559_;
-                                        phi_1629_ = vec2<f32>((_e447 * _e564), (_e447 * _e558));
+                                        let _e572 = phi_1567_;
+                                        phi_1637_ = vec2<f32>((_e455 * _e572), (_e455 * _e566));
                                     } else {
-                                        let _e462 = (_e447 / _e449);
-                                        let _e466 = floor(((_e462 * 0.5f) + 0.5f));
-                                        let _e472 = ((((0.7853982f * _e462) - (_e466 * 1.5703125f)) - (_e466 * 0.0004837513f)) - (_e466 * 0.0000000754979f));
-                                        let _e473 = (_e472 * _e472);
-                                        let _e480 = (_e472 + ((_e472 * _e473) * (-0.16666655f + (_e473 * (0.008332161f + (_e473 * -0.00019515296f))))));
-                                        let _e489 = ((1f - (0.5f * _e473)) + ((_e473 * _e473) * (0.041666646f + (_e473 * (-0.0013887316f + (_e473 * 0.000024433157f))))));
-                                        let _e496 = select(0i, select(select(i32(_e466), i32(-2147483648), (_e466 < -2147483600f)), 2147483647i, (_e466 > 2147483500f)), (_e466 == _e466));
-                                        let _e498 = ((_e496 & 1i) == 0i);
-                                        let _e499 = select(_e489, _e480, _e498);
-                                        let _e500 = select(_e480, _e489, _e498);
-                                        if ((_e496 & 2i) == 0i) {
-                                            phi_1617_ = _e499;
+                                        let _e470 = (_e455 / _e457);
+                                        let _e474 = floor(((_e470 * 0.5f) + 0.5f));
+                                        let _e480 = ((((0.7853982f * _e470) - (_e474 * 1.5703125f)) - (_e474 * 0.0004837513f)) - (_e474 * 0.0000000754979f));
+                                        let _e481 = (_e480 * _e480);
+                                        let _e488 = (_e480 + ((_e480 * _e481) * (-0.16666655f + (_e481 * (0.008332161f + (_e481 * -0.00019515296f))))));
+                                        let _e497 = ((1f - (0.5f * _e481)) + ((_e481 * _e481) * (0.041666646f + (_e481 * (-0.0013887316f + (_e481 * 0.000024433157f))))));
+                                        let _e504 = select(0i, select(select(i32(_e474), i32(-2147483648), (_e474 < -2147483600f)), 2147483647i, (_e474 > 2147483500f)), (_e474 == _e474));
+                                        let _e506 = ((_e504 & 1i) == 0i);
+                                        let _e507 = select(_e497, _e488, _e506);
+                                        let _e508 = select(_e488, _e497, _e506);
+                                        if ((_e504 & 2i) == 0i) {
+                                            phi_1625_ = _e507;
                                         } else {
-                                            phi_1617_ = -(_e499);
+                                            phi_1625_ = -(_e507);
                                         }
-                                        let _e505 = phi_1617_;
-                                        if (((_e496 + 1i) & 2i) == 0i) {
-                                            phi_1625_ = _e500;
+                                        let _e513 = phi_1625_;
+                                        if (((_e504 + 1i) & 2i) == 0i) {
+                                            phi_1633_ = _e508;
                                         } else {
-                                            phi_1625_ = -(_e500);
+                                            phi_1633_ = -(_e508);
                                         }
-                                        let _e511 = phi_1625_;
-                                        phi_1629_ = vec2<f32>((_e449 * _e505), (_e449 * _e511));
+                                        let _e519 = phi_1633_;
+                                        phi_1637_ = vec2<f32>((_e457 * _e513), (_e457 * _e519));
                                     }
-                                    let _e569 = phi_1629_;
-                                    phi_1630_ = _e569;
+                                    let _e577 = phi_1637_;
+                                    phi_1638_ = _e577;
                                 } else {
-                                    phi_1630_ = _e456;
+                                    phi_1638_ = _e464;
                                 }
-                                let _e571 = phi_1630_;
-                                let _e577 = (1f - ((_e571.x * _e571.x) + (_e571.y * _e571.y)));
-                                let _e580 = sqrt(select(0f, _e577, (_e577 > 0f)));
-                                let _e585 = bitcast<f32>((1065353216u | (bitcast<u32>(_e332.z) & 2147483648u)));
-                                let _e587 = (-1f / (_e585 + _e332.z));
-                                let _e591 = ((_e332.x * _e332.y) * _e587);
-                                let _e615 = ((((1f + (((_e585 * _e332.x) * _e332.x) * _e587)) * _e571.x) + (_e591 * _e571.y)) + (_e332.x * _e580));
-                                let _e616 = ((((_e585 * _e591) * _e571.x) + ((_e585 + ((_e332.y * _e332.y) * _e587)) * _e571.y)) + (_e332.y * _e580));
-                                let _e617 = ((((-(_e585) * _e332.x) * _e571.x) + (-(_e332.y) * _e571.y)) + (_e332.z * _e580));
-                                let _e622 = ((_e210 * _e277) / select(0.000000000000000000000000000000000000011754944f, _e203, (_e203 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e625 = abs(_e247[0]);
-                                let _e626 = abs(_e247[1]);
-                                let _e627 = abs(_e247[2]);
-                                let _e629 = select(_e626, _e625, (_e625 > _e626));
-                                let _e631 = select(_e627, _e629, (_e629 > _e627));
-                                let _e632 = abs(_e287);
-                                let _e633 = abs(_e288);
-                                let _e634 = abs(_e289);
-                                let _e636 = select(_e633, _e632, (_e632 > _e633));
-                                let _e638 = select(_e634, _e636, (_e636 > _e634));
-                                let _e640 = select(_e638, _e631, (_e631 > _e638));
-                                if ((((_e332.x * _e615) + (_e332.y * _e616)) + (_e332.z * _e617)) < 0f) {
-                                    phi_1755_ = (_e640 * -0.000001f);
+                                let _e579 = phi_1638_;
+                                let _e585 = (1f - ((_e579.x * _e579.x) + (_e579.y * _e579.y)));
+                                let _e588 = sqrt(select(0f, _e585, (_e585 > 0f)));
+                                let _e593 = bitcast<f32>((1065353216u | (bitcast<u32>(_e340.z) & 2147483648u)));
+                                let _e595 = (-1f / (_e593 + _e340.z));
+                                let _e599 = ((_e340.x * _e340.y) * _e595);
+                                let _e623 = ((((1f + (((_e593 * _e340.x) * _e340.x) * _e595)) * _e579.x) + (_e599 * _e579.y)) + (_e340.x * _e588));
+                                let _e624 = ((((_e593 * _e599) * _e579.x) + ((_e593 + ((_e340.y * _e340.y) * _e595)) * _e579.y)) + (_e340.y * _e588));
+                                let _e625 = ((((-(_e593) * _e340.x) * _e579.x) + (-(_e340.y) * _e579.y)) + (_e340.z * _e588));
+                                let _e630 = ((_e218 * _e285) / select(0.000000000000000000000000000000000000011754944f, _e211, (_e211 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e633 = abs(_e255[0]);
+                                let _e634 = abs(_e255[1]);
+                                let _e635 = abs(_e255[2]);
+                                let _e637 = select(_e634, _e633, (_e633 > _e634));
+                                let _e639 = select(_e635, _e637, (_e637 > _e635));
+                                let _e640 = abs(_e295);
+                                let _e641 = abs(_e296);
+                                let _e642 = abs(_e297);
+                                let _e644 = select(_e641, _e640, (_e640 > _e641));
+                                let _e646 = select(_e642, _e644, (_e644 > _e642));
+                                let _e648 = select(_e646, _e639, (_e639 > _e646));
+                                if ((((_e340.x * _e623) + (_e340.y * _e624)) + (_e340.z * _e625)) < 0f) {
+                                    phi_1763_ = (_e648 * -0.000001f);
                                 } else {
-                                    phi_1755_ = (_e640 * 0.000001f);
+                                    phi_1763_ = (_e648 * 0.000001f);
                                 }
-                                let _e650 = phi_1755_;
-                                let _e663 = ((3.1415927f * _e259) / select(0.000000000000000000000000000000000000011754944f, _e622, (_e622 > 0.000000000000000000000000000000000000011754944f)));
-                                phi_5273_ = _e238;
-                                phi_1786_ = type_59(type_58(vec3<f32>((((_e247[0] + (_e287 * _e380.x)) + (_e290 * _e380.y)) + (_e332.x * _e650)), (((_e247[1] + (_e288 * _e380.x)) + (_e291 * _e380.y)) + (_e332.y * _e650)), (((_e247[2] + (_e289 * _e380.x)) + (_e292 * _e380.y)) + (_e332.z * _e650))), vec3<f32>(_e615, _e616, _e617), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e271[0] * _e663), (_e271[1] * _e663), (_e271[2] * _e663)), 0f, (3.1415927f / (_e210 * select(0.05f, _e580, (_e580 > 0.05f)))));
+                                let _e658 = phi_1763_;
+                                let _e671 = ((3.1415927f * _e267) / select(0.000000000000000000000000000000000000011754944f, _e630, (_e630 > 0.000000000000000000000000000000000000011754944f)));
+                                phi_5688_ = _e246;
+                                phi_1794_ = type_59(type_58(vec3<f32>((((_e255[0] + (_e295 * _e388.x)) + (_e298 * _e388.y)) + (_e340.x * _e658)), (((_e255[1] + (_e296 * _e388.x)) + (_e299 * _e388.y)) + (_e340.y * _e658)), (((_e255[2] + (_e297 * _e388.x)) + (_e300 * _e388.y)) + (_e340.z * _e658))), vec3<f32>(_e623, _e624, _e625), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e279[0] * _e671), (_e279[1] * _e671), (_e279[2] * _e671)), 0f, (3.1415927f / (_e218 * select(0.05f, _e588, (_e588 > 0.05f)))));
                             }
-                            let _e743 = phi_5273_;
-                            let _e745 = phi_1786_;
-                            phi_5272_ = _e743;
-                            phi_1787_ = _e745;
+                            let _e751 = phi_5688_;
+                            let _e753 = phi_1794_;
+                            phi_5687_ = _e751;
+                            phi_1795_ = _e753;
                         }
-                        let _e876 = phi_5272_;
-                        let _e878 = phi_1787_;
-                        phi_5271_ = _e876;
-                        phi_1788_ = _e878;
+                        let _e884 = phi_5687_;
+                        let _e886 = phi_1795_;
+                        phi_5686_ = _e884;
+                        phi_1796_ = _e886;
                     }
-                    let _e1394 = phi_5271_;
-                    let _e1396 = phi_1788_;
-                    phi_5270_ = _e1394;
-                    phi_1789_ = _e1396;
+                    let _e1402 = phi_5686_;
+                    let _e1404 = phi_1796_;
+                    phi_5685_ = _e1402;
+                    phi_1797_ = _e1404;
                 }
-                let _e1744 = phi_5270_;
-                let _e1746 = phi_1789_;
-                let _e1750 = abs(_e1746.member.member_1.x);
-                let _e1754 = abs(_e1746.member.member_1.y);
-                let _e1758 = abs(_e1746.member.member_1.z);
-                let _e1759 = (_e1750 > _e1754);
-                if _e1759 {
-                    phi_1809_ = (_e1750 > _e1758);
+                let _e1752 = phi_5685_;
+                let _e1754 = phi_1797_;
+                let _e1758 = abs(_e1754.member.member_1.x);
+                let _e1762 = abs(_e1754.member.member_1.y);
+                let _e1766 = abs(_e1754.member.member_1.z);
+                let _e1767 = (_e1758 > _e1762);
+                if _e1767 {
+                    phi_1817_ = (_e1758 > _e1766);
                 } else {
-                    phi_1809_ = (_e1754 > _e1758);
+                    phi_1817_ = (_e1762 > _e1766);
                 }
-                let _e1763 = phi_1809_;
-                let _e1764 = select(1u, 0u, _e1759);
-                if _e1763 {
-                    let _e1765 = (_e1764 + 1u);
-                    phi_1819_ = _e1765;
-                    phi_1822_ = select(true, false, (_e1765 == 2u));
+                let _e1771 = phi_1817_;
+                let _e1772 = select(1u, 0u, _e1767);
+                if _e1771 {
+                    let _e1773 = (_e1772 + 1u);
+                    phi_1827_ = _e1773;
+                    phi_1830_ = select(true, false, (_e1773 == 2u));
                 } else {
-                    phi_1819_ = u32();
-                    phi_1822_ = false;
+                    phi_1827_ = u32();
+                    phi_1830_ = false;
                 }
-                let _e1769 = phi_1819_;
-                let _e1771 = phi_1822_;
-                let _e1772 = select(true, false, _e1763);
-                let _e1773 = select(_e1769, 0u, _e1772);
-                let _e1775 = select(_e1771, true, _e1772);
-                if _e1775 {
-                    phi_1833_ = (_e1773 + 1u);
+                let _e1777 = phi_1827_;
+                let _e1779 = phi_1830_;
+                let _e1780 = select(true, false, _e1771);
+                let _e1781 = select(_e1777, 0u, _e1780);
+                let _e1783 = select(_e1779, true, _e1780);
+                if _e1783 {
+                    phi_1841_ = (_e1781 + 1u);
                 } else {
-                    phi_1833_ = 0u;
+                    phi_1841_ = 0u;
                 }
-                let _e1778 = phi_1833_;
-                let _e1779 = select(_e1769, _e1773, _e1775);
-                let _e1780 = select(_e1764, select(_e1764, 2u, _e1772), _e1775);
-                local_2 = array<f32, 3>(_e1746.member.member_1.x, _e1746.member.member_1.y, _e1746.member.member_1.z);
-                local_3 = array<f32, 3>(_e1746.member.member.x, _e1746.member.member.y, _e1746.member.member.z);
-                let _e1792 = (_e1780 < 3u);
-                if _e1792 {
-                } else {
-                    break;
-                }
-                let _e1794 = local_2[_e1780];
-                let _e1795 = (1f / _e1794);
-                let _e1796 = (_e1779 < 3u);
-                if _e1796 {
-                } else {
-                    break;
-                }
-                let _e1798 = local_2[_e1779];
-                let _e1799 = (_e1798 * _e1795);
-                let _e1800 = (_e1778 < 3u);
+                let _e1786 = phi_1841_;
+                let _e1787 = select(_e1777, _e1781, _e1783);
+                let _e1788 = select(_e1772, select(_e1772, 2u, _e1780), _e1783);
+                local_2 = array<f32, 3>(_e1754.member.member_1.x, _e1754.member.member_1.y, _e1754.member.member_1.z);
+                local_3 = array<f32, 3>(_e1754.member.member.x, _e1754.member.member.y, _e1754.member.member.z);
+                let _e1800 = (_e1788 < 3u);
                 if _e1800 {
                 } else {
                     break;
                 }
-                let _e1802 = local_2[_e1778];
-                let _e1803 = (_e1802 * _e1795);
-                if _e1796 {
+                let _e1802 = local_2[_e1788];
+                let _e1803 = (1f / _e1802);
+                let _e1804 = (_e1787 < 3u);
+                if _e1804 {
                 } else {
                     break;
                 }
-                let _e1805 = local_3[_e1779];
+                let _e1806 = local_2[_e1787];
+                let _e1807 = (_e1806 * _e1803);
+                let _e1808 = (_e1786 < 3u);
+                if _e1808 {
+                } else {
+                    break;
+                }
+                let _e1810 = local_2[_e1786];
+                let _e1811 = (_e1810 * _e1803);
+                if _e1804 {
+                } else {
+                    break;
+                }
+                let _e1813 = local_3[_e1787];
+                if _e1808 {
+                } else {
+                    break;
+                }
+                let _e1815 = local_3[_e1786];
                 if _e1800 {
                 } else {
                     break;
                 }
-                let _e1807 = local_3[_e1778];
-                if _e1792 {
+                let _e1817 = local_3[_e1788];
+                if (0u < _e139) {
                 } else {
                     break;
                 }
-                let _e1809 = local_3[_e1780];
-                if (0u < _e131) {
+                let _e1822 = nodes.member[0u].member_7[0u];
+                let _e1826 = nodes.member[0u].member_7[1u];
+                let _e1830 = nodes.member[0u].member_7[2u];
+                let _e1834 = nodes.member[0u].member_7[3u];
+                let _e1836 = abs((_e1754.member.member.x - _e1822));
+                let _e1838 = abs((_e1754.member.member.y - _e1826));
+                let _e1840 = select(_e1838, _e1836, (_e1836 > _e1838));
+                let _e1842 = abs((_e1754.member.member.z - _e1830));
+                let _e1846 = ((select(_e1842, _e1840, (_e1840 > _e1842)) + _e1834) * 0.0000009536743f);
+                let _e1853 = (_e1846 + (abs(_e1754.member.member.x) * 0.00000023841858f));
+                let _e1854 = (_e1846 + (abs(_e1754.member.member.y) * 0.00000023841858f));
+                let _e1855 = (_e1846 + (abs(_e1754.member.member.z) * 0.00000023841858f));
+                let _e1856 = select(_e1762, _e1758, _e1767);
+                let _e1858 = select(_e1766, _e1856, (_e1856 > _e1766));
+                let _e1859 = (_e1858 * 0.000000000001f);
+                let _e1863 = (_e1754.member.member.x + _e1853);
+                let _e1865 = (_e1754.member.member.y + _e1854);
+                let _e1867 = (_e1754.member.member.z + _e1855);
+                let _e1868 = (_e1754.member.member.x - _e1853);
+                let _e1869 = (_e1754.member.member.y - _e1854);
+                let _e1870 = (_e1754.member.member.z - _e1855);
+                if (_e1758 > _e1859) {
+                    phi_1994_ = (1f / _e1754.member.member_1.x);
                 } else {
-                    break;
+                    phi_1994_ = (1000000000000f / _e1858);
                 }
-                let _e1814 = nodes.member[0u].member_7[0u];
-                let _e1818 = nodes.member[0u].member_7[1u];
-                let _e1822 = nodes.member[0u].member_7[2u];
-                let _e1826 = nodes.member[0u].member_7[3u];
-                let _e1828 = abs((_e1746.member.member.x - _e1814));
-                let _e1830 = abs((_e1746.member.member.y - _e1818));
-                let _e1832 = select(_e1830, _e1828, (_e1828 > _e1830));
-                let _e1834 = abs((_e1746.member.member.z - _e1822));
-                let _e1838 = ((select(_e1834, _e1832, (_e1832 > _e1834)) + _e1826) * 0.0000009536743f);
-                let _e1845 = (_e1838 + (abs(_e1746.member.member.x) * 0.00000023841858f));
-                let _e1846 = (_e1838 + (abs(_e1746.member.member.y) * 0.00000023841858f));
-                let _e1847 = (_e1838 + (abs(_e1746.member.member.z) * 0.00000023841858f));
-                let _e1848 = select(_e1754, _e1750, _e1759);
-                let _e1850 = select(_e1758, _e1848, (_e1848 > _e1758));
-                let _e1851 = (_e1850 * 0.000000000001f);
-                let _e1855 = (_e1746.member.member.x + _e1845);
-                let _e1857 = (_e1746.member.member.y + _e1846);
-                let _e1859 = (_e1746.member.member.z + _e1847);
-                let _e1860 = (_e1746.member.member.x - _e1845);
-                let _e1861 = (_e1746.member.member.y - _e1846);
-                let _e1862 = (_e1746.member.member.z - _e1847);
-                if (_e1750 > _e1851) {
-                    phi_1986_ = (1f / _e1746.member.member_1.x);
+                let _e1875 = phi_1994_;
+                if (_e1762 > _e1859) {
+                    phi_2002_ = (1f / _e1754.member.member_1.y);
                 } else {
-                    phi_1986_ = (1000000000000f / _e1850);
+                    phi_2002_ = (1000000000000f / _e1858);
                 }
-                let _e1867 = phi_1986_;
-                if (_e1754 > _e1851) {
-                    phi_1994_ = (1f / _e1746.member.member_1.y);
+                let _e1880 = phi_2002_;
+                if (_e1766 > _e1859) {
+                    phi_2010_ = (1f / _e1754.member.member_1.z);
                 } else {
-                    phi_1994_ = (1000000000000f / _e1850);
+                    phi_2010_ = (1000000000000f / _e1858);
                 }
-                let _e1872 = phi_1994_;
-                if (_e1758 > _e1851) {
-                    phi_2002_ = (1f / _e1746.member.member_1.z);
-                } else {
-                    phi_2002_ = (1000000000000f / _e1850);
-                }
-                let _e1877 = phi_2002_;
+                let _e1885 = phi_2010_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_5258_ = _e1744;
-                phi_2006_ = 0u;
-                phi_2009_ = 0u;
-                phi_2011_ = type_64(_e1746.member.member_3, 4294967295u, 0f, 0f);
+                phi_5673_ = _e1752;
+                phi_2014_ = 0u;
+                phi_2017_ = 0u;
+                phi_2019_ = type_64(_e1754.member.member_3, 4294967295u, 0f, 0f);
                 loop {
-                    let _e1882 = phi_5258_;
-                    let _e1884 = phi_2006_;
-                    let _e1886 = phi_2009_;
-                    let _e1888 = phi_2011_;
-                    let _e1889 = (_e1884 & 15u);
-                    let _e1891 = (_e1884 >> bitcast<u32>(4u));
-                    if (_e1889 == 0u) {
-                        if (_e1891 < _e131) {
+                    let _e1890 = phi_5673_;
+                    let _e1892 = phi_2014_;
+                    let _e1894 = phi_2017_;
+                    let _e1896 = phi_2019_;
+                    let _e1897 = (_e1892 & 15u);
+                    let _e1899 = (_e1892 >> bitcast<u32>(4u));
+                    if (_e1897 == 0u) {
+                        if (_e1899 < _e139) {
                         } else {
-                            phi_5467_ = true;
-                            phi_4437_ = type_64();
+                            phi_5912_ = true;
+                            phi_4852_ = type_64();
                             break;
                         }
-                        let _e2524 = nodes.member[_e1891].member;
-                        let _e2533 = ((_e2524.x - _e1855) * _e1867);
-                        let _e2534 = ((_e2524.y - _e1855) * _e1867);
-                        let _e2535 = ((_e2524.z - _e1855) * _e1867);
-                        let _e2536 = ((_e2524.w - _e1855) * _e1867);
-                        let _e2539 = nodes.member[_e1891].member_3;
-                        let _e2548 = ((_e2539.x - _e1860) * _e1867);
-                        let _e2549 = ((_e2539.y - _e1860) * _e1867);
-                        let _e2550 = ((_e2539.z - _e1860) * _e1867);
-                        let _e2551 = ((_e2539.w - _e1860) * _e1867);
-                        let _e2554 = nodes.member[_e1891].member_1;
-                        let _e2563 = ((_e2554.x - _e1857) * _e1872);
-                        let _e2564 = ((_e2554.y - _e1857) * _e1872);
-                        let _e2565 = ((_e2554.z - _e1857) * _e1872);
-                        let _e2566 = ((_e2554.w - _e1857) * _e1872);
-                        let _e2569 = nodes.member[_e1891].member_4;
-                        let _e2578 = ((_e2569.x - _e1861) * _e1872);
-                        let _e2579 = ((_e2569.y - _e1861) * _e1872);
-                        let _e2580 = ((_e2569.z - _e1861) * _e1872);
-                        let _e2581 = ((_e2569.w - _e1861) * _e1872);
-                        let _e2584 = nodes.member[_e1891].member_2;
-                        let _e2593 = ((_e2584.x - _e1859) * _e1877);
-                        let _e2594 = ((_e2584.y - _e1859) * _e1877);
-                        let _e2595 = ((_e2584.z - _e1859) * _e1877);
-                        let _e2596 = ((_e2584.w - _e1859) * _e1877);
-                        let _e2599 = nodes.member[_e1891].member_5;
-                        let _e2608 = ((_e2599.x - _e1862) * _e1877);
-                        let _e2609 = ((_e2599.y - _e1862) * _e1877);
-                        let _e2610 = ((_e2599.z - _e1862) * _e1877);
-                        let _e2611 = ((_e2599.w - _e1862) * _e1877);
-                        let _e2613 = select(_e2548, _e2533, (_e2533 < _e2548));
-                        let _e2615 = select(_e2549, _e2534, (_e2534 < _e2549));
-                        let _e2617 = select(_e2550, _e2535, (_e2535 < _e2550));
-                        let _e2619 = select(_e2551, _e2536, (_e2536 < _e2551));
-                        let _e2621 = select(_e2578, _e2563, (_e2563 < _e2578));
-                        let _e2623 = select(_e2579, _e2564, (_e2564 < _e2579));
-                        let _e2625 = select(_e2580, _e2565, (_e2565 < _e2580));
-                        let _e2627 = select(_e2581, _e2566, (_e2566 < _e2581));
-                        let _e2629 = select(_e2621, _e2613, (_e2613 > _e2621));
-                        let _e2631 = select(_e2623, _e2615, (_e2615 > _e2623));
-                        let _e2633 = select(_e2625, _e2617, (_e2617 > _e2625));
-                        let _e2635 = select(_e2627, _e2619, (_e2619 > _e2627));
-                        let _e2637 = select(_e2608, _e2593, (_e2593 < _e2608));
-                        let _e2639 = select(_e2609, _e2594, (_e2594 < _e2609));
-                        let _e2641 = select(_e2610, _e2595, (_e2595 < _e2610));
-                        let _e2643 = select(_e2611, _e2596, (_e2596 < _e2611));
-                        let _e2645 = select(_e2637, _e2629, (_e2629 > _e2637));
-                        let _e2647 = select(_e2639, _e2631, (_e2631 > _e2639));
-                        let _e2649 = select(_e2641, _e2633, (_e2633 > _e2641));
-                        let _e2651 = select(_e2643, _e2635, (_e2635 > _e2643));
-                        let _e2653 = select(_e1746.member.member_2, _e2645, (_e2645 > _e1746.member.member_2));
-                        let _e2655 = select(_e1746.member.member_2, _e2647, (_e2647 > _e1746.member.member_2));
-                        let _e2657 = select(_e1746.member.member_2, _e2649, (_e2649 > _e1746.member.member_2));
-                        let _e2659 = select(_e1746.member.member_2, _e2651, (_e2651 > _e1746.member.member_2));
-                        let _e2661 = select(_e2548, _e2533, (_e2533 > _e2548));
-                        let _e2663 = select(_e2549, _e2534, (_e2534 > _e2549));
-                        let _e2665 = select(_e2550, _e2535, (_e2535 > _e2550));
-                        let _e2667 = select(_e2551, _e2536, (_e2536 > _e2551));
-                        let _e2669 = select(_e2578, _e2563, (_e2563 > _e2578));
-                        let _e2671 = select(_e2579, _e2564, (_e2564 > _e2579));
-                        let _e2673 = select(_e2580, _e2565, (_e2565 > _e2580));
-                        let _e2675 = select(_e2581, _e2566, (_e2566 > _e2581));
-                        let _e2677 = select(_e2669, _e2661, (_e2661 < _e2669));
-                        let _e2679 = select(_e2671, _e2663, (_e2663 < _e2671));
-                        let _e2681 = select(_e2673, _e2665, (_e2665 < _e2673));
-                        let _e2683 = select(_e2675, _e2667, (_e2667 < _e2675));
-                        let _e2685 = select(_e2608, _e2593, (_e2593 > _e2608));
-                        let _e2687 = select(_e2609, _e2594, (_e2594 > _e2609));
-                        let _e2689 = select(_e2610, _e2595, (_e2595 > _e2610));
-                        let _e2691 = select(_e2611, _e2596, (_e2596 > _e2611));
-                        let _e2693 = select(_e2685, _e2677, (_e2677 < _e2685));
-                        let _e2695 = select(_e2687, _e2679, (_e2679 < _e2687));
-                        let _e2697 = select(_e2689, _e2681, (_e2681 < _e2689));
-                        let _e2699 = select(_e2691, _e2683, (_e2683 < _e2691));
-                        let _e2709 = select(340282350000000000000000000000000000000f, _e2653, (_e2653 <= select(_e1888.member, _e2693, (_e2693 < _e1888.member))));
-                        let _e2711 = select(340282350000000000000000000000000000000f, _e2655, (_e2655 <= select(_e1888.member, _e2695, (_e2695 < _e1888.member))));
-                        let _e2713 = select(340282350000000000000000000000000000000f, _e2657, (_e2657 <= select(_e1888.member, _e2697, (_e2697 < _e1888.member))));
-                        let _e2715 = select(340282350000000000000000000000000000000f, _e2659, (_e2659 <= select(_e1888.member, _e2699, (_e2699 < _e1888.member))));
-                        let _e2719 = nodes.member[_e1891].member_6[0u];
-                        let _e2723 = nodes.member[_e1891].member_6[1u];
-                        let _e2727 = nodes.member[_e1891].member_6[2u];
-                        let _e2731 = nodes.member[_e1891].member_6[3u];
-                        if (_e2711 < _e2709) {
-                            phi_2393_ = type_65(_e2711, _e2723, _e2709, _e2719);
+                        let _e2603 = nodes.member[_e1899].member;
+                        let _e2612 = ((_e2603.x - _e1863) * _e1875);
+                        let _e2613 = ((_e2603.y - _e1863) * _e1875);
+                        let _e2614 = ((_e2603.z - _e1863) * _e1875);
+                        let _e2615 = ((_e2603.w - _e1863) * _e1875);
+                        let _e2618 = nodes.member[_e1899].member_3;
+                        let _e2627 = ((_e2618.x - _e1868) * _e1875);
+                        let _e2628 = ((_e2618.y - _e1868) * _e1875);
+                        let _e2629 = ((_e2618.z - _e1868) * _e1875);
+                        let _e2630 = ((_e2618.w - _e1868) * _e1875);
+                        let _e2633 = nodes.member[_e1899].member_1;
+                        let _e2642 = ((_e2633.x - _e1865) * _e1880);
+                        let _e2643 = ((_e2633.y - _e1865) * _e1880);
+                        let _e2644 = ((_e2633.z - _e1865) * _e1880);
+                        let _e2645 = ((_e2633.w - _e1865) * _e1880);
+                        let _e2648 = nodes.member[_e1899].member_4;
+                        let _e2657 = ((_e2648.x - _e1869) * _e1880);
+                        let _e2658 = ((_e2648.y - _e1869) * _e1880);
+                        let _e2659 = ((_e2648.z - _e1869) * _e1880);
+                        let _e2660 = ((_e2648.w - _e1869) * _e1880);
+                        let _e2663 = nodes.member[_e1899].member_2;
+                        let _e2672 = ((_e2663.x - _e1867) * _e1885);
+                        let _e2673 = ((_e2663.y - _e1867) * _e1885);
+                        let _e2674 = ((_e2663.z - _e1867) * _e1885);
+                        let _e2675 = ((_e2663.w - _e1867) * _e1885);
+                        let _e2678 = nodes.member[_e1899].member_5;
+                        let _e2687 = ((_e2678.x - _e1870) * _e1885);
+                        let _e2688 = ((_e2678.y - _e1870) * _e1885);
+                        let _e2689 = ((_e2678.z - _e1870) * _e1885);
+                        let _e2690 = ((_e2678.w - _e1870) * _e1885);
+                        let _e2692 = select(_e2627, _e2612, (_e2612 < _e2627));
+                        let _e2694 = select(_e2628, _e2613, (_e2613 < _e2628));
+                        let _e2696 = select(_e2629, _e2614, (_e2614 < _e2629));
+                        let _e2698 = select(_e2630, _e2615, (_e2615 < _e2630));
+                        let _e2700 = select(_e2657, _e2642, (_e2642 < _e2657));
+                        let _e2702 = select(_e2658, _e2643, (_e2643 < _e2658));
+                        let _e2704 = select(_e2659, _e2644, (_e2644 < _e2659));
+                        let _e2706 = select(_e2660, _e2645, (_e2645 < _e2660));
+                        let _e2708 = select(_e2700, _e2692, (_e2692 > _e2700));
+                        let _e2710 = select(_e2702, _e2694, (_e2694 > _e2702));
+                        let _e2712 = select(_e2704, _e2696, (_e2696 > _e2704));
+                        let _e2714 = select(_e2706, _e2698, (_e2698 > _e2706));
+                        let _e2716 = select(_e2687, _e2672, (_e2672 < _e2687));
+                        let _e2718 = select(_e2688, _e2673, (_e2673 < _e2688));
+                        let _e2720 = select(_e2689, _e2674, (_e2674 < _e2689));
+                        let _e2722 = select(_e2690, _e2675, (_e2675 < _e2690));
+                        let _e2724 = select(_e2716, _e2708, (_e2708 > _e2716));
+                        let _e2726 = select(_e2718, _e2710, (_e2710 > _e2718));
+                        let _e2728 = select(_e2720, _e2712, (_e2712 > _e2720));
+                        let _e2730 = select(_e2722, _e2714, (_e2714 > _e2722));
+                        let _e2732 = select(_e1754.member.member_2, _e2724, (_e2724 > _e1754.member.member_2));
+                        let _e2734 = select(_e1754.member.member_2, _e2726, (_e2726 > _e1754.member.member_2));
+                        let _e2736 = select(_e1754.member.member_2, _e2728, (_e2728 > _e1754.member.member_2));
+                        let _e2738 = select(_e1754.member.member_2, _e2730, (_e2730 > _e1754.member.member_2));
+                        let _e2740 = select(_e2627, _e2612, (_e2612 > _e2627));
+                        let _e2742 = select(_e2628, _e2613, (_e2613 > _e2628));
+                        let _e2744 = select(_e2629, _e2614, (_e2614 > _e2629));
+                        let _e2746 = select(_e2630, _e2615, (_e2615 > _e2630));
+                        let _e2748 = select(_e2657, _e2642, (_e2642 > _e2657));
+                        let _e2750 = select(_e2658, _e2643, (_e2643 > _e2658));
+                        let _e2752 = select(_e2659, _e2644, (_e2644 > _e2659));
+                        let _e2754 = select(_e2660, _e2645, (_e2645 > _e2660));
+                        let _e2756 = select(_e2748, _e2740, (_e2740 < _e2748));
+                        let _e2758 = select(_e2750, _e2742, (_e2742 < _e2750));
+                        let _e2760 = select(_e2752, _e2744, (_e2744 < _e2752));
+                        let _e2762 = select(_e2754, _e2746, (_e2746 < _e2754));
+                        let _e2764 = select(_e2687, _e2672, (_e2672 > _e2687));
+                        let _e2766 = select(_e2688, _e2673, (_e2673 > _e2688));
+                        let _e2768 = select(_e2689, _e2674, (_e2674 > _e2689));
+                        let _e2770 = select(_e2690, _e2675, (_e2675 > _e2690));
+                        let _e2772 = select(_e2764, _e2756, (_e2756 < _e2764));
+                        let _e2774 = select(_e2766, _e2758, (_e2758 < _e2766));
+                        let _e2776 = select(_e2768, _e2760, (_e2760 < _e2768));
+                        let _e2778 = select(_e2770, _e2762, (_e2762 < _e2770));
+                        let _e2788 = select(340282350000000000000000000000000000000f, _e2732, (_e2732 <= select(_e1896.member, _e2772, (_e2772 < _e1896.member))));
+                        let _e2790 = select(340282350000000000000000000000000000000f, _e2734, (_e2734 <= select(_e1896.member, _e2774, (_e2774 < _e1896.member))));
+                        let _e2792 = select(340282350000000000000000000000000000000f, _e2736, (_e2736 <= select(_e1896.member, _e2776, (_e2776 < _e1896.member))));
+                        let _e2794 = select(340282350000000000000000000000000000000f, _e2738, (_e2738 <= select(_e1896.member, _e2778, (_e2778 < _e1896.member))));
+                        let _e2798 = nodes.member[_e1899].member_6[0u];
+                        let _e2802 = nodes.member[_e1899].member_6[1u];
+                        let _e2806 = nodes.member[_e1899].member_6[2u];
+                        let _e2810 = nodes.member[_e1899].member_6[3u];
+                        if (_e2790 < _e2788) {
+                            phi_2401_ = type_65(_e2790, _e2802, _e2788, _e2798);
                         } else {
-                            phi_2393_ = type_65(_e2709, _e2719, _e2711, _e2723);
+                            phi_2401_ = type_65(_e2788, _e2798, _e2790, _e2802);
                         }
-                        let _e2736 = phi_2393_;
-                        if (_e2715 < _e2713) {
-                            phi_2404_ = type_65(_e2715, _e2731, _e2713, _e2727);
+                        let _e2815 = phi_2401_;
+                        if (_e2794 < _e2792) {
+                            phi_2412_ = type_65(_e2794, _e2810, _e2792, _e2806);
                         } else {
-                            phi_2404_ = type_65(_e2713, _e2727, _e2715, _e2731);
+                            phi_2412_ = type_65(_e2792, _e2806, _e2794, _e2810);
                         }
-                        let _e2745 = phi_2404_;
-                        if (_e2745.member < _e2736.member) {
-                            phi_2415_ = type_65(_e2745.member, _e2745.member_1, _e2736.member, _e2736.member_1);
+                        let _e2824 = phi_2412_;
+                        if (_e2824.member < _e2815.member) {
+                            phi_2423_ = type_65(_e2824.member, _e2824.member_1, _e2815.member, _e2815.member_1);
                         } else {
-                            phi_2415_ = type_65(_e2736.member, _e2736.member_1, _e2745.member, _e2745.member_1);
+                            phi_2423_ = type_65(_e2815.member, _e2815.member_1, _e2824.member, _e2824.member_1);
                         }
-                        let _e2754 = phi_2415_;
-                        if (_e2745.member_2 < _e2736.member_2) {
-                            phi_2426_ = type_65(_e2745.member_2, _e2745.member_3, _e2736.member_2, _e2736.member_3);
+                        let _e2833 = phi_2423_;
+                        if (_e2824.member_2 < _e2815.member_2) {
+                            phi_2434_ = type_65(_e2824.member_2, _e2824.member_3, _e2815.member_2, _e2815.member_3);
                         } else {
-                            phi_2426_ = type_65(_e2736.member_2, _e2736.member_3, _e2745.member_2, _e2745.member_3);
+                            phi_2434_ = type_65(_e2815.member_2, _e2815.member_3, _e2824.member_2, _e2824.member_3);
                         }
-                        let _e2763 = phi_2426_;
-                        if (_e2754.member_2 < _e2763.member) {
-                            phi_2437_ = type_65(_e2754.member_2, _e2754.member_3, _e2763.member, _e2763.member_1);
+                        let _e2842 = phi_2434_;
+                        if (_e2833.member_2 < _e2842.member) {
+                            phi_2445_ = type_65(_e2833.member_2, _e2833.member_3, _e2842.member, _e2842.member_1);
                         } else {
-                            phi_2437_ = type_65(_e2763.member, _e2763.member_1, _e2754.member_2, _e2754.member_3);
+                            phi_2445_ = type_65(_e2842.member, _e2842.member_1, _e2833.member_2, _e2833.member_3);
                         }
-                        let _e2772 = phi_2437_;
-                        if (_e2763.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e2778 = (_e1886 < 64u);
-                            if _e2778 {
+                        let _e2851 = phi_2445_;
+                        if (_e2842.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e2857 = (_e1894 < 64u);
+                            if _e2857 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local[_e1886] = _e2763.member_3;
-                            if _e2778 {
+                            local[_e1894] = _e2842.member_3;
+                            if _e2857 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local_1[_e1886] = _e2763.member_2;
-                            phi_2459_ = (_e1886 + 1u);
+                            local_1[_e1894] = _e2842.member_2;
+                            phi_2467_ = (_e1894 + 1u);
                         } else {
-                            phi_2459_ = _e1886;
+                            phi_2467_ = _e1894;
                         }
-                        let _e2783 = phi_2459_;
-                        if (_e2772.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e2785 = (_e2783 < 64u);
-                            if _e2785 {
+                        let _e2862 = phi_2467_;
+                        if (_e2851.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e2864 = (_e2862 < 64u);
+                            if _e2864 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local[_e2783] = _e2772.member_3;
-                            if _e2785 {
+                            local[_e2862] = _e2851.member_3;
+                            if _e2864 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local_1[_e2783] = _e2772.member_2;
-                            phi_2477_ = (_e2783 + 1u);
+                            local_1[_e2862] = _e2851.member_2;
+                            phi_2485_ = (_e2862 + 1u);
                         } else {
-                            phi_2477_ = _e2783;
+                            phi_2485_ = _e2862;
                         }
-                        let _e2790 = phi_2477_;
-                        if (_e2772.member < 340282350000000000000000000000000000000f) {
-                            let _e2792 = (_e2790 < 64u);
-                            if _e2792 {
+                        let _e2869 = phi_2485_;
+                        if (_e2851.member < 340282350000000000000000000000000000000f) {
+                            let _e2871 = (_e2869 < 64u);
+                            if _e2871 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local[_e2790] = _e2772.member_1;
-                            if _e2792 {
+                            local[_e2869] = _e2851.member_1;
+                            if _e2871 {
                             } else {
-                                phi_5467_ = true;
-                                phi_4437_ = type_64();
+                                phi_5912_ = true;
+                                phi_4852_ = type_64();
                                 break;
                             }
-                            local_1[_e2790] = _e2772.member;
-                            phi_2495_ = (_e2790 + 1u);
+                            local_1[_e2869] = _e2851.member;
+                            phi_2503_ = (_e2869 + 1u);
                         } else {
-                            phi_2495_ = _e2790;
+                            phi_2503_ = _e2869;
                         }
-                        let _e2797 = phi_2495_;
-                        phi_5403_ = _e1882;
-                        phi_3185_ = select(0u, _e2754.member_1, (_e2754.member < 340282350000000000000000000000000000000f));
-                        phi_3186_ = _e2797;
-                        phi_2012_ = _e1888;
+                        let _e2876 = phi_2503_;
+                        phi_5848_ = _e1890;
+                        phi_3340_ = select(0u, _e2833.member_1, (_e2833.member < 340282350000000000000000000000000000000f));
+                        phi_3341_ = _e2876;
+                        phi_2020_ = _e1896;
                     } else {
-                        phi_2504_ = type_12(_e1891, (_e1891 + _e1889));
-                        phi_2507_ = _e1888;
+                        phi_2512_ = type_12(_e1899, (_e1899 + _e1897));
+                        phi_2515_ = _e1896;
                         loop {
-                            let _e1896 = phi_2504_;
-                            let _e1898 = phi_2507_;
-                            local_14 = _e1898;
-                            if (_e1896.member < _e1896.member_1) {
-                                phi_2505_ = type_12((_e1896.member + 1u), _e1896.member_1);
-                                phi_2530_ = type_12(1u, _e1896.member);
+                            let _e1904 = phi_2512_;
+                            let _e1906 = phi_2515_;
+                            local_14 = _e1906;
+                            if (_e1904.member < _e1904.member_1) {
+                                phi_2513_ = type_12((_e1904.member + 1u), _e1904.member_1);
+                                phi_2538_ = type_12(1u, _e1904.member);
                             } else {
-                                phi_2505_ = _e1896;
-                                phi_2530_ = type_12(0u, type_12().member_1);
+                                phi_2513_ = _e1904;
+                                phi_2538_ = type_12(0u, type_12().member_1);
                             }
-                            let _e1911 = phi_2505_;
-                            let _e1913 = phi_2530_;
-                            let _e1917 = (bitcast<i32>(_e1913.member) != 0i);
-                            if _e1917 {
-                                let _e1918 = (_e1913.member_1 < _e134);
-                                if _e1918 {
+                            let _e1919 = phi_2513_;
+                            let _e1921 = phi_2538_;
+                            let _e1925 = (bitcast<i32>(_e1921.member) != 0i);
+                            if _e1925 {
+                                let _e1926 = (_e1921.member_1 < _e142);
+                                if _e1926 {
                                 } else {
-                                    phi_5254_ = true;
+                                    phi_5669_ = true;
                                     break;
                                 }
-                                if _e1792 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1922 = triangles.member[_e1913.member_1].member[_e1780];
-                                let _e1923 = (_e1922 - _e1809);
-                                if _e1792 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1927 = triangles.member[_e1913.member_1].member_2[_e1780];
-                                let _e1928 = (_e1927 - _e1809);
-                                if _e1792 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1932 = triangles.member[_e1913.member_1].member_4[_e1780];
-                                let _e1933 = (_e1932 - _e1809);
-                                if _e1796 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1937 = triangles.member[_e1913.member_1].member[_e1779];
-                                let _e1940 = ((_e1937 - _e1805) - (_e1799 * _e1923));
                                 if _e1800 {
                                 } else {
-                                    phi_5254_ = true;
+                                    phi_5669_ = true;
                                     break;
                                 }
-                                let _e1944 = triangles.member[_e1913.member_1].member[_e1778];
-                                let _e1947 = ((_e1944 - _e1807) - (_e1803 * _e1923));
-                                if _e1796 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1951 = triangles.member[_e1913.member_1].member_2[_e1779];
-                                let _e1954 = ((_e1951 - _e1805) - (_e1799 * _e1928));
+                                let _e1930 = triangles.member[_e1921.member_1].member[_e1788];
+                                let _e1931 = (_e1930 - _e1817);
                                 if _e1800 {
                                 } else {
-                                    phi_5254_ = true;
+                                    phi_5669_ = true;
                                     break;
                                 }
-                                let _e1958 = triangles.member[_e1913.member_1].member_2[_e1778];
-                                let _e1961 = ((_e1958 - _e1807) - (_e1803 * _e1928));
-                                if _e1796 {
-                                } else {
-                                    phi_5254_ = true;
-                                    break;
-                                }
-                                let _e1965 = triangles.member[_e1913.member_1].member_4[_e1779];
-                                let _e1968 = ((_e1965 - _e1805) - (_e1799 * _e1933));
+                                let _e1935 = triangles.member[_e1921.member_1].member_2[_e1788];
+                                let _e1936 = (_e1935 - _e1817);
                                 if _e1800 {
                                 } else {
-                                    phi_5254_ = true;
+                                    phi_5669_ = true;
                                     break;
                                 }
-                                let _e1972 = triangles.member[_e1913.member_1].member_4[_e1778];
-                                let _e1975 = ((_e1972 - _e1807) - (_e1803 * _e1933));
-                                let _e1976 = (_e1968 * _e1961);
-                                let _e1977 = (_e1975 * _e1954);
-                                if (_e1976 != _e1977) {
-                                    phi_2646_ = (_e1976 - _e1977);
+                                let _e1940 = triangles.member[_e1921.member_1].member_4[_e1788];
+                                let _e1941 = (_e1940 - _e1817);
+                                if _e1804 {
                                 } else {
-                                    let _e1979 = (_e1968 * 4097f);
-                                    let _e1981 = (_e1979 - (_e1979 - _e1968));
-                                    let _e1982 = (_e1961 * 4097f);
-                                    let _e1984 = (_e1982 - (_e1982 - _e1961));
-                                    let _e1985 = (_e1968 - _e1981);
-                                    let _e1986 = (_e1961 - _e1984);
-                                    let _e1995 = (_e1975 * 4097f);
-                                    let _e1997 = (_e1995 - (_e1995 - _e1975));
-                                    let _e1998 = (_e1954 * 4097f);
-                                    let _e2000 = (_e1998 - (_e1998 - _e1954));
-                                    let _e2001 = (_e1975 - _e1997);
-                                    let _e2002 = (_e1954 - _e2000);
-                                    phi_2646_ = ((((((_e1981 * _e1984) - _e1976) + (_e1981 * _e1986)) + (_e1985 * _e1984)) + (_e1985 * _e1986)) - (((((_e1997 * _e2000) - _e1977) + (_e1997 * _e2002)) + (_e2001 * _e2000)) + (_e2001 * _e2002)));
+                                    phi_5669_ = true;
+                                    break;
                                 }
-                                let _e2014 = phi_2646_;
-                                let _e2015 = (_e1940 * _e1975);
-                                let _e2016 = (_e1947 * _e1968);
-                                if (_e2015 != _e2016) {
-                                    phi_2657_ = (_e2015 - _e2016);
+                                let _e1945 = triangles.member[_e1921.member_1].member[_e1787];
+                                let _e1948 = ((_e1945 - _e1813) - (_e1807 * _e1931));
+                                if _e1808 {
                                 } else {
-                                    let _e2018 = (_e1940 * 4097f);
-                                    let _e2020 = (_e2018 - (_e2018 - _e1940));
-                                    let _e2021 = (_e1975 * 4097f);
-                                    let _e2023 = (_e2021 - (_e2021 - _e1975));
-                                    let _e2024 = (_e1940 - _e2020);
-                                    let _e2025 = (_e1975 - _e2023);
-                                    let _e2034 = (_e1947 * 4097f);
-                                    let _e2036 = (_e2034 - (_e2034 - _e1947));
-                                    let _e2037 = (_e1968 * 4097f);
-                                    let _e2039 = (_e2037 - (_e2037 - _e1968));
-                                    let _e2040 = (_e1947 - _e2036);
-                                    let _e2041 = (_e1968 - _e2039);
-                                    phi_2657_ = ((((((_e2020 * _e2023) - _e2015) + (_e2020 * _e2025)) + (_e2024 * _e2023)) + (_e2024 * _e2025)) - (((((_e2036 * _e2039) - _e2016) + (_e2036 * _e2041)) + (_e2040 * _e2039)) + (_e2040 * _e2041)));
+                                    phi_5669_ = true;
+                                    break;
                                 }
-                                let _e2053 = phi_2657_;
-                                let _e2054 = (_e1954 * _e1947);
-                                let _e2055 = (_e1961 * _e1940);
-                                if (_e2054 != _e2055) {
-                                    phi_2668_ = (_e2054 - _e2055);
+                                let _e1952 = triangles.member[_e1921.member_1].member[_e1786];
+                                let _e1955 = ((_e1952 - _e1815) - (_e1811 * _e1931));
+                                if _e1804 {
                                 } else {
-                                    let _e2057 = (_e1954 * 4097f);
-                                    let _e2059 = (_e2057 - (_e2057 - _e1954));
-                                    let _e2060 = (_e1947 * 4097f);
-                                    let _e2062 = (_e2060 - (_e2060 - _e1947));
-                                    let _e2063 = (_e1954 - _e2059);
-                                    let _e2064 = (_e1947 - _e2062);
-                                    let _e2073 = (_e1961 * 4097f);
-                                    let _e2075 = (_e2073 - (_e2073 - _e1961));
-                                    let _e2076 = (_e1940 * 4097f);
-                                    let _e2078 = (_e2076 - (_e2076 - _e1940));
-                                    let _e2079 = (_e1961 - _e2075);
-                                    let _e2080 = (_e1940 - _e2078);
-                                    phi_2668_ = ((((((_e2059 * _e2062) - _e2054) + (_e2059 * _e2064)) + (_e2063 * _e2062)) + (_e2063 * _e2064)) - (((((_e2075 * _e2078) - _e2055) + (_e2075 * _e2080)) + (_e2079 * _e2078)) + (_e2079 * _e2080)));
+                                    phi_5669_ = true;
+                                    break;
                                 }
-                                let _e2092 = phi_2668_;
-                                if (_e2014 < 0f) {
-                                    phi_2686_ = f32();
-                                    phi_2687_ = true;
+                                let _e1959 = triangles.member[_e1921.member_1].member_2[_e1787];
+                                let _e1962 = ((_e1959 - _e1813) - (_e1807 * _e1936));
+                                if _e1808 {
                                 } else {
-                                    if (_e2053 < 0f) {
-                                        phi_2684_ = f32();
-                                        phi_2685_ = true;
+                                    phi_5669_ = true;
+                                    break;
+                                }
+                                let _e1966 = triangles.member[_e1921.member_1].member_2[_e1786];
+                                let _e1969 = ((_e1966 - _e1815) - (_e1811 * _e1936));
+                                if _e1804 {
+                                } else {
+                                    phi_5669_ = true;
+                                    break;
+                                }
+                                let _e1973 = triangles.member[_e1921.member_1].member_4[_e1787];
+                                let _e1976 = ((_e1973 - _e1813) - (_e1807 * _e1941));
+                                if _e1808 {
+                                } else {
+                                    phi_5669_ = true;
+                                    break;
+                                }
+                                let _e1980 = triangles.member[_e1921.member_1].member_4[_e1786];
+                                let _e1983 = ((_e1980 - _e1815) - (_e1811 * _e1941));
+                                let _e1984 = (_e1976 * _e1969);
+                                let _e1985 = (_e1983 * _e1962);
+                                if (_e1984 != _e1985) {
+                                    phi_2654_ = (_e1984 - _e1985);
+                                } else {
+                                    let _e1987 = (_e1976 * 4097f);
+                                    let _e1989 = (_e1987 - (_e1987 - _e1976));
+                                    let _e1990 = (_e1969 * 4097f);
+                                    let _e1992 = (_e1990 - (_e1990 - _e1969));
+                                    let _e1993 = (_e1976 - _e1989);
+                                    let _e1994 = (_e1969 - _e1992);
+                                    let _e2003 = (_e1983 * 4097f);
+                                    let _e2005 = (_e2003 - (_e2003 - _e1983));
+                                    let _e2006 = (_e1962 * 4097f);
+                                    let _e2008 = (_e2006 - (_e2006 - _e1962));
+                                    let _e2009 = (_e1983 - _e2005);
+                                    let _e2010 = (_e1962 - _e2008);
+                                    phi_2654_ = ((((((_e1989 * _e1992) - _e1984) + (_e1989 * _e1994)) + (_e1993 * _e1992)) + (_e1993 * _e1994)) - (((((_e2005 * _e2008) - _e1985) + (_e2005 * _e2010)) + (_e2009 * _e2008)) + (_e2009 * _e2010)));
+                                }
+                                let _e2022 = phi_2654_;
+                                let _e2023 = (_e1948 * _e1983);
+                                let _e2024 = (_e1955 * _e1976);
+                                if (_e2023 != _e2024) {
+                                    phi_2665_ = (_e2023 - _e2024);
+                                } else {
+                                    let _e2026 = (_e1948 * 4097f);
+                                    let _e2028 = (_e2026 - (_e2026 - _e1948));
+                                    let _e2029 = (_e1983 * 4097f);
+                                    let _e2031 = (_e2029 - (_e2029 - _e1983));
+                                    let _e2032 = (_e1948 - _e2028);
+                                    let _e2033 = (_e1983 - _e2031);
+                                    let _e2042 = (_e1955 * 4097f);
+                                    let _e2044 = (_e2042 - (_e2042 - _e1955));
+                                    let _e2045 = (_e1976 * 4097f);
+                                    let _e2047 = (_e2045 - (_e2045 - _e1976));
+                                    let _e2048 = (_e1955 - _e2044);
+                                    let _e2049 = (_e1976 - _e2047);
+                                    phi_2665_ = ((((((_e2028 * _e2031) - _e2023) + (_e2028 * _e2033)) + (_e2032 * _e2031)) + (_e2032 * _e2033)) - (((((_e2044 * _e2047) - _e2024) + (_e2044 * _e2049)) + (_e2048 * _e2047)) + (_e2048 * _e2049)));
+                                }
+                                let _e2061 = phi_2665_;
+                                let _e2062 = (_e1962 * _e1955);
+                                let _e2063 = (_e1969 * _e1948);
+                                if (_e2062 != _e2063) {
+                                    phi_2676_ = (_e2062 - _e2063);
+                                } else {
+                                    let _e2065 = (_e1962 * 4097f);
+                                    let _e2067 = (_e2065 - (_e2065 - _e1962));
+                                    let _e2068 = (_e1955 * 4097f);
+                                    let _e2070 = (_e2068 - (_e2068 - _e1955));
+                                    let _e2071 = (_e1962 - _e2067);
+                                    let _e2072 = (_e1955 - _e2070);
+                                    let _e2081 = (_e1969 * 4097f);
+                                    let _e2083 = (_e2081 - (_e2081 - _e1969));
+                                    let _e2084 = (_e1948 * 4097f);
+                                    let _e2086 = (_e2084 - (_e2084 - _e1948));
+                                    let _e2087 = (_e1969 - _e2083);
+                                    let _e2088 = (_e1948 - _e2086);
+                                    phi_2676_ = ((((((_e2067 * _e2070) - _e2062) + (_e2067 * _e2072)) + (_e2071 * _e2070)) + (_e2071 * _e2072)) - (((((_e2083 * _e2086) - _e2063) + (_e2083 * _e2088)) + (_e2087 * _e2086)) + (_e2087 * _e2088)));
+                                }
+                                let _e2100 = phi_2676_;
+                                if (_e2022 < 0f) {
+                                    phi_2694_ = f32();
+                                    phi_2695_ = true;
+                                } else {
+                                    if (_e2061 < 0f) {
+                                        phi_2692_ = f32();
+                                        phi_2693_ = true;
                                     } else {
-                                        let _e2095 = (_e2092 < 0f);
-                                        if _e2095 {
-                                            phi_2683_ = f32();
+                                        let _e2103 = (_e2100 < 0f);
+                                        if _e2103 {
+                                            phi_2691_ = f32();
                                         } else {
-                                            phi_2683_ = ((_e2014 + _e2053) + _e2092);
+                                            phi_2691_ = ((_e2022 + _e2061) + _e2100);
                                         }
-                                        let _e2099 = phi_2683_;
-                                        phi_2684_ = _e2099;
-                                        phi_2685_ = _e2095;
+                                        let _e2107 = phi_2691_;
+                                        phi_2692_ = _e2107;
+                                        phi_2693_ = _e2103;
                                     }
-                                    let _e2101 = phi_2684_;
-                                    let _e2103 = phi_2685_;
-                                    phi_2686_ = _e2101;
-                                    phi_2687_ = _e2103;
+                                    let _e2109 = phi_2692_;
+                                    let _e2111 = phi_2693_;
+                                    phi_2694_ = _e2109;
+                                    phi_2695_ = _e2111;
                                 }
-                                let _e2105 = phi_2686_;
-                                let _e2107 = phi_2687_;
-                                if _e2107 {
-                                    if (_e2014 > 0f) {
-                                        phi_2708_ = f32();
-                                        phi_2709_ = true;
-                                        phi_2710_ = false;
+                                let _e2113 = phi_2694_;
+                                let _e2115 = phi_2695_;
+                                if _e2115 {
+                                    if (_e2022 > 0f) {
+                                        phi_2716_ = f32();
+                                        phi_2717_ = true;
+                                        phi_2718_ = false;
                                     } else {
-                                        let _e2109 = (_e2053 > 0f);
-                                        if _e2109 {
-                                            phi_2706_ = f32();
-                                            phi_2707_ = false;
+                                        let _e2117 = (_e2061 > 0f);
+                                        if _e2117 {
+                                            phi_2714_ = f32();
+                                            phi_2715_ = false;
                                         } else {
-                                            phi_2706_ = ((_e2014 + _e2053) + _e2092);
-                                            phi_2707_ = select(true, false, (_e2092 > 0f));
+                                            phi_2714_ = ((_e2022 + _e2061) + _e2100);
+                                            phi_2715_ = select(true, false, (_e2100 > 0f));
                                         }
-                                        let _e2115 = phi_2706_;
-                                        let _e2117 = phi_2707_;
-                                        phi_2708_ = _e2115;
-                                        phi_2709_ = _e2109;
-                                        phi_2710_ = _e2117;
+                                        let _e2123 = phi_2714_;
+                                        let _e2125 = phi_2715_;
+                                        phi_2716_ = _e2123;
+                                        phi_2717_ = _e2117;
+                                        phi_2718_ = _e2125;
                                     }
-                                    let _e2119 = phi_2708_;
-                                    let _e2121 = phi_2709_;
-                                    let _e2123 = phi_2710_;
-                                    phi_2715_ = _e2119;
-                                    phi_2716_ = select(_e2123, false, _e2121);
+                                    let _e2127 = phi_2716_;
+                                    let _e2129 = phi_2717_;
+                                    let _e2131 = phi_2718_;
+                                    phi_2723_ = _e2127;
+                                    phi_2724_ = select(_e2131, false, _e2129);
                                 } else {
-                                    phi_2715_ = _e2105;
-                                    phi_2716_ = true;
+                                    phi_2723_ = _e2113;
+                                    phi_2724_ = true;
                                 }
-                                let _e2126 = phi_2715_;
-                                let _e2128 = phi_2716_;
-                                if _e2128 {
-                                    let _e2129 = (_e2126 == 0f);
-                                    if _e2129 {
-                                        phi_2804_ = array<f32, 3>();
-                                        phi_2805_ = array<f32, 3>();
-                                        phi_2806_ = false;
+                                let _e2134 = phi_2723_;
+                                let _e2136 = phi_2724_;
+                                if _e2136 {
+                                    let _e2137 = (_e2134 == 0f);
+                                    if _e2137 {
+                                        phi_2812_ = array<f32, 3>();
+                                        phi_2813_ = array<f32, 3>();
+                                        phi_2814_ = false;
                                     } else {
-                                        let _e2130 = (_e1923 * _e1795);
-                                        let _e2131 = (_e1928 * _e1795);
-                                        let _e2132 = (_e1933 * _e1795);
-                                        let _e2135 = (1f / ((_e2014 + _e2053) + _e2092));
-                                        let _e2136 = (_e2053 * _e2135);
-                                        let _e2137 = (_e2092 * _e2135);
-                                        let _e2143 = ((((_e2014 * _e2135) * _e2130) + (_e2136 * _e2131)) + (_e2137 * _e2132));
-                                        let _e2144 = abs(_e1940);
-                                        let _e2145 = abs(_e1954);
-                                        let _e2147 = select(_e2145, _e2144, (_e2144 > _e2145));
-                                        let _e2148 = abs(_e1968);
-                                        let _e2151 = abs(_e1947);
-                                        let _e2152 = abs(_e1961);
-                                        let _e2154 = select(_e2152, _e2151, (_e2151 > _e2152));
-                                        let _e2155 = abs(_e1975);
-                                        let _e2159 = abs(_e2130);
-                                        let _e2160 = abs(_e2131);
+                                        let _e2138 = (_e1931 * _e1803);
+                                        let _e2139 = (_e1936 * _e1803);
+                                        let _e2140 = (_e1941 * _e1803);
+                                        let _e2143 = (1f / ((_e2022 + _e2061) + _e2100));
+                                        let _e2144 = (_e2061 * _e2143);
+                                        let _e2145 = (_e2100 * _e2143);
+                                        let _e2151 = ((((_e2022 * _e2143) * _e2138) + (_e2144 * _e2139)) + (_e2145 * _e2140));
+                                        let _e2152 = abs(_e1948);
+                                        let _e2153 = abs(_e1962);
+                                        let _e2155 = select(_e2153, _e2152, (_e2152 > _e2153));
+                                        let _e2156 = abs(_e1976);
+                                        let _e2159 = abs(_e1955);
+                                        let _e2160 = abs(_e1969);
                                         let _e2162 = select(_e2160, _e2159, (_e2159 > _e2160));
-                                        let _e2163 = abs(_e2132);
-                                        let _e2170 = (((select(_e2148, _e2147, (_e2147 > _e2148)) * select(_e2155, _e2154, (_e2154 > _e2155))) * select(_e2163, _e2162, (_e2162 > _e2163))) <= (abs((_e2126 * _e2143)) * 256f));
-                                        if _e2170 {
-                                            phi_2802_ = array<f32, 3>(_e2143, _e2136, _e2137);
-                                            phi_2803_ = array<f32, 3>();
+                                        let _e2163 = abs(_e1983);
+                                        let _e2167 = abs(_e2138);
+                                        let _e2168 = abs(_e2139);
+                                        let _e2170 = select(_e2168, _e2167, (_e2167 > _e2168));
+                                        let _e2171 = abs(_e2140);
+                                        let _e2178 = (((select(_e2156, _e2155, (_e2155 > _e2156)) * select(_e2163, _e2162, (_e2162 > _e2163))) * select(_e2171, _e2170, (_e2170 > _e2171))) <= (abs((_e2134 * _e2151)) * 256f));
+                                        if _e2178 {
+                                            phi_2810_ = array<f32, 3>(_e2151, _e2144, _e2145);
+                                            phi_2811_ = array<f32, 3>();
                                         } else {
-                                            let _e2172 = (_e1968 * 4097f);
-                                            let _e2174 = (_e2172 - (_e2172 - _e1968));
-                                            let _e2175 = (_e1961 * 4097f);
-                                            let _e2177 = (_e2175 - (_e2175 - _e1961));
-                                            let _e2178 = (_e1968 - _e2174);
-                                            let _e2179 = (_e1961 - _e2177);
-                                            let _e2188 = (_e1975 * 4097f);
-                                            let _e2190 = (_e2188 - (_e2188 - _e1975));
-                                            let _e2191 = (_e1954 * 4097f);
-                                            let _e2193 = (_e2191 - (_e2191 - _e1954));
-                                            let _e2194 = (_e1975 - _e2190);
-                                            let _e2195 = (_e1954 - _e2193);
-                                            let _e2205 = ((_e1976 - _e1977) + ((((((_e2174 * _e2177) - _e1976) + (_e2174 * _e2179)) + (_e2178 * _e2177)) + (_e2178 * _e2179)) - (((((_e2190 * _e2193) - _e1977) + (_e2190 * _e2195)) + (_e2194 * _e2193)) + (_e2194 * _e2195))));
-                                            let _e2207 = (_e1940 * 4097f);
-                                            let _e2209 = (_e2207 - (_e2207 - _e1940));
-                                            let _e2210 = (_e1940 - _e2209);
-                                            let _e2219 = (_e1947 * 4097f);
-                                            let _e2221 = (_e2219 - (_e2219 - _e1947));
-                                            let _e2222 = (_e1947 - _e2221);
-                                            let _e2232 = ((_e2015 - _e2016) + ((((((_e2209 * _e2190) - _e2015) + (_e2209 * _e2194)) + (_e2210 * _e2190)) + (_e2210 * _e2194)) - (((((_e2221 * _e2174) - _e2016) + (_e2221 * _e2178)) + (_e2222 * _e2174)) + (_e2222 * _e2178))));
-                                            let _e2251 = ((_e2054 - _e2055) + ((((((_e2193 * _e2221) - _e2054) + (_e2193 * _e2222)) + (_e2195 * _e2221)) + (_e2195 * _e2222)) - (((((_e2177 * _e2209) - _e2055) + (_e2177 * _e2210)) + (_e2179 * _e2209)) + (_e2179 * _e2210))));
-                                            let _e2254 = (1f / ((_e2205 + _e2232) + _e2251));
-                                            let _e2255 = (_e2232 * _e2254);
-                                            let _e2256 = (_e2251 * _e2254);
-                                            phi_2802_ = array<f32, 3>();
-                                            phi_2803_ = array<f32, 3>(((((_e2205 * _e2254) * _e2130) + (_e2255 * _e2131)) + (_e2256 * _e2132)), _e2255, _e2256);
+                                            let _e2180 = (_e1976 * 4097f);
+                                            let _e2182 = (_e2180 - (_e2180 - _e1976));
+                                            let _e2183 = (_e1969 * 4097f);
+                                            let _e2185 = (_e2183 - (_e2183 - _e1969));
+                                            let _e2186 = (_e1976 - _e2182);
+                                            let _e2187 = (_e1969 - _e2185);
+                                            let _e2196 = (_e1983 * 4097f);
+                                            let _e2198 = (_e2196 - (_e2196 - _e1983));
+                                            let _e2199 = (_e1962 * 4097f);
+                                            let _e2201 = (_e2199 - (_e2199 - _e1962));
+                                            let _e2202 = (_e1983 - _e2198);
+                                            let _e2203 = (_e1962 - _e2201);
+                                            let _e2213 = ((_e1984 - _e1985) + ((((((_e2182 * _e2185) - _e1984) + (_e2182 * _e2187)) + (_e2186 * _e2185)) + (_e2186 * _e2187)) - (((((_e2198 * _e2201) - _e1985) + (_e2198 * _e2203)) + (_e2202 * _e2201)) + (_e2202 * _e2203))));
+                                            let _e2215 = (_e1948 * 4097f);
+                                            let _e2217 = (_e2215 - (_e2215 - _e1948));
+                                            let _e2218 = (_e1948 - _e2217);
+                                            let _e2227 = (_e1955 * 4097f);
+                                            let _e2229 = (_e2227 - (_e2227 - _e1955));
+                                            let _e2230 = (_e1955 - _e2229);
+                                            let _e2240 = ((_e2023 - _e2024) + ((((((_e2217 * _e2198) - _e2023) + (_e2217 * _e2202)) + (_e2218 * _e2198)) + (_e2218 * _e2202)) - (((((_e2229 * _e2182) - _e2024) + (_e2229 * _e2186)) + (_e2230 * _e2182)) + (_e2230 * _e2186))));
+                                            let _e2259 = ((_e2062 - _e2063) + ((((((_e2201 * _e2229) - _e2062) + (_e2201 * _e2230)) + (_e2203 * _e2229)) + (_e2203 * _e2230)) - (((((_e2185 * _e2217) - _e2063) + (_e2185 * _e2218)) + (_e2187 * _e2217)) + (_e2187 * _e2218))));
+                                            let _e2262 = (1f / ((_e2213 + _e2240) + _e2259));
+                                            let _e2263 = (_e2240 * _e2262);
+                                            let _e2264 = (_e2259 * _e2262);
+                                            phi_2810_ = array<f32, 3>();
+                                            phi_2811_ = array<f32, 3>(((((_e2213 * _e2262) * _e2138) + (_e2263 * _e2139)) + (_e2264 * _e2140)), _e2263, _e2264);
                                         }
-                                        let _e2266 = phi_2802_;
-                                        let _e2268 = phi_2803_;
-                                        phi_2804_ = _e2266;
-                                        phi_2805_ = _e2268;
-                                        phi_2806_ = _e2170;
+                                        let _e2274 = phi_2810_;
+                                        let _e2276 = phi_2811_;
+                                        phi_2812_ = _e2274;
+                                        phi_2813_ = _e2276;
+                                        phi_2814_ = _e2178;
                                     }
-                                    let _e2270 = phi_2804_;
-                                    let _e2272 = phi_2805_;
-                                    let _e2274 = phi_2806_;
-                                    phi_2807_ = _e2270;
-                                    phi_2808_ = _e2272;
-                                    phi_2809_ = _e2129;
-                                    phi_2810_ = _e2274;
+                                    let _e2278 = phi_2812_;
+                                    let _e2280 = phi_2813_;
+                                    let _e2282 = phi_2814_;
+                                    phi_2815_ = _e2278;
+                                    phi_2816_ = _e2280;
+                                    phi_2817_ = _e2137;
+                                    phi_2818_ = _e2282;
                                 } else {
-                                    phi_2807_ = array<f32, 3>();
-                                    phi_2808_ = array<f32, 3>();
-                                    phi_2809_ = true;
-                                    phi_2810_ = false;
-                                }
-                                let _e2276 = phi_2807_;
-                                let _e2278 = phi_2808_;
-                                let _e2280 = phi_2809_;
-                                let _e2282 = phi_2810_;
-                                if _e2280 {
-                                    phi_2815_ = array<f32, 3>(-1f, 0f, 0f);
-                                } else {
-                                    phi_2815_ = _e2276;
+                                    phi_2815_ = array<f32, 3>();
+                                    phi_2816_ = array<f32, 3>();
+                                    phi_2817_ = true;
+                                    phi_2818_ = false;
                                 }
                                 let _e2284 = phi_2815_;
-                                if select(_e2282, true, _e2280) {
-                                    phi_2820_ = _e2284;
+                                let _e2286 = phi_2816_;
+                                let _e2288 = phi_2817_;
+                                let _e2290 = phi_2818_;
+                                if _e2288 {
+                                    phi_2823_ = array<f32, 3>(-1f, 0f, 0f);
                                 } else {
-                                    phi_2820_ = _e2278;
+                                    phi_2823_ = _e2284;
                                 }
-                                let _e2287 = phi_2820_;
-                                if (_e2287[0] >= _e1746.member.member_2) {
-                                    let _e2295 = (_e2287[0] < _e1898.member);
-                                    if _e2295 {
-                                        let _e2296 = (_e2287[0] >= 0f);
-                                        if _e2296 {
-                                            if _e1918 {
+                                let _e2292 = phi_2823_;
+                                if select(_e2290, true, _e2288) {
+                                    phi_2828_ = _e2292;
+                                } else {
+                                    phi_2828_ = _e2286;
+                                }
+                                let _e2295 = phi_2828_;
+                                if (_e2295[0] >= _e1754.member.member_2) {
+                                    let _e2303 = (_e2295[0] < _e1906.member);
+                                    if _e2303 {
+                                        let _e2304 = (_e2295[0] >= 0f);
+                                        if _e2304 {
+                                            if _e1926 {
                                             } else {
-                                                phi_5254_ = true;
+                                                phi_5669_ = true;
                                                 break;
                                             }
-                                            let _e2299 = triangles.member[_e1913.member_1].member_3;
-                                            if ((_e2299 & 1u) == 0u) {
-                                                phi_3154_ = true;
+                                            let _e2307 = triangles.member[_e1921.member_1].member_3;
+                                            if ((_e2307 & 1u) == 0u) {
+                                                phi_3309_ = true;
                                             } else {
-                                                if _e1918 {
+                                                if _e1926 {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2304 = triangles.member[_e1913.member_1].member_1;
-                                                let _e2305 = (_e2304 * 12u);
-                                                if ((256u + _e2305) < _e140) {
+                                                let _e2312 = triangles.member[_e1921.member_1].member_1;
+                                                let _e2313 = (_e2312 * 12u);
+                                                if ((256u + _e2313) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if ((_e2305 + 257u) < _e140) {
+                                                if ((_e2313 + 257u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if ((_e2305 + 258u) < _e140) {
+                                                if ((_e2313 + 258u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2312 = (_e2305 + 259u);
-                                                if (_e2312 < _e140) {
+                                                let _e2320 = (_e2313 + 259u);
+                                                if (_e2320 < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2315 = surfaces.member[_e2312];
-                                                if ((_e2305 + 260u) < _e140) {
+                                                let _e2323 = surfaces.member[_e2320];
+                                                if ((_e2313 + 260u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if ((_e2305 + 261u) < _e140) {
+                                                if ((_e2313 + 261u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if ((_e2305 + 262u) < _e140) {
+                                                if ((_e2313 + 262u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2322 = (_e2305 + 263u);
-                                                if (_e2322 < _e140) {
+                                                let _e2330 = (_e2313 + 263u);
+                                                if (_e2330 < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2325 = surfaces.member[_e2322];
-                                                let _e2326 = (_e2305 + 264u);
-                                                if (_e2326 < _e140) {
+                                                let _e2333 = surfaces.member[_e2330];
+                                                let _e2334 = (_e2313 + 264u);
+                                                if (_e2334 < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2329 = surfaces.member[_e2326];
-                                                let _e2330 = bitcast<f32>(_e2329);
-                                                let _e2331 = (_e2305 + 265u);
-                                                if (_e2331 < _e140) {
+                                                let _e2337 = surfaces.member[_e2334];
+                                                let _e2338 = bitcast<f32>(_e2337);
+                                                let _e2339 = (_e2313 + 265u);
+                                                if (_e2339 < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                let _e2334 = surfaces.member[_e2331];
-                                                let _e2335 = bitcast<f32>(_e2334);
-                                                if ((_e2305 + 266u) < _e140) {
+                                                let _e2342 = surfaces.member[_e2339];
+                                                let _e2343 = bitcast<f32>(_e2342);
+                                                if ((_e2313 + 266u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if ((_e2305 + 267u) < _e140) {
+                                                if ((_e2313 + 267u) < _e148) {
                                                 } else {
-                                                    phi_5254_ = true;
+                                                    phi_5669_ = true;
                                                     break;
                                                 }
-                                                if (_e2315 == 4294967295u) {
-                                                    phi_3149_ = (_e2330 < _e2335);
+                                                if (_e2323 == 4294967295u) {
+                                                    phi_3304_ = (_e2338 < _e2343);
                                                 } else {
-                                                    if (_e1913.member_1 < _e137) {
+                                                    if (_e1921.member_1 < _e145) {
                                                     } else {
-                                                        phi_5254_ = true;
+                                                        phi_5669_ = true;
                                                         break;
                                                     }
-                                                    let _e2343 = ((1f - _e2287[1]) - _e2287[2]);
-                                                    let _e2347 = attributes.member[_e1913.member_1].member[0u];
-                                                    let _e2352 = attributes.member[_e1913.member_1].member[2u];
-                                                    let _e2358 = attributes.member[_e1913.member_1].member[4u];
-                                                    let _e2360 = (((_e2347 * _e2343) + (_e2352 * _e2287[1])) + (_e2358 * _e2287[2]));
-                                                    let _e2364 = attributes.member[_e1913.member_1].member[1u];
-                                                    let _e2369 = attributes.member[_e1913.member_1].member[3u];
-                                                    let _e2375 = attributes.member[_e1913.member_1].member[5u];
-                                                    let _e2377 = (((_e2364 * _e2343) + (_e2369 * _e2287[1])) + (_e2375 * _e2287[2]));
-                                                    let _e2378 = (_e2325 & 65535u);
-                                                    let _e2380 = (_e2325 >> bitcast<u32>(16i));
-                                                    let _e2382 = (_e2360 - floor(_e2360));
-                                                    let _e2387 = ((select(0f, _e2382, (_e2382 <= 1f)) * f32(_e2378)) - 0.5f);
-                                                    let _e2388 = floor(_e2387);
-                                                    let _e2389 = (_e2387 - _e2388);
-                                                    let _e2390 = (_e2378 - 1u);
-                                                    if (_e2388 < 0f) {
-                                                        phi_3032_ = _e2390;
+                                                    let _e2351 = ((1f - _e2295[1]) - _e2295[2]);
+                                                    let _e2355 = attributes.member[_e1921.member_1].member[0u];
+                                                    let _e2360 = attributes.member[_e1921.member_1].member[2u];
+                                                    let _e2366 = attributes.member[_e1921.member_1].member[4u];
+                                                    let _e2368 = (((_e2355 * _e2351) + (_e2360 * _e2295[1])) + (_e2366 * _e2295[2]));
+                                                    let _e2372 = attributes.member[_e1921.member_1].member[1u];
+                                                    let _e2377 = attributes.member[_e1921.member_1].member[3u];
+                                                    let _e2383 = attributes.member[_e1921.member_1].member[5u];
+                                                    let _e2385 = (((_e2372 * _e2351) + (_e2377 * _e2295[1])) + (_e2383 * _e2295[2]));
+                                                    let _e2386 = (_e2333 & 65535u);
+                                                    let _e2388 = (_e2333 >> bitcast<u32>(16i));
+                                                    let _e2391 = ((_e2323 >> bitcast<u32>(28u)) & 3u);
+                                                    let _e2392 = (_e2386 - 1u);
+                                                    let _e2394 = select(1f, 2f, (_e2391 == 2u));
+                                                    let _e2398 = (_e2368 - (floor((_e2368 / _e2394)) * _e2394));
+                                                    if (_e2398 > 1f) {
+                                                        phi_3028_ = (_e2394 - _e2398);
                                                     } else {
-                                                        let _e2396 = select(select(u32(_e2388), 0u, (_e2388 < 0f)), 4294967295u, (_e2388 > 4294967000f));
-                                                        phi_3032_ = select(_e2396, _e2390, (_e2390 < _e2396));
+                                                        phi_3028_ = _e2398;
                                                     }
-                                                    let _e2400 = phi_3032_;
-                                                    if (_e2400 == _e2390) {
-                                                        phi_3038_ = 0u;
+                                                    let _e2402 = phi_3028_;
+                                                    if (_e2391 == 1u) {
+                                                        let _e2405 = select(0f, _e2368, (_e2368 > 0f));
+                                                        phi_3043_ = select(1f, _e2405, (_e2405 < 1f));
                                                     } else {
-                                                        phi_3038_ = (_e2400 + 1u);
+                                                        phi_3043_ = _e2402;
                                                     }
-                                                    let _e2404 = phi_3038_;
-                                                    let _e2406 = (_e2377 - floor(_e2377));
-                                                    let _e2411 = ((select(0f, _e2406, (_e2406 <= 1f)) * f32(_e2380)) - 0.5f);
-                                                    let _e2412 = floor(_e2411);
-                                                    let _e2413 = (_e2411 - _e2412);
-                                                    let _e2414 = (_e2380 - 1u);
-                                                    if (_e2412 < 0f) {
-                                                        phi_3068_ = _e2414;
+                                                    let _e2409 = phi_3043_;
+                                                    if (_e2409 >= 0f) {
+                                                        phi_3053_ = select(true, false, (_e2409 <= 1f));
                                                     } else {
-                                                        let _e2420 = select(select(u32(_e2412), 0u, (_e2412 < 0f)), 4294967295u, (_e2412 > 4294967000f));
-                                                        phi_3068_ = select(_e2420, _e2414, (_e2414 < _e2420));
+                                                        phi_3053_ = true;
                                                     }
-                                                    let _e2424 = phi_3068_;
-                                                    if (_e2424 == _e2414) {
-                                                        phi_3074_ = 0u;
+                                                    let _e2414 = phi_3053_;
+                                                    let _e2418 = ((select(_e2409, 0f, _e2414) * f32(_e2386)) - 0.5f);
+                                                    let _e2419 = floor(_e2418);
+                                                    let _e2420 = (_e2419 < 0f);
+                                                    if _e2420 {
+                                                        phi_3078_ = 0u;
                                                     } else {
-                                                        phi_3074_ = (_e2424 + 1u);
+                                                        let _e2425 = select(select(u32(_e2419), 0u, (_e2419 < 0f)), 4294967295u, (_e2419 > 4294967000f));
+                                                        phi_3078_ = select(_e2425, _e2392, (_e2392 < _e2425));
                                                     }
-                                                    let _e2428 = phi_3074_;
-                                                    let _e2430 = (_e2315 + (_e2424 * _e2378));
-                                                    let _e2432 = (_e2315 + (_e2428 * _e2378));
-                                                    let _e2433 = (_e2430 + _e2400);
-                                                    let _e2434 = (_e2430 + _e2404);
-                                                    let _e2435 = (_e2432 + _e2400);
-                                                    let _e2436 = (_e2432 + _e2404);
-                                                    if (_e2433 < _e140) {
+                                                    let _e2429 = phi_3078_;
+                                                    if _e2420 {
+                                                        phi_3088_ = 0u;
                                                     } else {
-                                                        phi_5254_ = true;
+                                                        let _e2430 = (_e2429 + 1u);
+                                                        phi_3088_ = select(_e2430, _e2392, (_e2392 < _e2430));
+                                                    }
+                                                    let _e2434 = phi_3088_;
+                                                    let _e2435 = (_e2391 == 0u);
+                                                    if _e2435 {
+                                                        phi_3097_ = select(true, false, _e2420);
+                                                    } else {
+                                                        phi_3097_ = true;
+                                                    }
+                                                    let _e2438 = phi_3097_;
+                                                    let _e2439 = select(_e2392, _e2429, _e2438);
+                                                    if _e2435 {
+                                                        if _e2420 {
+                                                            phi_3113_ = true;
+                                                        } else {
+                                                            phi_3113_ = select(true, false, (_e2439 == _e2392));
+                                                        }
+                                                        let _e2443 = phi_3113_;
+                                                        phi_3114_ = _e2443;
+                                                    } else {
+                                                        phi_3114_ = true;
+                                                    }
+                                                    let _e2445 = phi_3114_;
+                                                    let _e2446 = select(0u, _e2434, _e2445);
+                                                    let _e2447 = (_e2418 - _e2419);
+                                                    let _e2450 = ((_e2323 >> bitcast<u32>(30u)) & 3u);
+                                                    let _e2451 = (_e2388 - 1u);
+                                                    let _e2453 = select(1f, 2f, (_e2450 == 2u));
+                                                    let _e2457 = (_e2385 - (floor((_e2385 / _e2453)) * _e2453));
+                                                    if (_e2457 > 1f) {
+                                                        phi_3137_ = (_e2453 - _e2457);
+                                                    } else {
+                                                        phi_3137_ = _e2457;
+                                                    }
+                                                    let _e2461 = phi_3137_;
+                                                    if (_e2450 == 1u) {
+                                                        let _e2464 = select(0f, _e2385, (_e2385 > 0f));
+                                                        phi_3152_ = select(1f, _e2464, (_e2464 < 1f));
+                                                    } else {
+                                                        phi_3152_ = _e2461;
+                                                    }
+                                                    let _e2468 = phi_3152_;
+                                                    if (_e2468 >= 0f) {
+                                                        phi_3162_ = select(true, false, (_e2468 <= 1f));
+                                                    } else {
+                                                        phi_3162_ = true;
+                                                    }
+                                                    let _e2473 = phi_3162_;
+                                                    let _e2477 = ((select(_e2468, 0f, _e2473) * f32(_e2388)) - 0.5f);
+                                                    let _e2478 = floor(_e2477);
+                                                    let _e2479 = (_e2478 < 0f);
+                                                    if _e2479 {
+                                                        phi_3187_ = 0u;
+                                                    } else {
+                                                        let _e2484 = select(select(u32(_e2478), 0u, (_e2478 < 0f)), 4294967295u, (_e2478 > 4294967000f));
+                                                        phi_3187_ = select(_e2484, _e2451, (_e2451 < _e2484));
+                                                    }
+                                                    let _e2488 = phi_3187_;
+                                                    if _e2479 {
+                                                        phi_3197_ = 0u;
+                                                    } else {
+                                                        let _e2489 = (_e2488 + 1u);
+                                                        phi_3197_ = select(_e2489, _e2451, (_e2451 < _e2489));
+                                                    }
+                                                    let _e2493 = phi_3197_;
+                                                    let _e2494 = (_e2450 == 0u);
+                                                    if _e2494 {
+                                                        phi_3206_ = select(true, false, _e2479);
+                                                    } else {
+                                                        phi_3206_ = true;
+                                                    }
+                                                    let _e2497 = phi_3206_;
+                                                    let _e2498 = select(_e2451, _e2488, _e2497);
+                                                    if _e2494 {
+                                                        if _e2479 {
+                                                            phi_3222_ = true;
+                                                        } else {
+                                                            phi_3222_ = select(true, false, (_e2498 == _e2451));
+                                                        }
+                                                        let _e2502 = phi_3222_;
+                                                        phi_3223_ = _e2502;
+                                                    } else {
+                                                        phi_3223_ = true;
+                                                    }
+                                                    let _e2504 = phi_3223_;
+                                                    let _e2506 = (_e2477 - _e2478);
+                                                    let _e2507 = (_e2323 & 268435455u);
+                                                    let _e2509 = (_e2507 + (_e2498 * _e2386));
+                                                    let _e2511 = (_e2507 + (select(0u, _e2493, _e2504) * _e2386));
+                                                    let _e2512 = (_e2509 + _e2439);
+                                                    let _e2513 = (_e2509 + _e2446);
+                                                    let _e2514 = (_e2511 + _e2439);
+                                                    let _e2515 = (_e2511 + _e2446);
+                                                    if (_e2512 < _e148) {
+                                                    } else {
+                                                        phi_5669_ = true;
                                                         break;
                                                     }
-                                                    let _e2439 = surfaces.member[_e2433];
-                                                    if (_e2434 < _e140) {
+                                                    let _e2518 = surfaces.member[_e2512];
+                                                    if (_e2513 < _e148) {
                                                     } else {
-                                                        phi_5254_ = true;
+                                                        phi_5669_ = true;
                                                         break;
                                                     }
-                                                    let _e2442 = surfaces.member[_e2434];
-                                                    if (_e2435 < _e140) {
+                                                    let _e2521 = surfaces.member[_e2513];
+                                                    if (_e2514 < _e148) {
                                                     } else {
-                                                        phi_5254_ = true;
+                                                        phi_5669_ = true;
                                                         break;
                                                     }
-                                                    let _e2445 = surfaces.member[_e2435];
-                                                    if (_e2436 < _e140) {
+                                                    let _e2524 = surfaces.member[_e2514];
+                                                    if (_e2515 < _e148) {
                                                     } else {
-                                                        phi_5254_ = true;
+                                                        phi_5669_ = true;
                                                         break;
                                                     }
-                                                    let _e2448 = surfaces.member[_e2436];
-                                                    let _e2465 = (1f - _e2389);
-                                                    phi_3149_ = ((_e2330 * (((((f32((_e2439 >> bitcast<u32>(24i))) * 0.003921569f) * _e2465) + ((f32((_e2442 >> bitcast<u32>(24i))) * 0.003921569f) * _e2389)) * (1f - _e2413)) + ((((f32((_e2445 >> bitcast<u32>(24i))) * 0.003921569f) * _e2465) + ((f32((_e2448 >> bitcast<u32>(24i))) * 0.003921569f) * _e2389)) * _e2413))) < _e2335);
+                                                    let _e2527 = surfaces.member[_e2515];
+                                                    let _e2544 = (1f - _e2447);
+                                                    phi_3304_ = ((_e2338 * (((((f32((_e2518 >> bitcast<u32>(24i))) * 0.003921569f) * _e2544) + ((f32((_e2521 >> bitcast<u32>(24i))) * 0.003921569f) * _e2447)) * (1f - _e2506)) + ((((f32((_e2524 >> bitcast<u32>(24i))) * 0.003921569f) * _e2544) + ((f32((_e2527 >> bitcast<u32>(24i))) * 0.003921569f) * _e2447)) * _e2506))) < _e2343);
                                                 }
-                                                let _e2480 = phi_3149_;
-                                                phi_3154_ = select(true, false, _e2480);
+                                                let _e2559 = phi_3304_;
+                                                phi_3309_ = select(true, false, _e2559);
                                             }
-                                            let _e2483 = phi_3154_;
-                                            if _e2483 {
-                                                phi_3159_ = type_64(_e2287[0], _e1913.member_1, _e2287[1], _e2287[2]);
+                                            let _e2562 = phi_3309_;
+                                            if _e2562 {
+                                                phi_3314_ = type_64(_e2295[0], _e1921.member_1, _e2295[1], _e2295[2]);
                                             } else {
-                                                phi_3159_ = type_64();
+                                                phi_3314_ = type_64();
                                             }
-                                            let _e2486 = phi_3159_;
-                                            phi_3161_ = _e2486;
-                                            phi_3163_ = select(true, false, _e2483);
+                                            let _e2565 = phi_3314_;
+                                            phi_3316_ = _e2565;
+                                            phi_3318_ = select(true, false, _e2562);
                                         } else {
-                                            phi_3161_ = type_64();
-                                            phi_3163_ = false;
+                                            phi_3316_ = type_64();
+                                            phi_3318_ = false;
                                         }
-                                        let _e2489 = phi_3161_;
-                                        let _e2491 = phi_3163_;
-                                        phi_3164_ = _e2489;
-                                        phi_3166_ = select(true, false, _e2296);
-                                        phi_3167_ = _e2491;
+                                        let _e2568 = phi_3316_;
+                                        let _e2570 = phi_3318_;
+                                        phi_3319_ = _e2568;
+                                        phi_3321_ = select(true, false, _e2304);
+                                        phi_3322_ = _e2570;
                                     } else {
-                                        phi_3164_ = type_64();
-                                        phi_3166_ = false;
-                                        phi_3167_ = false;
+                                        phi_3319_ = type_64();
+                                        phi_3321_ = false;
+                                        phi_3322_ = false;
                                     }
-                                    let _e2494 = phi_3164_;
-                                    let _e2496 = phi_3166_;
-                                    let _e2498 = phi_3167_;
-                                    phi_3168_ = _e2494;
-                                    phi_3169_ = select(true, false, _e2295);
-                                    phi_3170_ = _e2496;
-                                    phi_3171_ = _e2498;
+                                    let _e2573 = phi_3319_;
+                                    let _e2575 = phi_3321_;
+                                    let _e2577 = phi_3322_;
+                                    phi_3323_ = _e2573;
+                                    phi_3324_ = select(true, false, _e2303);
+                                    phi_3325_ = _e2575;
+                                    phi_3326_ = _e2577;
                                 } else {
-                                    phi_3168_ = type_64();
-                                    phi_3169_ = true;
-                                    phi_3170_ = false;
-                                    phi_3171_ = false;
+                                    phi_3323_ = type_64();
+                                    phi_3324_ = true;
+                                    phi_3325_ = false;
+                                    phi_3326_ = false;
                                 }
-                                let _e2501 = phi_3168_;
-                                let _e2503 = phi_3169_;
-                                let _e2505 = phi_3170_;
-                                let _e2507 = phi_3171_;
-                                if select(select(_e2507, false, _e2503), true, select(_e2505, true, _e2503)) {
-                                    phi_3184_ = _e1898;
+                                let _e2580 = phi_3323_;
+                                let _e2582 = phi_3324_;
+                                let _e2584 = phi_3325_;
+                                let _e2586 = phi_3326_;
+                                if select(select(_e2586, false, _e2582), true, select(_e2584, true, _e2582)) {
+                                    phi_3339_ = _e1906;
                                 } else {
-                                    phi_3184_ = _e2501;
+                                    phi_3339_ = _e2580;
                                 }
-                                let _e2512 = phi_3184_;
-                                phi_2508_ = _e2512;
+                                let _e2591 = phi_3339_;
+                                phi_2516_ = _e2591;
                             } else {
-                                phi_2508_ = type_64();
+                                phi_2516_ = type_64();
                             }
-                            let _e2514 = phi_2508_;
+                            let _e2593 = phi_2516_;
                             continue;
                             continuing {
-                                phi_2504_ = _e1911;
-                                phi_2507_ = _e2514;
-                                phi_5254_ = _e1882;
-                                break if !(_e1917);
+                                phi_2512_ = _e1919;
+                                phi_2515_ = _e2593;
+                                phi_5669_ = _e1890;
+                                break if !(_e1925);
                             }
                         }
-                        let _e2517 = phi_5254_;
-                        phi_5467_ = _e2517;
-                        phi_4437_ = type_64();
-                        if _e2517 {
+                        let _e2596 = phi_5669_;
+                        phi_5912_ = _e2596;
+                        phi_4852_ = type_64();
+                        if _e2596 {
                             break;
                         }
-                        phi_5403_ = _e2517;
-                        phi_3185_ = 0u;
-                        phi_3186_ = _e1886;
-                        let _e3742 = local_14;
-                        phi_2012_ = _e3742;
+                        phi_5848_ = _e2596;
+                        phi_3340_ = 0u;
+                        phi_3341_ = _e1894;
+                        let _e3998 = local_14;
+                        phi_2020_ = _e3998;
                     }
-                    let _e2801 = phi_5403_;
-                    let _e2803 = phi_3185_;
-                    let _e2805 = phi_3186_;
-                    let _e2807 = phi_2012_;
-                    phi_2007_ = _e2803;
-                    phi_2010_ = _e2805;
+                    let _e2880 = phi_5848_;
+                    let _e2882 = phi_3340_;
+                    let _e2884 = phi_3341_;
+                    let _e2886 = phi_2020_;
+                    phi_2015_ = _e2882;
+                    phi_2018_ = _e2884;
                     loop {
-                        let _e2809 = phi_2007_;
-                        let _e2811 = phi_2010_;
-                        local_12 = _e2809;
-                        local_13 = _e2811;
-                        let _e2812 = (_e2809 == 0u);
-                        local_11 = _e2812;
-                        if _e2812 {
-                            let _e2813 = (_e2811 > 0u);
-                            if _e2813 {
-                                let _e2814 = (_e2811 - 1u);
-                                let _e2815 = (_e2814 < 64u);
-                                if _e2815 {
+                        let _e2888 = phi_2015_;
+                        let _e2890 = phi_2018_;
+                        local_12 = _e2888;
+                        local_13 = _e2890;
+                        let _e2891 = (_e2888 == 0u);
+                        local_11 = _e2891;
+                        if _e2891 {
+                            let _e2892 = (_e2890 > 0u);
+                            if _e2892 {
+                                let _e2893 = (_e2890 - 1u);
+                                let _e2894 = (_e2893 < 64u);
+                                if _e2894 {
                                 } else {
-                                    phi_5400_ = true;
+                                    phi_5845_ = true;
                                     break;
                                 }
-                                let _e2817 = local_1[_e2814];
-                                if (_e2817 <= _e2807.member) {
-                                    if _e2815 {
+                                let _e2896 = local_1[_e2893];
+                                if (_e2896 <= _e2886.member) {
+                                    if _e2894 {
                                     } else {
-                                        phi_5400_ = true;
+                                        phi_5845_ = true;
                                         break;
                                     }
-                                    let _e2821 = local[_e2814];
-                                    phi_3221_ = _e2821;
+                                    let _e2900 = local[_e2893];
+                                    phi_3376_ = _e2900;
                                 } else {
-                                    phi_3221_ = _e2809;
+                                    phi_3376_ = _e2888;
                                 }
-                                let _e2823 = phi_3221_;
-                                phi_3222_ = _e2823;
-                                phi_3223_ = _e2814;
+                                let _e2902 = phi_3376_;
+                                phi_3377_ = _e2902;
+                                phi_3378_ = _e2893;
                             } else {
-                                phi_3222_ = u32();
-                                phi_3223_ = u32();
+                                phi_3377_ = u32();
+                                phi_3378_ = u32();
                             }
-                            let _e2825 = phi_3222_;
-                            let _e2827 = phi_3223_;
-                            phi_3188_ = _e2825;
-                            phi_3190_ = _e2827;
-                            phi_3224_ = _e2813;
+                            let _e2904 = phi_3377_;
+                            let _e2906 = phi_3378_;
+                            phi_3343_ = _e2904;
+                            phi_3345_ = _e2906;
+                            phi_3379_ = _e2892;
                         } else {
-                            phi_3188_ = u32();
-                            phi_3190_ = u32();
-                            phi_3224_ = false;
+                            phi_3343_ = u32();
+                            phi_3345_ = u32();
+                            phi_3379_ = false;
                         }
-                        let _e2829 = phi_3188_;
-                        let _e2831 = phi_3190_;
-                        let _e2833 = phi_3224_;
+                        let _e2908 = phi_3343_;
+                        let _e2910 = phi_3345_;
+                        let _e2912 = phi_3379_;
                         continue;
                         continuing {
-                            phi_2007_ = _e2829;
-                            phi_2010_ = _e2831;
-                            phi_5400_ = _e2801;
-                            break if !(_e2833);
+                            phi_2015_ = _e2908;
+                            phi_2018_ = _e2910;
+                            phi_5845_ = _e2880;
+                            break if !(_e2912);
                         }
                     }
-                    let _e2836 = phi_5400_;
-                    phi_5467_ = _e2836;
-                    phi_4437_ = type_64();
-                    if _e2836 {
+                    let _e2915 = phi_5845_;
+                    phi_5912_ = _e2915;
+                    phi_4852_ = type_64();
+                    if _e2915 {
                         break;
                     }
-                    let _e2838 = local_11;
+                    let _e2917 = local_11;
                     continue;
                     continuing {
-                        phi_5258_ = _e2836;
-                        let _e3675 = local_12;
-                        phi_2006_ = _e3675;
-                        let _e3678 = local_13;
-                        phi_2009_ = _e3678;
-                        phi_2011_ = _e2807;
-                        phi_5467_ = _e2836;
-                        phi_4437_ = _e2807;
-                        break if !(select(true, false, _e2838));
+                        phi_5673_ = _e2915;
+                        let _e3919 = local_12;
+                        phi_2014_ = _e3919;
+                        let _e3922 = local_13;
+                        phi_2017_ = _e3922;
+                        phi_2019_ = _e2886;
+                        phi_5912_ = _e2915;
+                        phi_4852_ = _e2886;
+                        break if !(select(true, false, _e2917));
                     }
                 }
-                let _e2842 = phi_5467_;
-                let _e2844 = phi_4437_;
-                if _e2842 {
+                let _e2921 = phi_5912_;
+                let _e2923 = phi_4852_;
+                if _e2921 {
                     break;
                 }
-                let _e2846 = (_e2844.member_1 != 4294967295u);
-                if _e2846 {
-                    if _e2846 {
-                        if (_e2844.member_1 < _e134) {
+                let _e2925 = (_e2923.member_1 != 4294967295u);
+                if _e2925 {
+                    if _e2925 {
+                        if (_e2923.member_1 < _e142) {
                         } else {
                             break;
                         }
-                        let _e2850 = triangles.member[_e2844.member_1].member;
-                        let _e2856 = triangles.member[_e2844.member_1].member_2;
-                        let _e2862 = triangles.member[_e2844.member_1].member_4;
-                        let _e2866 = (_e2856[0] - _e2850[0]);
-                        let _e2867 = (_e2856[1] - _e2850[1]);
-                        let _e2868 = (_e2856[2] - _e2850[2]);
-                        let _e2869 = (_e2862[0] - _e2850[0]);
-                        let _e2870 = (_e2862[1] - _e2850[1]);
-                        let _e2871 = (_e2862[2] - _e2850[2]);
-                        let _e2888 = ((_e2867 * _e2871) - (_e2870 * _e2868));
-                        let _e2891 = ((_e2868 * _e2869) - (_e2871 * _e2866));
-                        let _e2894 = ((_e2866 * _e2870) - (_e2869 * _e2867));
-                        let _e2895 = abs(_e2888);
-                        let _e2896 = abs(_e2891);
-                        let _e2898 = select(_e2896, _e2895, (_e2895 > _e2896));
-                        let _e2899 = abs(_e2894);
-                        let _e2901 = select(_e2899, _e2898, (_e2898 > _e2899));
-                        if (_e2901 > 0.000000000000000000000000000000000000011754944f) {
-                            let _e2903 = (_e2901 < 340282350000000000000000000000000000000f);
-                            if _e2903 {
-                                let _e2904 = (_e2888 / _e2901);
-                                let _e2905 = (_e2891 / _e2901);
-                                let _e2906 = (_e2894 / _e2901);
-                                let _e2912 = sqrt((((_e2904 * _e2904) + (_e2905 * _e2905)) + (_e2906 * _e2906)));
-                                phi_3331_ = vec3<f32>((_e2904 / _e2912), (_e2905 / _e2912), (_e2906 / _e2912));
+                        let _e2929 = triangles.member[_e2923.member_1].member;
+                        let _e2935 = triangles.member[_e2923.member_1].member_2;
+                        let _e2941 = triangles.member[_e2923.member_1].member_4;
+                        let _e2945 = (_e2935[0] - _e2929[0]);
+                        let _e2946 = (_e2935[1] - _e2929[1]);
+                        let _e2947 = (_e2935[2] - _e2929[2]);
+                        let _e2948 = (_e2941[0] - _e2929[0]);
+                        let _e2949 = (_e2941[1] - _e2929[1]);
+                        let _e2950 = (_e2941[2] - _e2929[2]);
+                        let _e2967 = ((_e2946 * _e2950) - (_e2949 * _e2947));
+                        let _e2970 = ((_e2947 * _e2948) - (_e2950 * _e2945));
+                        let _e2973 = ((_e2945 * _e2949) - (_e2948 * _e2946));
+                        let _e2974 = abs(_e2967);
+                        let _e2975 = abs(_e2970);
+                        let _e2977 = select(_e2975, _e2974, (_e2974 > _e2975));
+                        let _e2978 = abs(_e2973);
+                        let _e2980 = select(_e2978, _e2977, (_e2977 > _e2978));
+                        if (_e2980 > 0.000000000000000000000000000000000000011754944f) {
+                            let _e2982 = (_e2980 < 340282350000000000000000000000000000000f);
+                            if _e2982 {
+                                let _e2983 = (_e2967 / _e2980);
+                                let _e2984 = (_e2970 / _e2980);
+                                let _e2985 = (_e2973 / _e2980);
+                                let _e2991 = sqrt((((_e2983 * _e2983) + (_e2984 * _e2984)) + (_e2985 * _e2985)));
+                                phi_3486_ = vec3<f32>((_e2983 / _e2991), (_e2984 / _e2991), (_e2985 / _e2991));
                             } else {
-                                phi_3331_ = vec3<f32>();
+                                phi_3486_ = vec3<f32>();
                             }
-                            let _e2918 = phi_3331_;
-                            phi_3333_ = _e2918;
-                            phi_3334_ = select(true, false, _e2903);
+                            let _e2997 = phi_3486_;
+                            phi_3488_ = _e2997;
+                            phi_3489_ = select(true, false, _e2982);
                         } else {
-                            phi_3333_ = vec3<f32>();
-                            phi_3334_ = true;
+                            phi_3488_ = vec3<f32>();
+                            phi_3489_ = true;
                         }
-                        let _e2921 = phi_3333_;
-                        let _e2923 = phi_3334_;
-                        let _e2925 = select(_e2921, vec3<f32>(0f, 1f, 0f), vec3(_e2923));
-                        let _e2939 = ((((_e2925.x * _e1746.member.member_1.x) + (_e2925.y * _e1746.member.member_1.y)) + (_e2925.z * _e1746.member.member_1.z)) < 0f);
-                        if _e2939 {
-                            phi_3356_ = _e2925;
+                        let _e3000 = phi_3488_;
+                        let _e3002 = phi_3489_;
+                        let _e3004 = select(_e3000, vec3<f32>(0f, 1f, 0f), vec3(_e3002));
+                        let _e3018 = ((((_e3004.x * _e1754.member.member_1.x) + (_e3004.y * _e1754.member.member_1.y)) + (_e3004.z * _e1754.member.member_1.z)) < 0f);
+                        if _e3018 {
+                            phi_3511_ = _e3004;
                         } else {
-                            phi_3356_ = -(_e2925);
+                            phi_3511_ = -(_e3004);
                         }
-                        let _e2942 = phi_3356_;
-                        if (_e2844.member_1 < _e137) {
-                        } else {
-                            break;
-                        }
-                        let _e2946 = triangles.member[_e2844.member_1].member_1;
-                        let _e2947 = (_e2946 * 12u);
-                        let _e2948 = (256u + _e2947);
-                        if (_e2948 < _e140) {
+                        let _e3021 = phi_3511_;
+                        if (_e2923.member_1 < _e145) {
                         } else {
                             break;
                         }
-                        let _e2951 = surfaces.member[_e2948];
-                        let _e2952 = bitcast<f32>(_e2951);
-                        let _e2953 = (_e2947 + 257u);
-                        if (_e2953 < _e140) {
+                        let _e3025 = triangles.member[_e2923.member_1].member_1;
+                        let _e3026 = (_e3025 * 12u);
+                        let _e3027 = (256u + _e3026);
+                        if (_e3027 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2956 = surfaces.member[_e2953];
-                        let _e2957 = bitcast<f32>(_e2956);
-                        let _e2958 = (_e2947 + 258u);
-                        if (_e2958 < _e140) {
+                        let _e3030 = surfaces.member[_e3027];
+                        let _e3031 = bitcast<f32>(_e3030);
+                        let _e3032 = (_e3026 + 257u);
+                        if (_e3032 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2961 = surfaces.member[_e2958];
-                        let _e2962 = bitcast<f32>(_e2961);
-                        let _e2963 = (_e2947 + 259u);
-                        if (_e2963 < _e140) {
+                        let _e3035 = surfaces.member[_e3032];
+                        let _e3036 = bitcast<f32>(_e3035);
+                        let _e3037 = (_e3026 + 258u);
+                        if (_e3037 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2966 = surfaces.member[_e2963];
-                        let _e2967 = (_e2947 + 260u);
-                        if (_e2967 < _e140) {
+                        let _e3040 = surfaces.member[_e3037];
+                        let _e3041 = bitcast<f32>(_e3040);
+                        let _e3042 = (_e3026 + 259u);
+                        if (_e3042 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2970 = surfaces.member[_e2967];
-                        let _e2972 = (_e2947 + 261u);
-                        if (_e2972 < _e140) {
+                        let _e3045 = surfaces.member[_e3042];
+                        let _e3046 = (_e3026 + 260u);
+                        if (_e3046 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2975 = surfaces.member[_e2972];
-                        let _e2977 = (_e2947 + 262u);
-                        if (_e2977 < _e140) {
+                        let _e3049 = surfaces.member[_e3046];
+                        let _e3051 = (_e3026 + 261u);
+                        if (_e3051 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2980 = surfaces.member[_e2977];
-                        let _e2983 = (_e2947 + 263u);
-                        if (_e2983 < _e140) {
+                        let _e3054 = surfaces.member[_e3051];
+                        let _e3056 = (_e3026 + 262u);
+                        if (_e3056 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2986 = surfaces.member[_e2983];
-                        let _e2987 = (_e2947 + 264u);
-                        if (_e2987 < _e140) {
+                        let _e3059 = surfaces.member[_e3056];
+                        let _e3062 = (_e3026 + 263u);
+                        if (_e3062 < _e148) {
                         } else {
                             break;
                         }
-                        let _e2990 = surfaces.member[_e2987];
-                        let _e2991 = bitcast<f32>(_e2990);
-                        if ((_e2947 + 265u) < _e140) {
+                        let _e3065 = surfaces.member[_e3062];
+                        let _e3066 = (_e3026 + 264u);
+                        if (_e3066 < _e148) {
                         } else {
                             break;
                         }
-                        if ((_e2947 + 266u) < _e140) {
+                        let _e3069 = surfaces.member[_e3066];
+                        let _e3070 = bitcast<f32>(_e3069);
+                        if ((_e3026 + 265u) < _e148) {
                         } else {
                             break;
                         }
-                        if ((_e2947 + 267u) < _e140) {
+                        if ((_e3026 + 266u) < _e148) {
                         } else {
                             break;
                         }
-                        let _e2999 = ((1f - _e2844.member_2) - _e2844.member_3);
-                        let _e3003 = attributes.member[_e2844.member_1].member[0u];
-                        let _e3008 = attributes.member[_e2844.member_1].member[2u];
-                        let _e3014 = attributes.member[_e2844.member_1].member[4u];
-                        let _e3016 = (((_e3003 * _e2999) + (_e3008 * _e2844.member_2)) + (_e3014 * _e2844.member_3));
-                        let _e3020 = attributes.member[_e2844.member_1].member[1u];
-                        let _e3025 = attributes.member[_e2844.member_1].member[3u];
-                        let _e3031 = attributes.member[_e2844.member_1].member[5u];
-                        let _e3033 = (((_e3020 * _e2999) + (_e3025 * _e2844.member_2)) + (_e3031 * _e2844.member_3));
-                        if (_e2966 == 4294967295u) {
-                            phi_3799_ = type_67(vec3<f32>(_e2952, _e2957, _e2962), _e2991);
+                        if ((_e3026 + 267u) < _e148) {
                         } else {
-                            let _e3036 = (_e2986 & 65535u);
-                            let _e3038 = (_e2986 >> bitcast<u32>(16i));
-                            let _e3040 = (_e3016 - floor(_e3016));
-                            let _e3045 = ((select(0f, _e3040, (_e3040 <= 1f)) * f32(_e3036)) - 0.5f);
-                            let _e3046 = floor(_e3045);
-                            let _e3047 = (_e3045 - _e3046);
-                            let _e3048 = (_e3036 - 1u);
-                            if (_e3046 < 0f) {
-                                phi_3540_ = _e3048;
-                            } else {
-                                let _e3054 = select(select(u32(_e3046), 0u, (_e3046 < 0f)), 4294967295u, (_e3046 > 4294967000f));
-                                phi_3540_ = select(_e3054, _e3048, (_e3048 < _e3054));
-                            }
-                            let _e3058 = phi_3540_;
-                            if (_e3058 == _e3048) {
-                                phi_3546_ = 0u;
-                            } else {
-                                phi_3546_ = (_e3058 + 1u);
-                            }
-                            let _e3062 = phi_3546_;
-                            let _e3064 = (_e3033 - floor(_e3033));
-                            let _e3069 = ((select(0f, _e3064, (_e3064 <= 1f)) * f32(_e3038)) - 0.5f);
-                            let _e3070 = floor(_e3069);
-                            let _e3071 = (_e3069 - _e3070);
-                            let _e3072 = (_e3038 - 1u);
-                            if (_e3070 < 0f) {
-                                phi_3576_ = _e3072;
-                            } else {
-                                let _e3078 = select(select(u32(_e3070), 0u, (_e3070 < 0f)), 4294967295u, (_e3070 > 4294967000f));
-                                phi_3576_ = select(_e3078, _e3072, (_e3072 < _e3078));
-                            }
-                            let _e3082 = phi_3576_;
-                            if (_e3082 == _e3072) {
-                                phi_3582_ = 0u;
-                            } else {
-                                phi_3582_ = (_e3082 + 1u);
-                            }
-                            let _e3086 = phi_3582_;
-                            let _e3088 = (_e2966 + (_e3082 * _e3036));
-                            let _e3090 = (_e2966 + (_e3086 * _e3036));
-                            let _e3091 = (_e3088 + _e3058);
-                            let _e3092 = (_e3088 + _e3062);
-                            let _e3093 = (_e3090 + _e3058);
-                            let _e3094 = (_e3090 + _e3062);
-                            if (_e3091 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3097 = surfaces.member[_e3091];
-                            if (_e3092 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3100 = surfaces.member[_e3092];
-                            if (_e3093 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3103 = surfaces.member[_e3093];
-                            if (_e3094 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3106 = surfaces.member[_e3094];
-                            let _e3107 = (_e3097 & 255u);
-                            if (_e3107 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3110 = surfaces.member[_e3107];
-                            let _e3114 = ((_e3097 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3114 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3117 = surfaces.member[_e3114];
-                            let _e3121 = ((_e3097 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3121 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3124 = surfaces.member[_e3121];
-                            let _e3126 = (1f - _e3047);
-                            let _e3130 = (_e3100 & 255u);
-                            if (_e3130 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3133 = surfaces.member[_e3130];
-                            let _e3137 = ((_e3100 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3137 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3140 = surfaces.member[_e3137];
-                            let _e3144 = ((_e3100 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3144 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3147 = surfaces.member[_e3144];
-                            let _e3155 = (_e3103 & 255u);
-                            if (_e3155 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3158 = surfaces.member[_e3155];
-                            let _e3162 = ((_e3103 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3162 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3165 = surfaces.member[_e3162];
-                            let _e3169 = ((_e3103 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3169 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3172 = surfaces.member[_e3169];
-                            let _e3177 = (_e3106 & 255u);
-                            if (_e3177 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3180 = surfaces.member[_e3177];
-                            let _e3184 = ((_e3106 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3184 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3187 = surfaces.member[_e3184];
-                            let _e3191 = ((_e3106 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3191 < _e140) {
-                            } else {
-                                break;
-                            }
-                            let _e3194 = surfaces.member[_e3191];
-                            let _e3202 = (1f - _e3071);
-                            phi_3799_ = type_67(vec3<f32>((_e2952 * ((((bitcast<f32>(_e3110) * _e3126) + (bitcast<f32>(_e3133) * _e3047)) * _e3202) + (((bitcast<f32>(_e3158) * _e3126) + (bitcast<f32>(_e3180) * _e3047)) * _e3071))), (_e2957 * ((((bitcast<f32>(_e3117) * _e3126) + (bitcast<f32>(_e3140) * _e3047)) * _e3202) + (((bitcast<f32>(_e3165) * _e3126) + (bitcast<f32>(_e3187) * _e3047)) * _e3071))), (_e2962 * ((((bitcast<f32>(_e3124) * _e3126) + (bitcast<f32>(_e3147) * _e3047)) * _e3202) + (((bitcast<f32>(_e3172) * _e3126) + (bitcast<f32>(_e3194) * _e3047)) * _e3071)))), (_e2991 * (((((f32((_e3097 >> bitcast<u32>(24i))) * 0.003921569f) * _e3126) + ((f32((_e3100 >> bitcast<u32>(24i))) * 0.003921569f) * _e3047)) * _e3202) + ((((f32((_e3103 >> bitcast<u32>(24i))) * 0.003921569f) * _e3126) + ((f32((_e3106 >> bitcast<u32>(24i))) * 0.003921569f) * _e3047)) * _e3071))));
+                            break;
                         }
-                        let _e3245 = phi_3799_;
-                        let _e3250 = attributes.member[_e2844.member_1].member_1[0u];
-                        let _e3260 = (f32((bitcast<i32>((_e3250 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3262 = select(-1f, _e3260, (_e3260 > -1f));
-                        let _e3264 = (f32((bitcast<i32>(_e3250) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3266 = select(-1f, _e3264, (_e3264 > -1f));
-                        let _e3270 = ((1f - abs(_e3262)) - abs(_e3266));
-                        let _e3271 = -(_e3270);
-                        let _e3275 = (bitcast<u32>(select(0f, _e3271, (_e3271 > 0f))) & 2147483647u);
-                        let _e3280 = (_e3262 - bitcast<f32>((_e3275 | (bitcast<u32>(_e3262) & 2147483648u))));
-                        let _e3285 = (_e3266 - bitcast<f32>((_e3275 | (bitcast<u32>(_e3266) & 2147483648u))));
-                        let _e3290 = (((_e3280 * _e3280) + (_e3285 * _e3285)) + (_e3270 * _e3270));
-                        if (_e3290 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3293 = (1f / sqrt(_e3290));
-                            phi_3866_ = vec3<f32>((_e3280 * _e3293), (_e3285 * _e3293), (_e3270 * _e3293));
+                        let _e3078 = ((1f - _e2923.member_2) - _e2923.member_3);
+                        let _e3082 = attributes.member[_e2923.member_1].member[0u];
+                        let _e3087 = attributes.member[_e2923.member_1].member[2u];
+                        let _e3093 = attributes.member[_e2923.member_1].member[4u];
+                        let _e3095 = (((_e3082 * _e3078) + (_e3087 * _e2923.member_2)) + (_e3093 * _e2923.member_3));
+                        let _e3099 = attributes.member[_e2923.member_1].member[1u];
+                        let _e3104 = attributes.member[_e2923.member_1].member[3u];
+                        let _e3110 = attributes.member[_e2923.member_1].member[5u];
+                        let _e3112 = (((_e3099 * _e3078) + (_e3104 * _e2923.member_2)) + (_e3110 * _e2923.member_3));
+                        if (_e3045 == 4294967295u) {
+                            phi_4101_ = type_67(vec3<f32>(_e3031, _e3036, _e3041), _e3070);
                         } else {
-                            phi_3866_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e3299 = phi_3866_;
-                        let _e3309 = attributes.member[_e2844.member_1].member_1[1u];
-                        let _e3319 = (f32((bitcast<i32>((_e3309 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3321 = select(-1f, _e3319, (_e3319 > -1f));
-                        let _e3323 = (f32((bitcast<i32>(_e3309) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3325 = select(-1f, _e3323, (_e3323 > -1f));
-                        let _e3329 = ((1f - abs(_e3321)) - abs(_e3325));
-                        let _e3330 = -(_e3329);
-                        let _e3334 = (bitcast<u32>(select(0f, _e3330, (_e3330 > 0f))) & 2147483647u);
-                        let _e3339 = (_e3321 - bitcast<f32>((_e3334 | (bitcast<u32>(_e3321) & 2147483648u))));
-                        let _e3344 = (_e3325 - bitcast<f32>((_e3334 | (bitcast<u32>(_e3325) & 2147483648u))));
-                        let _e3349 = (((_e3339 * _e3339) + (_e3344 * _e3344)) + (_e3329 * _e3329));
-                        if (_e3349 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3352 = (1f / sqrt(_e3349));
-                            phi_3940_ = vec3<f32>((_e3339 * _e3352), (_e3344 * _e3352), (_e3329 * _e3352));
-                        } else {
-                            phi_3940_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e3358 = phi_3940_;
-                        let _e3371 = attributes.member[_e2844.member_1].member_1[2u];
-                        let _e3381 = (f32((bitcast<i32>((_e3371 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3383 = select(-1f, _e3381, (_e3381 > -1f));
-                        let _e3385 = (f32((bitcast<i32>(_e3371) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3387 = select(-1f, _e3385, (_e3385 > -1f));
-                        let _e3391 = ((1f - abs(_e3383)) - abs(_e3387));
-                        let _e3392 = -(_e3391);
-                        let _e3396 = (bitcast<u32>(select(0f, _e3392, (_e3392 > 0f))) & 2147483647u);
-                        let _e3401 = (_e3383 - bitcast<f32>((_e3396 | (bitcast<u32>(_e3383) & 2147483648u))));
-                        let _e3406 = (_e3387 - bitcast<f32>((_e3396 | (bitcast<u32>(_e3387) & 2147483648u))));
-                        let _e3411 = (((_e3401 * _e3401) + (_e3406 * _e3406)) + (_e3391 * _e3391));
-                        if (_e3411 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3414 = (1f / sqrt(_e3411));
-                            phi_4014_ = vec3<f32>((_e3401 * _e3414), (_e3406 * _e3414), (_e3391 * _e3414));
-                        } else {
-                            phi_4014_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e3420 = phi_4014_;
-                        let _e3427 = (((_e3299.x * _e2999) + (_e3358.x * _e2844.member_2)) + (_e3420.x * _e2844.member_3));
-                        let _e3428 = (((_e3299.y * _e2999) + (_e3358.y * _e2844.member_2)) + (_e3420.y * _e2844.member_3));
-                        let _e3429 = (((_e3299.z * _e2999) + (_e3358.z * _e2844.member_2)) + (_e3420.z * _e2844.member_3));
-                        let _e3430 = abs(_e3427);
-                        let _e3431 = abs(_e3428);
-                        let _e3433 = select(_e3431, _e3430, (_e3430 > _e3431));
-                        let _e3434 = abs(_e3429);
-                        let _e3436 = select(_e3434, _e3433, (_e3433 > _e3434));
-                        if (_e3436 > 0.000000000000000000000000000000000000011754944f) {
-                            let _e3438 = (_e3436 < 340282350000000000000000000000000000000f);
-                            if _e3438 {
-                                let _e3439 = (_e3427 / _e3436);
-                                let _e3440 = (_e3428 / _e3436);
-                                let _e3441 = (_e3429 / _e3436);
-                                let _e3447 = sqrt((((_e3439 * _e3439) + (_e3440 * _e3440)) + (_e3441 * _e3441)));
-                                phi_4059_ = vec3<f32>((_e3439 / _e3447), (_e3440 / _e3447), (_e3441 / _e3447));
+                            let _e3115 = (_e3065 & 65535u);
+                            let _e3117 = (_e3065 >> bitcast<u32>(16i));
+                            let _e3120 = ((_e3045 >> bitcast<u32>(28u)) & 3u);
+                            let _e3121 = (_e3115 - 1u);
+                            let _e3123 = select(1f, 2f, (_e3120 == 2u));
+                            let _e3127 = (_e3095 - (floor((_e3095 / _e3123)) * _e3123));
+                            if (_e3127 > 1f) {
+                                phi_3683_ = (_e3123 - _e3127);
                             } else {
-                                phi_4059_ = vec3<f32>();
+                                phi_3683_ = _e3127;
                             }
-                            let _e3453 = phi_4059_;
-                            phi_4061_ = _e3453;
-                            phi_4062_ = select(true, false, _e3438);
-                        } else {
-                            phi_4061_ = vec3<f32>();
-                            phi_4062_ = true;
+                            let _e3131 = phi_3683_;
+                            if (_e3120 == 1u) {
+                                let _e3134 = select(0f, _e3095, (_e3095 > 0f));
+                                phi_3698_ = select(1f, _e3134, (_e3134 < 1f));
+                            } else {
+                                phi_3698_ = _e3131;
+                            }
+                            let _e3138 = phi_3698_;
+                            if (_e3138 >= 0f) {
+                                phi_3708_ = select(true, false, (_e3138 <= 1f));
+                            } else {
+                                phi_3708_ = true;
+                            }
+                            let _e3143 = phi_3708_;
+                            let _e3147 = ((select(_e3138, 0f, _e3143) * f32(_e3115)) - 0.5f);
+                            let _e3148 = floor(_e3147);
+                            let _e3149 = (_e3148 < 0f);
+                            if _e3149 {
+                                phi_3733_ = 0u;
+                            } else {
+                                let _e3154 = select(select(u32(_e3148), 0u, (_e3148 < 0f)), 4294967295u, (_e3148 > 4294967000f));
+                                phi_3733_ = select(_e3154, _e3121, (_e3121 < _e3154));
+                            }
+                            let _e3158 = phi_3733_;
+                            if _e3149 {
+                                phi_3743_ = 0u;
+                            } else {
+                                let _e3159 = (_e3158 + 1u);
+                                phi_3743_ = select(_e3159, _e3121, (_e3121 < _e3159));
+                            }
+                            let _e3163 = phi_3743_;
+                            let _e3164 = (_e3120 == 0u);
+                            if _e3164 {
+                                phi_3752_ = select(true, false, _e3149);
+                            } else {
+                                phi_3752_ = true;
+                            }
+                            let _e3167 = phi_3752_;
+                            let _e3168 = select(_e3121, _e3158, _e3167);
+                            if _e3164 {
+                                if _e3149 {
+                                    phi_3768_ = true;
+                                } else {
+                                    phi_3768_ = select(true, false, (_e3168 == _e3121));
+                                }
+                                let _e3172 = phi_3768_;
+                                phi_3769_ = _e3172;
+                            } else {
+                                phi_3769_ = true;
+                            }
+                            let _e3174 = phi_3769_;
+                            let _e3175 = select(0u, _e3163, _e3174);
+                            let _e3176 = (_e3147 - _e3148);
+                            let _e3179 = ((_e3045 >> bitcast<u32>(30u)) & 3u);
+                            let _e3180 = (_e3117 - 1u);
+                            let _e3182 = select(1f, 2f, (_e3179 == 2u));
+                            let _e3186 = (_e3112 - (floor((_e3112 / _e3182)) * _e3182));
+                            if (_e3186 > 1f) {
+                                phi_3792_ = (_e3182 - _e3186);
+                            } else {
+                                phi_3792_ = _e3186;
+                            }
+                            let _e3190 = phi_3792_;
+                            if (_e3179 == 1u) {
+                                let _e3193 = select(0f, _e3112, (_e3112 > 0f));
+                                phi_3807_ = select(1f, _e3193, (_e3193 < 1f));
+                            } else {
+                                phi_3807_ = _e3190;
+                            }
+                            let _e3197 = phi_3807_;
+                            if (_e3197 >= 0f) {
+                                phi_3817_ = select(true, false, (_e3197 <= 1f));
+                            } else {
+                                phi_3817_ = true;
+                            }
+                            let _e3202 = phi_3817_;
+                            let _e3206 = ((select(_e3197, 0f, _e3202) * f32(_e3117)) - 0.5f);
+                            let _e3207 = floor(_e3206);
+                            let _e3208 = (_e3207 < 0f);
+                            if _e3208 {
+                                phi_3842_ = 0u;
+                            } else {
+                                let _e3213 = select(select(u32(_e3207), 0u, (_e3207 < 0f)), 4294967295u, (_e3207 > 4294967000f));
+                                phi_3842_ = select(_e3213, _e3180, (_e3180 < _e3213));
+                            }
+                            let _e3217 = phi_3842_;
+                            if _e3208 {
+                                phi_3852_ = 0u;
+                            } else {
+                                let _e3218 = (_e3217 + 1u);
+                                phi_3852_ = select(_e3218, _e3180, (_e3180 < _e3218));
+                            }
+                            let _e3222 = phi_3852_;
+                            let _e3223 = (_e3179 == 0u);
+                            if _e3223 {
+                                phi_3861_ = select(true, false, _e3208);
+                            } else {
+                                phi_3861_ = true;
+                            }
+                            let _e3226 = phi_3861_;
+                            let _e3227 = select(_e3180, _e3217, _e3226);
+                            if _e3223 {
+                                if _e3208 {
+                                    phi_3877_ = true;
+                                } else {
+                                    phi_3877_ = select(true, false, (_e3227 == _e3180));
+                                }
+                                let _e3231 = phi_3877_;
+                                phi_3878_ = _e3231;
+                            } else {
+                                phi_3878_ = true;
+                            }
+                            let _e3233 = phi_3878_;
+                            let _e3235 = (_e3206 - _e3207);
+                            let _e3236 = (_e3045 & 268435455u);
+                            let _e3238 = (_e3236 + (_e3227 * _e3115));
+                            let _e3240 = (_e3236 + (select(0u, _e3222, _e3233) * _e3115));
+                            let _e3241 = (_e3238 + _e3168);
+                            let _e3242 = (_e3238 + _e3175);
+                            let _e3243 = (_e3240 + _e3168);
+                            let _e3244 = (_e3240 + _e3175);
+                            if (_e3241 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3247 = surfaces.member[_e3241];
+                            if (_e3242 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3250 = surfaces.member[_e3242];
+                            if (_e3243 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3253 = surfaces.member[_e3243];
+                            if (_e3244 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3256 = surfaces.member[_e3244];
+                            let _e3257 = (_e3247 & 255u);
+                            if (_e3257 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3260 = surfaces.member[_e3257];
+                            let _e3264 = ((_e3247 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3264 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3267 = surfaces.member[_e3264];
+                            let _e3271 = ((_e3247 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3271 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3274 = surfaces.member[_e3271];
+                            let _e3276 = (1f - _e3176);
+                            let _e3280 = (_e3250 & 255u);
+                            if (_e3280 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3283 = surfaces.member[_e3280];
+                            let _e3287 = ((_e3250 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3287 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3290 = surfaces.member[_e3287];
+                            let _e3294 = ((_e3250 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3294 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3297 = surfaces.member[_e3294];
+                            let _e3305 = (_e3253 & 255u);
+                            if (_e3305 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3308 = surfaces.member[_e3305];
+                            let _e3312 = ((_e3253 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3312 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3315 = surfaces.member[_e3312];
+                            let _e3319 = ((_e3253 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3319 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3322 = surfaces.member[_e3319];
+                            let _e3327 = (_e3256 & 255u);
+                            if (_e3327 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3330 = surfaces.member[_e3327];
+                            let _e3334 = ((_e3256 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3334 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3337 = surfaces.member[_e3334];
+                            let _e3341 = ((_e3256 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3341 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3344 = surfaces.member[_e3341];
+                            let _e3352 = (1f - _e3235);
+                            phi_4101_ = type_67(vec3<f32>((_e3031 * ((((bitcast<f32>(_e3260) * _e3276) + (bitcast<f32>(_e3283) * _e3176)) * _e3352) + (((bitcast<f32>(_e3308) * _e3276) + (bitcast<f32>(_e3330) * _e3176)) * _e3235))), (_e3036 * ((((bitcast<f32>(_e3267) * _e3276) + (bitcast<f32>(_e3290) * _e3176)) * _e3352) + (((bitcast<f32>(_e3315) * _e3276) + (bitcast<f32>(_e3337) * _e3176)) * _e3235))), (_e3041 * ((((bitcast<f32>(_e3274) * _e3276) + (bitcast<f32>(_e3297) * _e3176)) * _e3352) + (((bitcast<f32>(_e3322) * _e3276) + (bitcast<f32>(_e3344) * _e3176)) * _e3235)))), (_e3070 * (((((f32((_e3247 >> bitcast<u32>(24i))) * 0.003921569f) * _e3276) + ((f32((_e3250 >> bitcast<u32>(24i))) * 0.003921569f) * _e3176)) * _e3352) + ((((f32((_e3253 >> bitcast<u32>(24i))) * 0.003921569f) * _e3276) + ((f32((_e3256 >> bitcast<u32>(24i))) * 0.003921569f) * _e3176)) * _e3235))));
                         }
-                        let _e3456 = phi_4061_;
-                        let _e3458 = phi_4062_;
-                        let _e3460 = select(_e3456, _e2942, vec3(_e3458));
-                        if ((((_e3460.x * _e1746.member.member_1.x) + (_e3460.y * _e1746.member.member_1.y)) + (_e3460.z * _e1746.member.member_1.z)) > 0f) {
-                            phi_4083_ = -(_e3460);
+                        let _e3395 = phi_4101_;
+                        let _e3400 = attributes.member[_e2923.member_1].member_2[0u];
+                        let _e3404 = attributes.member[_e2923.member_1].member_2[1u];
+                        let _e3409 = attributes.member[_e2923.member_1].member_2[2u];
+                        if (((_e3400 | _e3404) | _e3409) == 0u) {
+                            phi_4208_ = vec3<f32>(1f, 1f, 1f);
                         } else {
-                            phi_4083_ = _e3460;
+                            let _e3425 = (1f - (f32((_e3400 & 1023u)) * 0.0009775171f));
+                            let _e3426 = (1f - (f32(((_e3400 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3427 = (1f - (f32(((_e3400 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e3447 = (1f - (f32((_e3404 & 1023u)) * 0.0009775171f));
+                            let _e3448 = (1f - (f32(((_e3404 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3449 = (1f - (f32(((_e3404 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e3472 = (1f - (f32((_e3409 & 1023u)) * 0.0009775171f));
+                            let _e3473 = (1f - (f32(((_e3409 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3474 = (1f - (f32(((_e3409 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            phi_4208_ = vec3<f32>(((((_e3425 * _e3425) * _e3078) + ((_e3447 * _e3447) * _e2923.member_2)) + ((_e3472 * _e3472) * _e2923.member_3)), ((((_e3426 * _e3426) * _e3078) + ((_e3448 * _e3448) * _e2923.member_2)) + ((_e3473 * _e3473) * _e2923.member_3)), ((((_e3427 * _e3427) * _e3078) + ((_e3449 * _e3449) * _e2923.member_2)) + ((_e3474 * _e3474) * _e2923.member_3)));
                         }
-                        let _e3472 = phi_4083_;
-                        if _e2939 {
-                            phi_4117_ = array<f32, 3>(bitcast<f32>(_e2970), bitcast<f32>(_e2975), bitcast<f32>(_e2980));
+                        let _e3486 = phi_4208_;
+                        let _e3500 = attributes.member[_e2923.member_1].member_1[0u];
+                        let _e3510 = (f32((bitcast<i32>((_e3500 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3512 = select(-1f, _e3510, (_e3510 > -1f));
+                        let _e3514 = (f32((bitcast<i32>(_e3500) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3516 = select(-1f, _e3514, (_e3514 > -1f));
+                        let _e3520 = ((1f - abs(_e3512)) - abs(_e3516));
+                        let _e3521 = -(_e3520);
+                        let _e3525 = (bitcast<u32>(select(0f, _e3521, (_e3521 > 0f))) & 2147483647u);
+                        let _e3530 = (_e3512 - bitcast<f32>((_e3525 | (bitcast<u32>(_e3512) & 2147483648u))));
+                        let _e3535 = (_e3516 - bitcast<f32>((_e3525 | (bitcast<u32>(_e3516) & 2147483648u))));
+                        let _e3540 = (((_e3530 * _e3530) + (_e3535 * _e3535)) + (_e3520 * _e3520));
+                        if (_e3540 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3543 = (1f / sqrt(_e3540));
+                            phi_4284_ = vec3<f32>((_e3530 * _e3543), (_e3535 * _e3543), (_e3520 * _e3543));
                         } else {
-                            phi_4117_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_4284_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e3498 = phi_4117_;
-                        let _e3499 = abs(_e2850[0]);
-                        let _e3500 = abs(_e2850[1]);
-                        let _e3502 = select(_e3500, _e3499, (_e3499 > _e3500));
-                        let _e3503 = abs(_e2850[2]);
-                        let _e3507 = abs(_e2866);
-                        let _e3508 = abs(_e2867);
-                        let _e3510 = select(_e3508, _e3507, (_e3507 > _e3508));
-                        let _e3511 = abs(_e2868);
-                        let _e3514 = abs(_e2869);
-                        let _e3515 = abs(_e2870);
-                        let _e3517 = select(_e3515, _e3514, (_e3514 > _e3515));
-                        let _e3518 = abs(_e2871);
-                        phi_4163_ = type_68(array<f32, 3>(((_e2850[0] + (_e2866 * _e2844.member_2)) + (_e2869 * _e2844.member_3)), ((_e2850[1] + (_e2867 * _e2844.member_2)) + (_e2870 * _e2844.member_3)), ((_e2850[2] + (_e2868 * _e2844.member_2)) + (_e2871 * _e2844.member_3))), _e2844.member_1, array<f32, 3>(_e3472.x, _e3472.y, _e3472.z), (_e2844.member * sqrt((((_e1746.member.member_1.x * _e1746.member.member_1.x) + (_e1746.member.member_1.y * _e1746.member.member_1.y)) + (_e1746.member.member_1.z * _e1746.member.member_1.z)))), array<f32, 3>(_e2942.x, _e2942.y, _e2942.z), select(0u, 1u, _e2939), array<f32, 3>(_e3245.member.x, _e3245.member.y, _e3245.member.z), _e2946, _e3498, ((select(_e3503, _e3502, (_e3502 > _e3503)) * 0.00000047683716f) + ((select(_e3511, _e3510, (_e3510 > _e3511)) + select(_e3518, _e3517, (_e3517 > _e3518))) * 0.0000010728836f)));
+                        let _e3549 = phi_4284_;
+                        let _e3559 = attributes.member[_e2923.member_1].member_1[1u];
+                        let _e3569 = (f32((bitcast<i32>((_e3559 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3571 = select(-1f, _e3569, (_e3569 > -1f));
+                        let _e3573 = (f32((bitcast<i32>(_e3559) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3575 = select(-1f, _e3573, (_e3573 > -1f));
+                        let _e3579 = ((1f - abs(_e3571)) - abs(_e3575));
+                        let _e3580 = -(_e3579);
+                        let _e3584 = (bitcast<u32>(select(0f, _e3580, (_e3580 > 0f))) & 2147483647u);
+                        let _e3589 = (_e3571 - bitcast<f32>((_e3584 | (bitcast<u32>(_e3571) & 2147483648u))));
+                        let _e3594 = (_e3575 - bitcast<f32>((_e3584 | (bitcast<u32>(_e3575) & 2147483648u))));
+                        let _e3599 = (((_e3589 * _e3589) + (_e3594 * _e3594)) + (_e3579 * _e3579));
+                        if (_e3599 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3602 = (1f / sqrt(_e3599));
+                            phi_4358_ = vec3<f32>((_e3589 * _e3602), (_e3594 * _e3602), (_e3579 * _e3602));
+                        } else {
+                            phi_4358_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e3608 = phi_4358_;
+                        let _e3621 = attributes.member[_e2923.member_1].member_1[2u];
+                        let _e3631 = (f32((bitcast<i32>((_e3621 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3633 = select(-1f, _e3631, (_e3631 > -1f));
+                        let _e3635 = (f32((bitcast<i32>(_e3621) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3637 = select(-1f, _e3635, (_e3635 > -1f));
+                        let _e3641 = ((1f - abs(_e3633)) - abs(_e3637));
+                        let _e3642 = -(_e3641);
+                        let _e3646 = (bitcast<u32>(select(0f, _e3642, (_e3642 > 0f))) & 2147483647u);
+                        let _e3651 = (_e3633 - bitcast<f32>((_e3646 | (bitcast<u32>(_e3633) & 2147483648u))));
+                        let _e3656 = (_e3637 - bitcast<f32>((_e3646 | (bitcast<u32>(_e3637) & 2147483648u))));
+                        let _e3661 = (((_e3651 * _e3651) + (_e3656 * _e3656)) + (_e3641 * _e3641));
+                        if (_e3661 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3664 = (1f / sqrt(_e3661));
+                            phi_4432_ = vec3<f32>((_e3651 * _e3664), (_e3656 * _e3664), (_e3641 * _e3664));
+                        } else {
+                            phi_4432_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e3670 = phi_4432_;
+                        let _e3677 = (((_e3549.x * _e3078) + (_e3608.x * _e2923.member_2)) + (_e3670.x * _e2923.member_3));
+                        let _e3678 = (((_e3549.y * _e3078) + (_e3608.y * _e2923.member_2)) + (_e3670.y * _e2923.member_3));
+                        let _e3679 = (((_e3549.z * _e3078) + (_e3608.z * _e2923.member_2)) + (_e3670.z * _e2923.member_3));
+                        let _e3680 = abs(_e3677);
+                        let _e3681 = abs(_e3678);
+                        let _e3683 = select(_e3681, _e3680, (_e3680 > _e3681));
+                        let _e3684 = abs(_e3679);
+                        let _e3686 = select(_e3684, _e3683, (_e3683 > _e3684));
+                        if (_e3686 > 0.000000000000000000000000000000000000011754944f) {
+                            let _e3688 = (_e3686 < 340282350000000000000000000000000000000f);
+                            if _e3688 {
+                                let _e3689 = (_e3677 / _e3686);
+                                let _e3690 = (_e3678 / _e3686);
+                                let _e3691 = (_e3679 / _e3686);
+                                let _e3697 = sqrt((((_e3689 * _e3689) + (_e3690 * _e3690)) + (_e3691 * _e3691)));
+                                phi_4477_ = vec3<f32>((_e3689 / _e3697), (_e3690 / _e3697), (_e3691 / _e3697));
+                            } else {
+                                phi_4477_ = vec3<f32>();
+                            }
+                            let _e3703 = phi_4477_;
+                            phi_4479_ = _e3703;
+                            phi_4480_ = select(true, false, _e3688);
+                        } else {
+                            phi_4479_ = vec3<f32>();
+                            phi_4480_ = true;
+                        }
+                        let _e3706 = phi_4479_;
+                        let _e3708 = phi_4480_;
+                        let _e3710 = select(_e3706, _e3021, vec3(_e3708));
+                        if ((((_e3710.x * _e1754.member.member_1.x) + (_e3710.y * _e1754.member.member_1.y)) + (_e3710.z * _e1754.member.member_1.z)) > 0f) {
+                            phi_4501_ = -(_e3710);
+                        } else {
+                            phi_4501_ = _e3710;
+                        }
+                        let _e3722 = phi_4501_;
+                        if _e3018 {
+                            phi_4532_ = array<f32, 3>(bitcast<f32>(_e3049), bitcast<f32>(_e3054), bitcast<f32>(_e3059));
+                        } else {
+                            phi_4532_ = array<f32, 3>(0f, 0f, 0f);
+                        }
+                        let _e3742 = phi_4532_;
+                        let _e3743 = abs(_e2929[0]);
+                        let _e3744 = abs(_e2929[1]);
+                        let _e3746 = select(_e3744, _e3743, (_e3743 > _e3744));
+                        let _e3747 = abs(_e2929[2]);
+                        let _e3751 = abs(_e2945);
+                        let _e3752 = abs(_e2946);
+                        let _e3754 = select(_e3752, _e3751, (_e3751 > _e3752));
+                        let _e3755 = abs(_e2947);
+                        let _e3758 = abs(_e2948);
+                        let _e3759 = abs(_e2949);
+                        let _e3761 = select(_e3759, _e3758, (_e3758 > _e3759));
+                        let _e3762 = abs(_e2950);
+                        phi_4578_ = type_68(array<f32, 3>(((_e2929[0] + (_e2945 * _e2923.member_2)) + (_e2948 * _e2923.member_3)), ((_e2929[1] + (_e2946 * _e2923.member_2)) + (_e2949 * _e2923.member_3)), ((_e2929[2] + (_e2947 * _e2923.member_2)) + (_e2950 * _e2923.member_3))), _e2923.member_1, array<f32, 3>(_e3722.x, _e3722.y, _e3722.z), (_e2923.member * sqrt((((_e1754.member.member_1.x * _e1754.member.member_1.x) + (_e1754.member.member_1.y * _e1754.member.member_1.y)) + (_e1754.member.member_1.z * _e1754.member.member_1.z)))), array<f32, 3>(_e3021.x, _e3021.y, _e3021.z), select(0u, 1u, _e3018), array<f32, 3>((_e3395.member.x * _e3486.x), (_e3395.member.y * _e3486.y), (_e3395.member.z * _e3486.z)), _e3025, _e3742, ((select(_e3747, _e3746, (_e3746 > _e3747)) * 0.00000047683716f) + ((select(_e3755, _e3754, (_e3754 > _e3755)) + select(_e3762, _e3761, (_e3761 > _e3762))) * 0.0000010728836f)));
                     } else {
-                        phi_4163_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                        phi_4578_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                     }
-                    let _e3526 = phi_4163_;
-                    phi_4165_ = _e3526;
+                    let _e3770 = phi_4578_;
+                    phi_4580_ = _e3770;
                 } else {
-                    phi_4165_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_4580_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
-                let _e3528 = phi_4165_;
-                if _e2846 {
-                    let _e3540 = select(_e1746.member_1.z, _e1746.member_1.y, (_e1746.member_1.y > _e1746.member_1.z));
-                    phi_4189_ = (select(_e3540, _e1746.member_1.x, (_e1746.member_1.x > _e3540)) > 0.000000000000000000000000000001f);
+                let _e3772 = phi_4580_;
+                if _e2925 {
+                    let _e3784 = select(_e1754.member_1.z, _e1754.member_1.y, (_e1754.member_1.y > _e1754.member_1.z));
+                    phi_4604_ = (select(_e3784, _e1754.member_1.x, (_e1754.member_1.x > _e3784)) > 0.000000000000000000000000000001f);
                 } else {
-                    phi_4189_ = false;
+                    phi_4604_ = false;
                 }
-                let _e3545 = phi_4189_;
-                let _e3556 = -((((_e3528.member_4[0] * _e1746.member.member_1.x) + (_e3528.member_4[1] * _e1746.member.member_1.y)) + (_e3528.member_4[2] * _e1746.member.member_1.z)));
-                if _e3545 {
-                    phi_4217_ = ((_e1746.member_2 + ((_e1746.member_3 * _e3528.member_3) * _e3528.member_3)) / select(0.05f, _e3556, (_e3556 > 0.05f)));
+                let _e3789 = phi_4604_;
+                let _e3800 = -((((_e3772.member_4[0] * _e1754.member.member_1.x) + (_e3772.member_4[1] * _e1754.member.member_1.y)) + (_e3772.member_4[2] * _e1754.member.member_1.z)));
+                if _e3789 {
+                    phi_4632_ = ((_e1754.member_2 + ((_e1754.member_3 * _e3772.member_3) * _e3772.member_3)) / select(0.05f, _e3800, (_e3800 > 0.05f)));
                 } else {
-                    phi_4217_ = 0f;
+                    phi_4632_ = 0f;
                 }
-                let _e3568 = phi_4217_;
-                if _e3545 {
-                    phi_4227_ = array<f32, 3>(_e1746.member_1.x, _e1746.member_1.y, _e1746.member_1.z);
+                let _e3812 = phi_4632_;
+                if _e3789 {
+                    phi_4642_ = array<f32, 3>(_e1754.member_1.x, _e1754.member_1.y, _e1754.member_1.z);
                 } else {
-                    phi_4227_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_4642_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e3578 = phi_4227_;
-                if _e3545 {
-                    phi_4232_ = _e3528.member_6;
+                let _e3822 = phi_4642_;
+                if _e3789 {
+                    phi_4647_ = _e3772.member_6;
                 } else {
-                    phi_4232_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_4647_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e3581 = phi_4232_;
-                let _e3584 = (_e158 + (_e156 - _e156));
-                if (_e3584 < arrayLength((&out.member))) {
+                let _e3825 = phi_4647_;
+                let _e3828 = (_e166 + (_e164 - _e164));
+                if (_e3828 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e3584] = type_43(_e3528.member, _e3568, _e3528.member_4, select(0u, 1u, _e3545), _e3578, 0u, _e3581, 0u);
+                out.member[_e3828] = type_43(_e3772.member, _e3812, _e3772.member_4, select(0u, 1u, _e3789), _e3822, 0u, _e3825, 0u);
             }
             break;
         }

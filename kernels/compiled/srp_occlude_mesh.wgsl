@@ -100,1057 +100,1157 @@ fn function_() {
     var local: array<u32, 64>;
     var local_1: array<f32, 3>;
     var local_2: array<f32, 3>;
-    var phi_213_: u32;
-    var phi_394_: bool;
-    var phi_404_: u32;
-    var phi_407_: bool;
-    var phi_418_: u32;
-    var phi_548_: f32;
-    var phi_556_: f32;
-    var phi_564_: f32;
-    var phi_1995_: bool;
-    var phi_567_: u32;
-    var phi_570_: u32;
-    var phi_995_: type_15;
-    var phi_996_: type_15;
-    var phi_1019_: type_15;
-    var phi_1135_: f32;
-    var phi_1146_: f32;
-    var phi_1157_: f32;
-    var phi_1172_: f32;
-    var phi_1173_: f32;
-    var phi_1174_: bool;
-    var phi_1175_: f32;
-    var phi_1176_: bool;
-    var phi_1195_: f32;
-    var phi_1196_: bool;
-    var phi_1197_: f32;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1204_: f32;
-    var phi_1205_: bool;
-    var phi_1291_: array<f32, 3>;
-    var phi_1292_: array<f32, 3>;
-    var phi_1293_: array<f32, 3>;
-    var phi_1294_: array<f32, 3>;
-    var phi_1295_: bool;
+    var phi_217_: u32;
+    var phi_398_: bool;
+    var phi_408_: u32;
+    var phi_411_: bool;
+    var phi_422_: u32;
+    var phi_552_: f32;
+    var phi_560_: f32;
+    var phi_568_: f32;
+    var phi_2146_: bool;
+    var phi_571_: u32;
+    var phi_574_: u32;
+    var phi_999_: type_15;
+    var phi_1000_: type_15;
+    var phi_1023_: type_15;
+    var phi_1139_: f32;
+    var phi_1150_: f32;
+    var phi_1161_: f32;
+    var phi_1176_: f32;
+    var phi_1177_: f32;
+    var phi_1178_: bool;
+    var phi_1179_: f32;
+    var phi_1180_: bool;
+    var phi_1199_: f32;
+    var phi_1200_: bool;
+    var phi_1201_: f32;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1208_: f32;
+    var phi_1209_: bool;
+    var phi_1295_: array<f32, 3>;
     var phi_1296_: array<f32, 3>;
     var phi_1297_: array<f32, 3>;
-    var phi_1298_: bool;
+    var phi_1298_: array<f32, 3>;
     var phi_1299_: bool;
-    var phi_1304_: array<f32, 3>;
-    var phi_1309_: array<f32, 3>;
-    var phi_1519_: u32;
-    var phi_1525_: u32;
-    var phi_1555_: u32;
+    var phi_1300_: array<f32, 3>;
+    var phi_1301_: array<f32, 3>;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1308_: array<f32, 3>;
+    var phi_1313_: array<f32, 3>;
+    var phi_1511_: f32;
+    var phi_1526_: f32;
+    var phi_1536_: bool;
     var phi_1561_: u32;
-    var phi_1636_: bool;
-    var phi_1641_: bool;
-    var phi_1646_: type_44;
-    var phi_1648_: type_44;
-    var phi_1650_: bool;
-    var phi_1651_: type_44;
-    var phi_1653_: bool;
-    var phi_1654_: bool;
-    var phi_1655_: type_44;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1658_: bool;
-    var phi_1671_: type_44;
-    var phi_1678_: bool;
-    var phi_1991_: bool;
-    var phi_1746_: bool;
-    var phi_955_: u32;
-    var phi_967_: u32;
-    var phi_979_: u32;
-    var phi_991_: u32;
-    var phi_2052_: bool;
-    var phi_1683_: u32;
-    var phi_1684_: bool;
-    var phi_1700_: u32;
-    var phi_1701_: u32;
-    var phi_568_: u32;
-    var phi_571_: u32;
-    var phi_1703_: bool;
-    var phi_1704_: bool;
-    var phi_2050_: bool;
-    var phi_1747_: bool;
-    var phi_1718_: u32;
-    var phi_1719_: u32;
-    var phi_1720_: u32;
+    var phi_1571_: u32;
+    var phi_1580_: bool;
+    var phi_1596_: bool;
+    var phi_1597_: bool;
+    var phi_1620_: f32;
+    var phi_1635_: f32;
+    var phi_1645_: bool;
+    var phi_1670_: u32;
+    var phi_1680_: u32;
+    var phi_1689_: bool;
+    var phi_1705_: bool;
+    var phi_1706_: bool;
+    var phi_1787_: bool;
+    var phi_1792_: bool;
+    var phi_1797_: type_44;
+    var phi_1799_: type_44;
+    var phi_1801_: bool;
+    var phi_1802_: type_44;
+    var phi_1804_: bool;
+    var phi_1805_: bool;
+    var phi_1806_: type_44;
+    var phi_1807_: bool;
+    var phi_1808_: bool;
+    var phi_1809_: bool;
+    var phi_1822_: type_44;
+    var phi_1829_: bool;
+    var phi_2142_: bool;
+    var phi_1897_: bool;
+    var phi_959_: u32;
+    var phi_971_: u32;
+    var phi_983_: u32;
+    var phi_995_: u32;
+    var phi_2233_: bool;
+    var phi_1834_: u32;
+    var phi_1835_: bool;
+    var phi_1851_: u32;
+    var phi_1852_: u32;
+    var phi_572_: u32;
+    var phi_575_: u32;
+    var phi_1854_: bool;
+    var phi_1855_: bool;
+    var phi_2231_: bool;
+    var phi_1898_: bool;
+    var phi_1869_: u32;
+    var phi_1870_: u32;
+    var phi_1871_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e67 = gid_1;
-            let _e73 = arrayLength((&rays.member));
-            let _e76 = arrayLength((&nodes.member));
-            let _e85 = arrayLength((&surfaces.member));
-            let _e90 = params.member.member_6;
-            let _e94 = (_e67.x + (_e67.y * 2097152u));
-            if (_e94 < _e90) {
-                let _e98 = params.member.member_1;
-                let _e99 = (_e98 / 16u);
-                if ((_e98 % 16u) > 0u) {
-                    phi_213_ = (_e99 + 1u);
+            let _e71 = gid_1;
+            let _e77 = arrayLength((&rays.member));
+            let _e80 = arrayLength((&nodes.member));
+            let _e89 = arrayLength((&surfaces.member));
+            let _e94 = params.member.member_6;
+            let _e98 = (_e71.x + (_e71.y * 2097152u));
+            if (_e98 < _e94) {
+                let _e102 = params.member.member_1;
+                let _e103 = (_e102 / 16u);
+                if ((_e102 % 16u) > 0u) {
+                    phi_217_ = (_e103 + 1u);
                 } else {
-                    phi_213_ = _e99;
+                    phi_217_ = _e103;
                 }
-                let _e104 = phi_213_;
-                let _e105 = (_e94 / 16u);
-                let _e108 = params.member.member_3;
+                let _e108 = phi_217_;
+                let _e109 = (_e98 / 16u);
+                let _e112 = params.member.member_3;
+                if (_e112 == 0u) {
+                    break;
+                }
+                let _e114 = (_e109 / _e112);
                 if (_e108 == 0u) {
                     break;
                 }
-                let _e110 = (_e105 / _e108);
-                if (_e104 == 0u) {
-                    break;
-                }
-                let _e112 = (_e110 / _e104);
-                let _e118 = ((((_e110 - (_e112 * _e104)) * 16u) + _e94) - (_e105 * 16u));
-                let _e122 = (((_e112 * _e108) + _e105) - (_e110 * _e108));
-                if (_e94 < arrayLength((&hits.member))) {
+                let _e116 = (_e114 / _e108);
+                let _e122 = ((((_e114 - (_e116 * _e108)) * 16u) + _e98) - (_e109 * 16u));
+                let _e126 = (((_e116 * _e112) + _e109) - (_e114 * _e112));
+                if (_e98 < arrayLength((&hits.member))) {
                 } else {
                     break;
                 }
-                let _e126 = hits.member[_e94];
-                if (_e118 < _e98) {
-                    let _e130 = params.member.member_2;
-                    if (_e122 < _e130) {
-                        if (_e118 < _e73) {
+                let _e130 = hits.member[_e98];
+                if (_e122 < _e102) {
+                    let _e134 = params.member.member_2;
+                    if (_e126 < _e134) {
+                        if (_e122 < _e77) {
                         } else {
                             break;
                         }
-                        let _e135 = rays.member[_e118];
-                        let _e142 = params.member.member[0u];
-                        let _e152 = ((((_e142.x * _e135.x) + (_e142.y * _e135.y)) + (_e142.z * _e135.z)) + _e142.w);
-                        let _e156 = params.member.member[1u];
-                        let _e166 = ((((_e156.x * _e135.x) + (_e156.y * _e135.y)) + (_e156.z * _e135.z)) + _e156.w);
-                        let _e170 = params.member.member[2u];
-                        let _e180 = ((((_e170.x * _e135.x) + (_e170.y * _e135.y)) + (_e170.z * _e135.z)) + _e170.w);
-                        let _e181 = (_e98 + _e122);
-                        if (_e181 < _e73) {
+                        let _e139 = rays.member[_e122];
+                        let _e146 = params.member.member[0u];
+                        let _e156 = ((((_e146.x * _e139.x) + (_e146.y * _e139.y)) + (_e146.z * _e139.z)) + _e146.w);
+                        let _e160 = params.member.member[1u];
+                        let _e170 = ((((_e160.x * _e139.x) + (_e160.y * _e139.y)) + (_e160.z * _e139.z)) + _e160.w);
+                        let _e174 = params.member.member[2u];
+                        let _e184 = ((((_e174.x * _e139.x) + (_e174.y * _e139.y)) + (_e174.z * _e139.z)) + _e174.w);
+                        let _e185 = (_e102 + _e126);
+                        if (_e185 < _e77) {
                         } else {
                             break;
                         }
-                        let _e185 = rays.member[_e181];
-                        let _e193 = (((_e142.x * _e185.x) + (_e142.y * _e185.y)) + (_e142.z * _e185.z));
-                        let _e198 = (((_e156.x * _e185.x) + (_e156.y * _e185.y)) + (_e156.z * _e185.z));
-                        let _e203 = (((_e170.x * _e185.x) + (_e170.y * _e185.y)) + (_e170.z * _e185.z));
-                        if (_e94 < arrayLength((&distances.member))) {
+                        let _e189 = rays.member[_e185];
+                        let _e197 = (((_e146.x * _e189.x) + (_e146.y * _e189.y)) + (_e146.z * _e189.z));
+                        let _e202 = (((_e160.x * _e189.x) + (_e160.y * _e189.y)) + (_e160.z * _e189.z));
+                        let _e207 = (((_e174.x * _e189.x) + (_e174.y * _e189.y)) + (_e174.z * _e189.z));
+                        if (_e98 < arrayLength((&distances.member))) {
                         } else {
                             break;
                         }
-                        let _e207 = distances.member[_e94];
-                        let _e208 = abs(_e193);
-                        let _e209 = abs(_e198);
-                        let _e210 = abs(_e203);
-                        let _e211 = (_e208 > _e209);
-                        if _e211 {
-                            phi_394_ = (_e208 > _e210);
-                        } else {
-                            phi_394_ = (_e209 > _e210);
-                        }
-                        let _e215 = phi_394_;
-                        let _e216 = select(1u, 0u, _e211);
+                        let _e211 = distances.member[_e98];
+                        let _e212 = abs(_e197);
+                        let _e213 = abs(_e202);
+                        let _e214 = abs(_e207);
+                        let _e215 = (_e212 > _e213);
                         if _e215 {
-                            let _e217 = (_e216 + 1u);
-                            phi_404_ = _e217;
-                            phi_407_ = select(true, false, (_e217 == 2u));
+                            phi_398_ = (_e212 > _e214);
                         } else {
-                            phi_404_ = u32();
-                            phi_407_ = false;
+                            phi_398_ = (_e213 > _e214);
                         }
-                        let _e221 = phi_404_;
-                        let _e223 = phi_407_;
-                        let _e224 = select(true, false, _e215);
-                        let _e225 = select(_e221, 0u, _e224);
-                        let _e227 = select(_e223, true, _e224);
-                        if _e227 {
-                            phi_418_ = (_e225 + 1u);
+                        let _e219 = phi_398_;
+                        let _e220 = select(1u, 0u, _e215);
+                        if _e219 {
+                            let _e221 = (_e220 + 1u);
+                            phi_408_ = _e221;
+                            phi_411_ = select(true, false, (_e221 == 2u));
                         } else {
-                            phi_418_ = 0u;
+                            phi_408_ = u32();
+                            phi_411_ = false;
                         }
-                        let _e230 = phi_418_;
-                        let _e231 = select(_e221, _e225, _e227);
-                        let _e232 = select(_e216, select(_e216, 2u, _e224), _e227);
-                        local_1 = array<f32, 3>(_e193, _e198, _e203);
-                        local_2 = array<f32, 3>(_e152, _e166, _e180);
-                        let _e235 = (_e232 < 3u);
-                        if _e235 {
+                        let _e225 = phi_408_;
+                        let _e227 = phi_411_;
+                        let _e228 = select(true, false, _e219);
+                        let _e229 = select(_e225, 0u, _e228);
+                        let _e231 = select(_e227, true, _e228);
+                        if _e231 {
+                            phi_422_ = (_e229 + 1u);
                         } else {
-                            break;
+                            phi_422_ = 0u;
                         }
-                        let _e237 = local_1[_e232];
-                        let _e238 = (1f / _e237);
-                        let _e239 = (_e231 < 3u);
+                        let _e234 = phi_422_;
+                        let _e235 = select(_e225, _e229, _e231);
+                        let _e236 = select(_e220, select(_e220, 2u, _e228), _e231);
+                        local_1 = array<f32, 3>(_e197, _e202, _e207);
+                        local_2 = array<f32, 3>(_e156, _e170, _e184);
+                        let _e239 = (_e236 < 3u);
                         if _e239 {
                         } else {
                             break;
                         }
-                        let _e241 = local_1[_e231];
-                        let _e242 = (_e241 * _e238);
-                        let _e243 = (_e230 < 3u);
+                        let _e241 = local_1[_e236];
+                        let _e242 = (1f / _e241);
+                        let _e243 = (_e235 < 3u);
                         if _e243 {
                         } else {
                             break;
                         }
-                        let _e245 = local_1[_e230];
-                        let _e246 = (_e245 * _e238);
+                        let _e245 = local_1[_e235];
+                        let _e246 = (_e245 * _e242);
+                        let _e247 = (_e234 < 3u);
+                        if _e247 {
+                        } else {
+                            break;
+                        }
+                        let _e249 = local_1[_e234];
+                        let _e250 = (_e249 * _e242);
+                        if _e243 {
+                        } else {
+                            break;
+                        }
+                        let _e252 = local_2[_e235];
+                        if _e247 {
+                        } else {
+                            break;
+                        }
+                        let _e254 = local_2[_e234];
                         if _e239 {
                         } else {
                             break;
                         }
-                        let _e248 = local_2[_e231];
-                        if _e243 {
+                        let _e256 = local_2[_e236];
+                        if (0u < _e80) {
                         } else {
                             break;
                         }
-                        let _e250 = local_2[_e230];
-                        if _e235 {
+                        let _e261 = nodes.member[0u].member_7[0u];
+                        let _e265 = nodes.member[0u].member_7[1u];
+                        let _e269 = nodes.member[0u].member_7[2u];
+                        let _e273 = nodes.member[0u].member_7[3u];
+                        let _e275 = abs((_e156 - _e261));
+                        let _e277 = abs((_e170 - _e265));
+                        let _e279 = select(_e277, _e275, (_e275 > _e277));
+                        let _e281 = abs((_e184 - _e269));
+                        let _e285 = ((select(_e281, _e279, (_e279 > _e281)) + _e273) * 0.0000009536743f);
+                        let _e292 = (_e285 + (abs(_e156) * 0.00000023841858f));
+                        let _e293 = (_e285 + (abs(_e170) * 0.00000023841858f));
+                        let _e294 = (_e285 + (abs(_e184) * 0.00000023841858f));
+                        let _e295 = select(_e213, _e212, _e215);
+                        let _e297 = select(_e214, _e295, (_e295 > _e214));
+                        let _e298 = (_e297 * 0.000000000001f);
+                        let _e299 = (_e156 + _e292);
+                        let _e300 = (_e170 + _e293);
+                        let _e301 = (_e184 + _e294);
+                        let _e302 = (_e156 - _e292);
+                        let _e303 = (_e170 - _e293);
+                        let _e304 = (_e184 - _e294);
+                        if (_e212 > _e298) {
+                            phi_552_ = (1f / _e197);
                         } else {
-                            break;
+                            phi_552_ = (1000000000000f / _e297);
                         }
-                        let _e252 = local_2[_e232];
-                        if (0u < _e76) {
+                        let _e309 = phi_552_;
+                        if (_e213 > _e298) {
+                            phi_560_ = (1f / _e202);
                         } else {
-                            break;
+                            phi_560_ = (1000000000000f / _e297);
                         }
-                        let _e257 = nodes.member[0u].member_7[0u];
-                        let _e261 = nodes.member[0u].member_7[1u];
-                        let _e265 = nodes.member[0u].member_7[2u];
-                        let _e269 = nodes.member[0u].member_7[3u];
-                        let _e271 = abs((_e152 - _e257));
-                        let _e273 = abs((_e166 - _e261));
-                        let _e275 = select(_e273, _e271, (_e271 > _e273));
-                        let _e277 = abs((_e180 - _e265));
-                        let _e281 = ((select(_e277, _e275, (_e275 > _e277)) + _e269) * 0.0000009536743f);
-                        let _e288 = (_e281 + (abs(_e152) * 0.00000023841858f));
-                        let _e289 = (_e281 + (abs(_e166) * 0.00000023841858f));
-                        let _e290 = (_e281 + (abs(_e180) * 0.00000023841858f));
-                        let _e291 = select(_e209, _e208, _e211);
-                        let _e293 = select(_e210, _e291, (_e291 > _e210));
-                        let _e294 = (_e293 * 0.000000000001f);
-                        let _e295 = (_e152 + _e288);
-                        let _e296 = (_e166 + _e289);
-                        let _e297 = (_e180 + _e290);
-                        let _e298 = (_e152 - _e288);
-                        let _e299 = (_e166 - _e289);
-                        let _e300 = (_e180 - _e290);
-                        if (_e208 > _e294) {
-                            phi_548_ = (1f / _e193);
+                        let _e314 = phi_560_;
+                        if (_e214 > _e298) {
+                            phi_568_ = (1f / _e207);
                         } else {
-                            phi_548_ = (1000000000000f / _e293);
+                            phi_568_ = (1000000000000f / _e297);
                         }
-                        let _e305 = phi_548_;
-                        if (_e209 > _e294) {
-                            phi_556_ = (1f / _e198);
-                        } else {
-                            phi_556_ = (1000000000000f / _e293);
-                        }
-                        let _e310 = phi_556_;
-                        if (_e210 > _e294) {
-                            phi_564_ = (1f / _e203);
-                        } else {
-                            phi_564_ = (1000000000000f / _e293);
-                        }
-                        let _e315 = phi_564_;
+                        let _e319 = phi_568_;
                         local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        phi_1995_ = false;
-                        phi_567_ = 0u;
-                        phi_570_ = 0u;
+                        phi_2146_ = false;
+                        phi_571_ = 0u;
+                        phi_574_ = 0u;
                         loop {
-                            let _e318 = phi_1995_;
-                            let _e320 = phi_567_;
-                            let _e322 = phi_570_;
-                            let _e323 = (_e320 & 15u);
-                            let _e325 = (_e320 >> bitcast<u32>(4u));
-                            if (_e323 == 0u) {
-                                if (_e325 < _e76) {
+                            let _e322 = phi_2146_;
+                            let _e324 = phi_571_;
+                            let _e326 = phi_574_;
+                            let _e327 = (_e324 & 15u);
+                            let _e329 = (_e324 >> bitcast<u32>(4u));
+                            if (_e327 == 0u) {
+                                if (_e329 < _e80) {
                                 } else {
-                                    phi_2050_ = true;
-                                    phi_1747_ = bool();
+                                    phi_2231_ = true;
+                                    phi_1898_ = bool();
                                     break;
                                 }
-                                let _e955 = nodes.member[_e325].member;
-                                let _e964 = ((_e955.x - _e295) * _e305);
-                                let _e965 = ((_e955.y - _e295) * _e305);
-                                let _e966 = ((_e955.z - _e295) * _e305);
-                                let _e967 = ((_e955.w - _e295) * _e305);
-                                let _e970 = nodes.member[_e325].member_3;
-                                let _e979 = ((_e970.x - _e298) * _e305);
-                                let _e980 = ((_e970.y - _e298) * _e305);
-                                let _e981 = ((_e970.z - _e298) * _e305);
-                                let _e982 = ((_e970.w - _e298) * _e305);
-                                let _e985 = nodes.member[_e325].member_1;
-                                let _e994 = ((_e985.x - _e296) * _e310);
-                                let _e995 = ((_e985.y - _e296) * _e310);
-                                let _e996 = ((_e985.z - _e296) * _e310);
-                                let _e997 = ((_e985.w - _e296) * _e310);
-                                let _e1000 = nodes.member[_e325].member_4;
-                                let _e1009 = ((_e1000.x - _e299) * _e310);
-                                let _e1010 = ((_e1000.y - _e299) * _e310);
-                                let _e1011 = ((_e1000.z - _e299) * _e310);
-                                let _e1012 = ((_e1000.w - _e299) * _e310);
-                                let _e1015 = nodes.member[_e325].member_2;
-                                let _e1024 = ((_e1015.x - _e297) * _e315);
-                                let _e1025 = ((_e1015.y - _e297) * _e315);
-                                let _e1026 = ((_e1015.z - _e297) * _e315);
-                                let _e1027 = ((_e1015.w - _e297) * _e315);
-                                let _e1030 = nodes.member[_e325].member_5;
-                                let _e1039 = ((_e1030.x - _e300) * _e315);
-                                let _e1040 = ((_e1030.y - _e300) * _e315);
-                                let _e1041 = ((_e1030.z - _e300) * _e315);
-                                let _e1042 = ((_e1030.w - _e300) * _e315);
-                                let _e1044 = select(_e979, _e964, (_e964 < _e979));
-                                let _e1046 = select(_e980, _e965, (_e965 < _e980));
-                                let _e1048 = select(_e981, _e966, (_e966 < _e981));
-                                let _e1050 = select(_e982, _e967, (_e967 < _e982));
-                                let _e1052 = select(_e1009, _e994, (_e994 < _e1009));
-                                let _e1054 = select(_e1010, _e995, (_e995 < _e1010));
-                                let _e1056 = select(_e1011, _e996, (_e996 < _e1011));
-                                let _e1058 = select(_e1012, _e997, (_e997 < _e1012));
-                                let _e1060 = select(_e1052, _e1044, (_e1044 > _e1052));
-                                let _e1062 = select(_e1054, _e1046, (_e1046 > _e1054));
-                                let _e1064 = select(_e1056, _e1048, (_e1048 > _e1056));
-                                let _e1066 = select(_e1058, _e1050, (_e1050 > _e1058));
-                                let _e1068 = select(_e1039, _e1024, (_e1024 < _e1039));
-                                let _e1070 = select(_e1040, _e1025, (_e1025 < _e1040));
-                                let _e1072 = select(_e1041, _e1026, (_e1026 < _e1041));
-                                let _e1074 = select(_e1042, _e1027, (_e1027 < _e1042));
-                                let _e1076 = select(_e1068, _e1060, (_e1060 > _e1068));
-                                let _e1078 = select(_e1070, _e1062, (_e1062 > _e1070));
-                                let _e1080 = select(_e1072, _e1064, (_e1064 > _e1072));
-                                let _e1082 = select(_e1074, _e1066, (_e1066 > _e1074));
-                                let _e1084 = select(0f, _e1076, (_e1076 > 0f));
-                                let _e1086 = select(0f, _e1078, (_e1078 > 0f));
-                                let _e1088 = select(0f, _e1080, (_e1080 > 0f));
-                                let _e1090 = select(0f, _e1082, (_e1082 > 0f));
-                                let _e1092 = select(_e979, _e964, (_e964 > _e979));
-                                let _e1094 = select(_e980, _e965, (_e965 > _e980));
-                                let _e1096 = select(_e981, _e966, (_e966 > _e981));
-                                let _e1098 = select(_e982, _e967, (_e967 > _e982));
-                                let _e1100 = select(_e1009, _e994, (_e994 > _e1009));
-                                let _e1102 = select(_e1010, _e995, (_e995 > _e1010));
-                                let _e1104 = select(_e1011, _e996, (_e996 > _e1011));
-                                let _e1106 = select(_e1012, _e997, (_e997 > _e1012));
-                                let _e1108 = select(_e1100, _e1092, (_e1092 < _e1100));
-                                let _e1110 = select(_e1102, _e1094, (_e1094 < _e1102));
-                                let _e1112 = select(_e1104, _e1096, (_e1096 < _e1104));
-                                let _e1114 = select(_e1106, _e1098, (_e1098 < _e1106));
-                                let _e1116 = select(_e1039, _e1024, (_e1024 > _e1039));
-                                let _e1118 = select(_e1040, _e1025, (_e1025 > _e1040));
-                                let _e1120 = select(_e1041, _e1026, (_e1026 > _e1041));
-                                let _e1122 = select(_e1042, _e1027, (_e1027 > _e1042));
-                                let _e1124 = select(_e1116, _e1108, (_e1108 < _e1116));
-                                let _e1126 = select(_e1118, _e1110, (_e1110 < _e1118));
-                                let _e1128 = select(_e1120, _e1112, (_e1112 < _e1120));
-                                let _e1130 = select(_e1122, _e1114, (_e1114 < _e1122));
-                                let _e1150 = nodes.member[_e325].member_6[0u];
-                                let _e1154 = nodes.member[_e325].member_6[1u];
-                                let _e1158 = nodes.member[_e325].member_6[2u];
-                                let _e1162 = nodes.member[_e325].member_6[3u];
-                                if (select(340282350000000000000000000000000000000f, _e1090, (_e1090 <= select(_e207, _e1130, (_e1130 < _e207)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e322 < 64u) {
+                                let _e1030 = nodes.member[_e329].member;
+                                let _e1039 = ((_e1030.x - _e299) * _e309);
+                                let _e1040 = ((_e1030.y - _e299) * _e309);
+                                let _e1041 = ((_e1030.z - _e299) * _e309);
+                                let _e1042 = ((_e1030.w - _e299) * _e309);
+                                let _e1045 = nodes.member[_e329].member_3;
+                                let _e1054 = ((_e1045.x - _e302) * _e309);
+                                let _e1055 = ((_e1045.y - _e302) * _e309);
+                                let _e1056 = ((_e1045.z - _e302) * _e309);
+                                let _e1057 = ((_e1045.w - _e302) * _e309);
+                                let _e1060 = nodes.member[_e329].member_1;
+                                let _e1069 = ((_e1060.x - _e300) * _e314);
+                                let _e1070 = ((_e1060.y - _e300) * _e314);
+                                let _e1071 = ((_e1060.z - _e300) * _e314);
+                                let _e1072 = ((_e1060.w - _e300) * _e314);
+                                let _e1075 = nodes.member[_e329].member_4;
+                                let _e1084 = ((_e1075.x - _e303) * _e314);
+                                let _e1085 = ((_e1075.y - _e303) * _e314);
+                                let _e1086 = ((_e1075.z - _e303) * _e314);
+                                let _e1087 = ((_e1075.w - _e303) * _e314);
+                                let _e1090 = nodes.member[_e329].member_2;
+                                let _e1099 = ((_e1090.x - _e301) * _e319);
+                                let _e1100 = ((_e1090.y - _e301) * _e319);
+                                let _e1101 = ((_e1090.z - _e301) * _e319);
+                                let _e1102 = ((_e1090.w - _e301) * _e319);
+                                let _e1105 = nodes.member[_e329].member_5;
+                                let _e1114 = ((_e1105.x - _e304) * _e319);
+                                let _e1115 = ((_e1105.y - _e304) * _e319);
+                                let _e1116 = ((_e1105.z - _e304) * _e319);
+                                let _e1117 = ((_e1105.w - _e304) * _e319);
+                                let _e1119 = select(_e1054, _e1039, (_e1039 < _e1054));
+                                let _e1121 = select(_e1055, _e1040, (_e1040 < _e1055));
+                                let _e1123 = select(_e1056, _e1041, (_e1041 < _e1056));
+                                let _e1125 = select(_e1057, _e1042, (_e1042 < _e1057));
+                                let _e1127 = select(_e1084, _e1069, (_e1069 < _e1084));
+                                let _e1129 = select(_e1085, _e1070, (_e1070 < _e1085));
+                                let _e1131 = select(_e1086, _e1071, (_e1071 < _e1086));
+                                let _e1133 = select(_e1087, _e1072, (_e1072 < _e1087));
+                                let _e1135 = select(_e1127, _e1119, (_e1119 > _e1127));
+                                let _e1137 = select(_e1129, _e1121, (_e1121 > _e1129));
+                                let _e1139 = select(_e1131, _e1123, (_e1123 > _e1131));
+                                let _e1141 = select(_e1133, _e1125, (_e1125 > _e1133));
+                                let _e1143 = select(_e1114, _e1099, (_e1099 < _e1114));
+                                let _e1145 = select(_e1115, _e1100, (_e1100 < _e1115));
+                                let _e1147 = select(_e1116, _e1101, (_e1101 < _e1116));
+                                let _e1149 = select(_e1117, _e1102, (_e1102 < _e1117));
+                                let _e1151 = select(_e1143, _e1135, (_e1135 > _e1143));
+                                let _e1153 = select(_e1145, _e1137, (_e1137 > _e1145));
+                                let _e1155 = select(_e1147, _e1139, (_e1139 > _e1147));
+                                let _e1157 = select(_e1149, _e1141, (_e1141 > _e1149));
+                                let _e1159 = select(0f, _e1151, (_e1151 > 0f));
+                                let _e1161 = select(0f, _e1153, (_e1153 > 0f));
+                                let _e1163 = select(0f, _e1155, (_e1155 > 0f));
+                                let _e1165 = select(0f, _e1157, (_e1157 > 0f));
+                                let _e1167 = select(_e1054, _e1039, (_e1039 > _e1054));
+                                let _e1169 = select(_e1055, _e1040, (_e1040 > _e1055));
+                                let _e1171 = select(_e1056, _e1041, (_e1041 > _e1056));
+                                let _e1173 = select(_e1057, _e1042, (_e1042 > _e1057));
+                                let _e1175 = select(_e1084, _e1069, (_e1069 > _e1084));
+                                let _e1177 = select(_e1085, _e1070, (_e1070 > _e1085));
+                                let _e1179 = select(_e1086, _e1071, (_e1071 > _e1086));
+                                let _e1181 = select(_e1087, _e1072, (_e1072 > _e1087));
+                                let _e1183 = select(_e1175, _e1167, (_e1167 < _e1175));
+                                let _e1185 = select(_e1177, _e1169, (_e1169 < _e1177));
+                                let _e1187 = select(_e1179, _e1171, (_e1171 < _e1179));
+                                let _e1189 = select(_e1181, _e1173, (_e1173 < _e1181));
+                                let _e1191 = select(_e1114, _e1099, (_e1099 > _e1114));
+                                let _e1193 = select(_e1115, _e1100, (_e1100 > _e1115));
+                                let _e1195 = select(_e1116, _e1101, (_e1101 > _e1116));
+                                let _e1197 = select(_e1117, _e1102, (_e1102 > _e1117));
+                                let _e1199 = select(_e1191, _e1183, (_e1183 < _e1191));
+                                let _e1201 = select(_e1193, _e1185, (_e1185 < _e1193));
+                                let _e1203 = select(_e1195, _e1187, (_e1187 < _e1195));
+                                let _e1205 = select(_e1197, _e1189, (_e1189 < _e1197));
+                                let _e1225 = nodes.member[_e329].member_6[0u];
+                                let _e1229 = nodes.member[_e329].member_6[1u];
+                                let _e1233 = nodes.member[_e329].member_6[2u];
+                                let _e1237 = nodes.member[_e329].member_6[3u];
+                                if (select(340282350000000000000000000000000000000f, _e1165, (_e1165 <= select(_e211, _e1205, (_e1205 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e326 < 64u) {
                                     } else {
-                                        phi_2050_ = true;
-                                        phi_1747_ = bool();
+                                        phi_2231_ = true;
+                                        phi_1898_ = bool();
                                         break;
                                     }
-                                    local[_e322] = _e1162;
-                                    phi_955_ = (_e322 + 1u);
+                                    local[_e326] = _e1237;
+                                    phi_959_ = (_e326 + 1u);
                                 } else {
-                                    phi_955_ = _e322;
+                                    phi_959_ = _e326;
                                 }
-                                let _e1168 = phi_955_;
-                                if (select(340282350000000000000000000000000000000f, _e1088, (_e1088 <= select(_e207, _e1128, (_e1128 < _e207)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1168 < 64u) {
+                                let _e1243 = phi_959_;
+                                if (select(340282350000000000000000000000000000000f, _e1163, (_e1163 <= select(_e211, _e1203, (_e1203 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e1243 < 64u) {
                                     } else {
-                                        phi_2050_ = true;
-                                        phi_1747_ = bool();
+                                        phi_2231_ = true;
+                                        phi_1898_ = bool();
                                         break;
                                     }
-                                    local[_e1168] = _e1158;
-                                    phi_967_ = (_e1168 + 1u);
+                                    local[_e1243] = _e1233;
+                                    phi_971_ = (_e1243 + 1u);
                                 } else {
-                                    phi_967_ = _e1168;
+                                    phi_971_ = _e1243;
                                 }
-                                let _e1174 = phi_967_;
-                                if (select(340282350000000000000000000000000000000f, _e1086, (_e1086 <= select(_e207, _e1126, (_e1126 < _e207)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1174 < 64u) {
+                                let _e1249 = phi_971_;
+                                if (select(340282350000000000000000000000000000000f, _e1161, (_e1161 <= select(_e211, _e1201, (_e1201 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e1249 < 64u) {
                                     } else {
-                                        phi_2050_ = true;
-                                        phi_1747_ = bool();
+                                        phi_2231_ = true;
+                                        phi_1898_ = bool();
                                         break;
                                     }
-                                    local[_e1174] = _e1154;
-                                    phi_979_ = (_e1174 + 1u);
+                                    local[_e1249] = _e1229;
+                                    phi_983_ = (_e1249 + 1u);
                                 } else {
-                                    phi_979_ = _e1174;
+                                    phi_983_ = _e1249;
                                 }
-                                let _e1180 = phi_979_;
-                                if (select(340282350000000000000000000000000000000f, _e1084, (_e1084 <= select(_e207, _e1124, (_e1124 < _e207)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1180 < 64u) {
+                                let _e1255 = phi_983_;
+                                if (select(340282350000000000000000000000000000000f, _e1159, (_e1159 <= select(_e211, _e1199, (_e1199 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e1255 < 64u) {
                                     } else {
-                                        phi_2050_ = true;
-                                        phi_1747_ = bool();
+                                        phi_2231_ = true;
+                                        phi_1898_ = bool();
                                         break;
                                     }
-                                    local[_e1180] = _e1150;
-                                    phi_991_ = (_e1180 + 1u);
+                                    local[_e1255] = _e1225;
+                                    phi_995_ = (_e1255 + 1u);
                                 } else {
-                                    phi_991_ = _e1180;
+                                    phi_995_ = _e1255;
                                 }
-                                let _e1186 = phi_991_;
-                                phi_2052_ = _e318;
-                                phi_1683_ = _e1186;
-                                phi_1684_ = true;
+                                let _e1261 = phi_995_;
+                                phi_2233_ = _e322;
+                                phi_1834_ = _e1261;
+                                phi_1835_ = true;
                             } else {
-                                phi_995_ = type_15(_e325, (_e325 + _e323));
+                                phi_999_ = type_15(_e329, (_e329 + _e327));
                                 loop {
-                                    let _e330 = phi_995_;
-                                    if (_e330.member < _e330.member_1) {
-                                        phi_996_ = type_15((_e330.member + 1u), _e330.member_1);
-                                        phi_1019_ = type_15(1u, _e330.member);
+                                    let _e334 = phi_999_;
+                                    if (_e334.member < _e334.member_1) {
+                                        phi_1000_ = type_15((_e334.member + 1u), _e334.member_1);
+                                        phi_1023_ = type_15(1u, _e334.member);
                                     } else {
-                                        phi_996_ = _e330;
-                                        phi_1019_ = type_15(0u, type_15().member_1);
+                                        phi_1000_ = _e334;
+                                        phi_1023_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e343 = phi_996_;
-                                    let _e345 = phi_1019_;
-                                    let _e349 = (bitcast<i32>(_e345.member) != 0i);
-                                    if _e349 {
-                                        let _e350 = (_e345.member_1 < arrayLength((&triangles.member)));
-                                        if _e350 {
+                                    let _e347 = phi_1000_;
+                                    let _e349 = phi_1023_;
+                                    let _e353 = (bitcast<i32>(_e349.member) != 0i);
+                                    if _e353 {
+                                        let _e354 = (_e349.member_1 < arrayLength((&triangles.member)));
+                                        if _e354 {
                                         } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
                                             break;
                                         }
-                                        if _e235 {
-                                        } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
-                                            break;
-                                        }
-                                        let _e354 = triangles.member[_e345.member_1].member[_e232];
-                                        let _e355 = (_e354 - _e252);
-                                        if _e235 {
-                                        } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
-                                            break;
-                                        }
-                                        let _e359 = triangles.member[_e345.member_1].member_2[_e232];
-                                        let _e360 = (_e359 - _e252);
-                                        if _e235 {
-                                        } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
-                                            break;
-                                        }
-                                        let _e364 = triangles.member[_e345.member_1].member_4[_e232];
-                                        let _e365 = (_e364 - _e252);
                                         if _e239 {
                                         } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
                                             break;
                                         }
-                                        let _e369 = triangles.member[_e345.member_1].member[_e231];
-                                        let _e372 = ((_e369 - _e248) - (_e242 * _e355));
-                                        if _e243 {
-                                        } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
-                                            break;
-                                        }
-                                        let _e376 = triangles.member[_e345.member_1].member[_e230];
-                                        let _e379 = ((_e376 - _e250) - (_e246 * _e355));
+                                        let _e358 = triangles.member[_e349.member_1].member[_e236];
+                                        let _e359 = (_e358 - _e256);
                                         if _e239 {
                                         } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
                                             break;
                                         }
-                                        let _e383 = triangles.member[_e345.member_1].member_2[_e231];
-                                        let _e386 = ((_e383 - _e248) - (_e242 * _e360));
-                                        if _e243 {
-                                        } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
-                                            break;
-                                        }
-                                        let _e390 = triangles.member[_e345.member_1].member_2[_e230];
-                                        let _e393 = ((_e390 - _e250) - (_e246 * _e360));
+                                        let _e363 = triangles.member[_e349.member_1].member_2[_e236];
+                                        let _e364 = (_e363 - _e256);
                                         if _e239 {
                                         } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
                                             break;
                                         }
-                                        let _e397 = triangles.member[_e345.member_1].member_4[_e231];
-                                        let _e400 = ((_e397 - _e248) - (_e242 * _e365));
+                                        let _e368 = triangles.member[_e349.member_1].member_4[_e236];
+                                        let _e369 = (_e368 - _e256);
                                         if _e243 {
                                         } else {
-                                            phi_1991_ = true;
-                                            phi_1746_ = bool();
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
                                             break;
                                         }
-                                        let _e404 = triangles.member[_e345.member_1].member_4[_e230];
-                                        let _e407 = ((_e404 - _e250) - (_e246 * _e365));
-                                        let _e408 = (_e400 * _e393);
-                                        let _e409 = (_e407 * _e386);
-                                        if (_e408 != _e409) {
-                                            phi_1135_ = (_e408 - _e409);
+                                        let _e373 = triangles.member[_e349.member_1].member[_e235];
+                                        let _e376 = ((_e373 - _e252) - (_e246 * _e359));
+                                        if _e247 {
                                         } else {
-                                            let _e411 = (_e400 * 4097f);
-                                            let _e413 = (_e411 - (_e411 - _e400));
-                                            let _e414 = (_e393 * 4097f);
-                                            let _e416 = (_e414 - (_e414 - _e393));
-                                            let _e417 = (_e400 - _e413);
-                                            let _e418 = (_e393 - _e416);
-                                            let _e427 = (_e407 * 4097f);
-                                            let _e429 = (_e427 - (_e427 - _e407));
-                                            let _e430 = (_e386 * 4097f);
-                                            let _e432 = (_e430 - (_e430 - _e386));
-                                            let _e433 = (_e407 - _e429);
-                                            let _e434 = (_e386 - _e432);
-                                            phi_1135_ = ((((((_e413 * _e416) - _e408) + (_e413 * _e418)) + (_e417 * _e416)) + (_e417 * _e418)) - (((((_e429 * _e432) - _e409) + (_e429 * _e434)) + (_e433 * _e432)) + (_e433 * _e434)));
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
+                                            break;
                                         }
-                                        let _e446 = phi_1135_;
-                                        let _e447 = (_e372 * _e407);
-                                        let _e448 = (_e379 * _e400);
-                                        if (_e447 != _e448) {
-                                            phi_1146_ = (_e447 - _e448);
+                                        let _e380 = triangles.member[_e349.member_1].member[_e234];
+                                        let _e383 = ((_e380 - _e254) - (_e250 * _e359));
+                                        if _e243 {
                                         } else {
-                                            let _e450 = (_e372 * 4097f);
-                                            let _e452 = (_e450 - (_e450 - _e372));
-                                            let _e453 = (_e407 * 4097f);
-                                            let _e455 = (_e453 - (_e453 - _e407));
-                                            let _e456 = (_e372 - _e452);
-                                            let _e457 = (_e407 - _e455);
-                                            let _e466 = (_e379 * 4097f);
-                                            let _e468 = (_e466 - (_e466 - _e379));
-                                            let _e469 = (_e400 * 4097f);
-                                            let _e471 = (_e469 - (_e469 - _e400));
-                                            let _e472 = (_e379 - _e468);
-                                            let _e473 = (_e400 - _e471);
-                                            phi_1146_ = ((((((_e452 * _e455) - _e447) + (_e452 * _e457)) + (_e456 * _e455)) + (_e456 * _e457)) - (((((_e468 * _e471) - _e448) + (_e468 * _e473)) + (_e472 * _e471)) + (_e472 * _e473)));
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
+                                            break;
                                         }
-                                        let _e485 = phi_1146_;
-                                        let _e486 = (_e386 * _e379);
-                                        let _e487 = (_e393 * _e372);
-                                        if (_e486 != _e487) {
-                                            phi_1157_ = (_e486 - _e487);
+                                        let _e387 = triangles.member[_e349.member_1].member_2[_e235];
+                                        let _e390 = ((_e387 - _e252) - (_e246 * _e364));
+                                        if _e247 {
                                         } else {
-                                            let _e489 = (_e386 * 4097f);
-                                            let _e491 = (_e489 - (_e489 - _e386));
-                                            let _e492 = (_e379 * 4097f);
-                                            let _e494 = (_e492 - (_e492 - _e379));
-                                            let _e495 = (_e386 - _e491);
-                                            let _e496 = (_e379 - _e494);
-                                            let _e505 = (_e393 * 4097f);
-                                            let _e507 = (_e505 - (_e505 - _e393));
-                                            let _e508 = (_e372 * 4097f);
-                                            let _e510 = (_e508 - (_e508 - _e372));
-                                            let _e511 = (_e393 - _e507);
-                                            let _e512 = (_e372 - _e510);
-                                            phi_1157_ = ((((((_e491 * _e494) - _e486) + (_e491 * _e496)) + (_e495 * _e494)) + (_e495 * _e496)) - (((((_e507 * _e510) - _e487) + (_e507 * _e512)) + (_e511 * _e510)) + (_e511 * _e512)));
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
+                                            break;
                                         }
-                                        let _e524 = phi_1157_;
-                                        if (_e446 < 0f) {
-                                            phi_1175_ = f32();
-                                            phi_1176_ = true;
+                                        let _e394 = triangles.member[_e349.member_1].member_2[_e234];
+                                        let _e397 = ((_e394 - _e254) - (_e250 * _e364));
+                                        if _e243 {
                                         } else {
-                                            if (_e485 < 0f) {
-                                                phi_1173_ = f32();
-                                                phi_1174_ = true;
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
+                                            break;
+                                        }
+                                        let _e401 = triangles.member[_e349.member_1].member_4[_e235];
+                                        let _e404 = ((_e401 - _e252) - (_e246 * _e369));
+                                        if _e247 {
+                                        } else {
+                                            phi_2142_ = true;
+                                            phi_1897_ = bool();
+                                            break;
+                                        }
+                                        let _e408 = triangles.member[_e349.member_1].member_4[_e234];
+                                        let _e411 = ((_e408 - _e254) - (_e250 * _e369));
+                                        let _e412 = (_e404 * _e397);
+                                        let _e413 = (_e411 * _e390);
+                                        if (_e412 != _e413) {
+                                            phi_1139_ = (_e412 - _e413);
+                                        } else {
+                                            let _e415 = (_e404 * 4097f);
+                                            let _e417 = (_e415 - (_e415 - _e404));
+                                            let _e418 = (_e397 * 4097f);
+                                            let _e420 = (_e418 - (_e418 - _e397));
+                                            let _e421 = (_e404 - _e417);
+                                            let _e422 = (_e397 - _e420);
+                                            let _e431 = (_e411 * 4097f);
+                                            let _e433 = (_e431 - (_e431 - _e411));
+                                            let _e434 = (_e390 * 4097f);
+                                            let _e436 = (_e434 - (_e434 - _e390));
+                                            let _e437 = (_e411 - _e433);
+                                            let _e438 = (_e390 - _e436);
+                                            phi_1139_ = ((((((_e417 * _e420) - _e412) + (_e417 * _e422)) + (_e421 * _e420)) + (_e421 * _e422)) - (((((_e433 * _e436) - _e413) + (_e433 * _e438)) + (_e437 * _e436)) + (_e437 * _e438)));
+                                        }
+                                        let _e450 = phi_1139_;
+                                        let _e451 = (_e376 * _e411);
+                                        let _e452 = (_e383 * _e404);
+                                        if (_e451 != _e452) {
+                                            phi_1150_ = (_e451 - _e452);
+                                        } else {
+                                            let _e454 = (_e376 * 4097f);
+                                            let _e456 = (_e454 - (_e454 - _e376));
+                                            let _e457 = (_e411 * 4097f);
+                                            let _e459 = (_e457 - (_e457 - _e411));
+                                            let _e460 = (_e376 - _e456);
+                                            let _e461 = (_e411 - _e459);
+                                            let _e470 = (_e383 * 4097f);
+                                            let _e472 = (_e470 - (_e470 - _e383));
+                                            let _e473 = (_e404 * 4097f);
+                                            let _e475 = (_e473 - (_e473 - _e404));
+                                            let _e476 = (_e383 - _e472);
+                                            let _e477 = (_e404 - _e475);
+                                            phi_1150_ = ((((((_e456 * _e459) - _e451) + (_e456 * _e461)) + (_e460 * _e459)) + (_e460 * _e461)) - (((((_e472 * _e475) - _e452) + (_e472 * _e477)) + (_e476 * _e475)) + (_e476 * _e477)));
+                                        }
+                                        let _e489 = phi_1150_;
+                                        let _e490 = (_e390 * _e383);
+                                        let _e491 = (_e397 * _e376);
+                                        if (_e490 != _e491) {
+                                            phi_1161_ = (_e490 - _e491);
+                                        } else {
+                                            let _e493 = (_e390 * 4097f);
+                                            let _e495 = (_e493 - (_e493 - _e390));
+                                            let _e496 = (_e383 * 4097f);
+                                            let _e498 = (_e496 - (_e496 - _e383));
+                                            let _e499 = (_e390 - _e495);
+                                            let _e500 = (_e383 - _e498);
+                                            let _e509 = (_e397 * 4097f);
+                                            let _e511 = (_e509 - (_e509 - _e397));
+                                            let _e512 = (_e376 * 4097f);
+                                            let _e514 = (_e512 - (_e512 - _e376));
+                                            let _e515 = (_e397 - _e511);
+                                            let _e516 = (_e376 - _e514);
+                                            phi_1161_ = ((((((_e495 * _e498) - _e490) + (_e495 * _e500)) + (_e499 * _e498)) + (_e499 * _e500)) - (((((_e511 * _e514) - _e491) + (_e511 * _e516)) + (_e515 * _e514)) + (_e515 * _e516)));
+                                        }
+                                        let _e528 = phi_1161_;
+                                        if (_e450 < 0f) {
+                                            phi_1179_ = f32();
+                                            phi_1180_ = true;
+                                        } else {
+                                            if (_e489 < 0f) {
+                                                phi_1177_ = f32();
+                                                phi_1178_ = true;
                                             } else {
-                                                let _e527 = (_e524 < 0f);
-                                                if _e527 {
-                                                    phi_1172_ = f32();
+                                                let _e531 = (_e528 < 0f);
+                                                if _e531 {
+                                                    phi_1176_ = f32();
                                                 } else {
-                                                    phi_1172_ = ((_e446 + _e485) + _e524);
+                                                    phi_1176_ = ((_e450 + _e489) + _e528);
                                                 }
-                                                let _e531 = phi_1172_;
-                                                phi_1173_ = _e531;
-                                                phi_1174_ = _e527;
+                                                let _e535 = phi_1176_;
+                                                phi_1177_ = _e535;
+                                                phi_1178_ = _e531;
                                             }
-                                            let _e533 = phi_1173_;
-                                            let _e535 = phi_1174_;
-                                            phi_1175_ = _e533;
-                                            phi_1176_ = _e535;
+                                            let _e537 = phi_1177_;
+                                            let _e539 = phi_1178_;
+                                            phi_1179_ = _e537;
+                                            phi_1180_ = _e539;
                                         }
-                                        let _e537 = phi_1175_;
-                                        let _e539 = phi_1176_;
-                                        if _e539 {
-                                            if (_e446 > 0f) {
-                                                phi_1197_ = f32();
-                                                phi_1198_ = true;
-                                                phi_1199_ = false;
+                                        let _e541 = phi_1179_;
+                                        let _e543 = phi_1180_;
+                                        if _e543 {
+                                            if (_e450 > 0f) {
+                                                phi_1201_ = f32();
+                                                phi_1202_ = true;
+                                                phi_1203_ = false;
                                             } else {
-                                                let _e541 = (_e485 > 0f);
-                                                if _e541 {
-                                                    phi_1195_ = f32();
-                                                    phi_1196_ = false;
+                                                let _e545 = (_e489 > 0f);
+                                                if _e545 {
+                                                    phi_1199_ = f32();
+                                                    phi_1200_ = false;
                                                 } else {
-                                                    phi_1195_ = ((_e446 + _e485) + _e524);
-                                                    phi_1196_ = select(true, false, (_e524 > 0f));
+                                                    phi_1199_ = ((_e450 + _e489) + _e528);
+                                                    phi_1200_ = select(true, false, (_e528 > 0f));
                                                 }
-                                                let _e547 = phi_1195_;
-                                                let _e549 = phi_1196_;
-                                                phi_1197_ = _e547;
-                                                phi_1198_ = _e541;
-                                                phi_1199_ = _e549;
+                                                let _e551 = phi_1199_;
+                                                let _e553 = phi_1200_;
+                                                phi_1201_ = _e551;
+                                                phi_1202_ = _e545;
+                                                phi_1203_ = _e553;
                                             }
-                                            let _e551 = phi_1197_;
-                                            let _e553 = phi_1198_;
-                                            let _e555 = phi_1199_;
-                                            phi_1204_ = _e551;
-                                            phi_1205_ = select(_e555, false, _e553);
+                                            let _e555 = phi_1201_;
+                                            let _e557 = phi_1202_;
+                                            let _e559 = phi_1203_;
+                                            phi_1208_ = _e555;
+                                            phi_1209_ = select(_e559, false, _e557);
                                         } else {
-                                            phi_1204_ = _e537;
-                                            phi_1205_ = true;
+                                            phi_1208_ = _e541;
+                                            phi_1209_ = true;
                                         }
-                                        let _e558 = phi_1204_;
-                                        let _e560 = phi_1205_;
-                                        if _e560 {
-                                            let _e561 = (_e558 == 0f);
-                                            if _e561 {
-                                                phi_1293_ = array<f32, 3>();
-                                                phi_1294_ = array<f32, 3>();
-                                                phi_1295_ = false;
+                                        let _e562 = phi_1208_;
+                                        let _e564 = phi_1209_;
+                                        if _e564 {
+                                            let _e565 = (_e562 == 0f);
+                                            if _e565 {
+                                                phi_1297_ = array<f32, 3>();
+                                                phi_1298_ = array<f32, 3>();
+                                                phi_1299_ = false;
                                             } else {
-                                                let _e562 = (_e355 * _e238);
-                                                let _e563 = (_e360 * _e238);
-                                                let _e564 = (_e365 * _e238);
-                                                let _e567 = (1f / ((_e446 + _e485) + _e524));
-                                                let _e568 = (_e485 * _e567);
-                                                let _e569 = (_e524 * _e567);
-                                                let _e575 = ((((_e446 * _e567) * _e562) + (_e568 * _e563)) + (_e569 * _e564));
-                                                let _e576 = abs(_e372);
-                                                let _e577 = abs(_e386);
-                                                let _e579 = select(_e577, _e576, (_e576 > _e577));
-                                                let _e580 = abs(_e400);
-                                                let _e583 = abs(_e379);
-                                                let _e584 = abs(_e393);
-                                                let _e586 = select(_e584, _e583, (_e583 > _e584));
-                                                let _e587 = abs(_e407);
-                                                let _e591 = abs(_e562);
-                                                let _e592 = abs(_e563);
-                                                let _e594 = select(_e592, _e591, (_e591 > _e592));
-                                                let _e595 = abs(_e564);
-                                                let _e602 = (((select(_e580, _e579, (_e579 > _e580)) * select(_e587, _e586, (_e586 > _e587))) * select(_e595, _e594, (_e594 > _e595))) <= (abs((_e558 * _e575)) * 256f));
-                                                if _e602 {
-                                                    phi_1291_ = array<f32, 3>(_e575, _e568, _e569);
-                                                    phi_1292_ = array<f32, 3>();
+                                                let _e566 = (_e359 * _e242);
+                                                let _e567 = (_e364 * _e242);
+                                                let _e568 = (_e369 * _e242);
+                                                let _e571 = (1f / ((_e450 + _e489) + _e528));
+                                                let _e572 = (_e489 * _e571);
+                                                let _e573 = (_e528 * _e571);
+                                                let _e579 = ((((_e450 * _e571) * _e566) + (_e572 * _e567)) + (_e573 * _e568));
+                                                let _e580 = abs(_e376);
+                                                let _e581 = abs(_e390);
+                                                let _e583 = select(_e581, _e580, (_e580 > _e581));
+                                                let _e584 = abs(_e404);
+                                                let _e587 = abs(_e383);
+                                                let _e588 = abs(_e397);
+                                                let _e590 = select(_e588, _e587, (_e587 > _e588));
+                                                let _e591 = abs(_e411);
+                                                let _e595 = abs(_e566);
+                                                let _e596 = abs(_e567);
+                                                let _e598 = select(_e596, _e595, (_e595 > _e596));
+                                                let _e599 = abs(_e568);
+                                                let _e606 = (((select(_e584, _e583, (_e583 > _e584)) * select(_e591, _e590, (_e590 > _e591))) * select(_e599, _e598, (_e598 > _e599))) <= (abs((_e562 * _e579)) * 256f));
+                                                if _e606 {
+                                                    phi_1295_ = array<f32, 3>(_e579, _e572, _e573);
+                                                    phi_1296_ = array<f32, 3>();
                                                 } else {
-                                                    let _e604 = (_e400 * 4097f);
-                                                    let _e606 = (_e604 - (_e604 - _e400));
-                                                    let _e607 = (_e393 * 4097f);
-                                                    let _e609 = (_e607 - (_e607 - _e393));
-                                                    let _e610 = (_e400 - _e606);
-                                                    let _e611 = (_e393 - _e609);
-                                                    let _e620 = (_e407 * 4097f);
-                                                    let _e622 = (_e620 - (_e620 - _e407));
-                                                    let _e623 = (_e386 * 4097f);
-                                                    let _e625 = (_e623 - (_e623 - _e386));
-                                                    let _e626 = (_e407 - _e622);
-                                                    let _e627 = (_e386 - _e625);
-                                                    let _e637 = ((_e408 - _e409) + ((((((_e606 * _e609) - _e408) + (_e606 * _e611)) + (_e610 * _e609)) + (_e610 * _e611)) - (((((_e622 * _e625) - _e409) + (_e622 * _e627)) + (_e626 * _e625)) + (_e626 * _e627))));
-                                                    let _e639 = (_e372 * 4097f);
-                                                    let _e641 = (_e639 - (_e639 - _e372));
-                                                    let _e642 = (_e372 - _e641);
-                                                    let _e651 = (_e379 * 4097f);
-                                                    let _e653 = (_e651 - (_e651 - _e379));
-                                                    let _e654 = (_e379 - _e653);
-                                                    let _e664 = ((_e447 - _e448) + ((((((_e641 * _e622) - _e447) + (_e641 * _e626)) + (_e642 * _e622)) + (_e642 * _e626)) - (((((_e653 * _e606) - _e448) + (_e653 * _e610)) + (_e654 * _e606)) + (_e654 * _e610))));
-                                                    let _e683 = ((_e486 - _e487) + ((((((_e625 * _e653) - _e486) + (_e625 * _e654)) + (_e627 * _e653)) + (_e627 * _e654)) - (((((_e609 * _e641) - _e487) + (_e609 * _e642)) + (_e611 * _e641)) + (_e611 * _e642))));
-                                                    let _e686 = (1f / ((_e637 + _e664) + _e683));
-                                                    let _e687 = (_e664 * _e686);
-                                                    let _e688 = (_e683 * _e686);
-                                                    phi_1291_ = array<f32, 3>();
-                                                    phi_1292_ = array<f32, 3>(((((_e637 * _e686) * _e562) + (_e687 * _e563)) + (_e688 * _e564)), _e687, _e688);
+                                                    let _e608 = (_e404 * 4097f);
+                                                    let _e610 = (_e608 - (_e608 - _e404));
+                                                    let _e611 = (_e397 * 4097f);
+                                                    let _e613 = (_e611 - (_e611 - _e397));
+                                                    let _e614 = (_e404 - _e610);
+                                                    let _e615 = (_e397 - _e613);
+                                                    let _e624 = (_e411 * 4097f);
+                                                    let _e626 = (_e624 - (_e624 - _e411));
+                                                    let _e627 = (_e390 * 4097f);
+                                                    let _e629 = (_e627 - (_e627 - _e390));
+                                                    let _e630 = (_e411 - _e626);
+                                                    let _e631 = (_e390 - _e629);
+                                                    let _e641 = ((_e412 - _e413) + ((((((_e610 * _e613) - _e412) + (_e610 * _e615)) + (_e614 * _e613)) + (_e614 * _e615)) - (((((_e626 * _e629) - _e413) + (_e626 * _e631)) + (_e630 * _e629)) + (_e630 * _e631))));
+                                                    let _e643 = (_e376 * 4097f);
+                                                    let _e645 = (_e643 - (_e643 - _e376));
+                                                    let _e646 = (_e376 - _e645);
+                                                    let _e655 = (_e383 * 4097f);
+                                                    let _e657 = (_e655 - (_e655 - _e383));
+                                                    let _e658 = (_e383 - _e657);
+                                                    let _e668 = ((_e451 - _e452) + ((((((_e645 * _e626) - _e451) + (_e645 * _e630)) + (_e646 * _e626)) + (_e646 * _e630)) - (((((_e657 * _e610) - _e452) + (_e657 * _e614)) + (_e658 * _e610)) + (_e658 * _e614))));
+                                                    let _e687 = ((_e490 - _e491) + ((((((_e629 * _e657) - _e490) + (_e629 * _e658)) + (_e631 * _e657)) + (_e631 * _e658)) - (((((_e613 * _e645) - _e491) + (_e613 * _e646)) + (_e615 * _e645)) + (_e615 * _e646))));
+                                                    let _e690 = (1f / ((_e641 + _e668) + _e687));
+                                                    let _e691 = (_e668 * _e690);
+                                                    let _e692 = (_e687 * _e690);
+                                                    phi_1295_ = array<f32, 3>();
+                                                    phi_1296_ = array<f32, 3>(((((_e641 * _e690) * _e566) + (_e691 * _e567)) + (_e692 * _e568)), _e691, _e692);
                                                 }
-                                                let _e698 = phi_1291_;
-                                                let _e700 = phi_1292_;
-                                                phi_1293_ = _e698;
-                                                phi_1294_ = _e700;
-                                                phi_1295_ = _e602;
+                                                let _e702 = phi_1295_;
+                                                let _e704 = phi_1296_;
+                                                phi_1297_ = _e702;
+                                                phi_1298_ = _e704;
+                                                phi_1299_ = _e606;
                                             }
-                                            let _e702 = phi_1293_;
-                                            let _e704 = phi_1294_;
-                                            let _e706 = phi_1295_;
-                                            phi_1296_ = _e702;
-                                            phi_1297_ = _e704;
-                                            phi_1298_ = _e561;
-                                            phi_1299_ = _e706;
+                                            let _e706 = phi_1297_;
+                                            let _e708 = phi_1298_;
+                                            let _e710 = phi_1299_;
+                                            phi_1300_ = _e706;
+                                            phi_1301_ = _e708;
+                                            phi_1302_ = _e565;
+                                            phi_1303_ = _e710;
                                         } else {
-                                            phi_1296_ = array<f32, 3>();
-                                            phi_1297_ = array<f32, 3>();
-                                            phi_1298_ = true;
-                                            phi_1299_ = false;
+                                            phi_1300_ = array<f32, 3>();
+                                            phi_1301_ = array<f32, 3>();
+                                            phi_1302_ = true;
+                                            phi_1303_ = false;
                                         }
-                                        let _e708 = phi_1296_;
-                                        let _e710 = phi_1297_;
-                                        let _e712 = phi_1298_;
-                                        let _e714 = phi_1299_;
-                                        if _e712 {
-                                            phi_1304_ = array<f32, 3>(-1f, 0f, 0f);
+                                        let _e712 = phi_1300_;
+                                        let _e714 = phi_1301_;
+                                        let _e716 = phi_1302_;
+                                        let _e718 = phi_1303_;
+                                        if _e716 {
+                                            phi_1308_ = array<f32, 3>(-1f, 0f, 0f);
                                         } else {
-                                            phi_1304_ = _e708;
+                                            phi_1308_ = _e712;
                                         }
-                                        let _e716 = phi_1304_;
-                                        if select(_e714, true, _e712) {
-                                            phi_1309_ = _e716;
+                                        let _e720 = phi_1308_;
+                                        if select(_e718, true, _e716) {
+                                            phi_1313_ = _e720;
                                         } else {
-                                            phi_1309_ = _e710;
+                                            phi_1313_ = _e714;
                                         }
-                                        let _e719 = phi_1309_;
-                                        let _e723 = (_e719[0] >= 0f);
-                                        if _e723 {
-                                            let _e724 = (_e719[0] < _e207);
-                                            if _e724 {
-                                                if _e723 {
-                                                    if _e350 {
+                                        let _e723 = phi_1313_;
+                                        let _e727 = (_e723[0] >= 0f);
+                                        if _e727 {
+                                            let _e728 = (_e723[0] < _e211);
+                                            if _e728 {
+                                                if _e727 {
+                                                    if _e354 {
                                                     } else {
-                                                        phi_1991_ = true;
-                                                        phi_1746_ = bool();
+                                                        phi_2142_ = true;
+                                                        phi_1897_ = bool();
                                                         break;
                                                     }
-                                                    let _e727 = triangles.member[_e345.member_1].member_3;
-                                                    if ((_e727 & 1u) == 0u) {
-                                                        phi_1641_ = true;
+                                                    let _e731 = triangles.member[_e349.member_1].member_3;
+                                                    if ((_e731 & 1u) == 0u) {
+                                                        phi_1792_ = true;
                                                     } else {
-                                                        if _e350 {
+                                                        if _e354 {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        let _e732 = triangles.member[_e345.member_1].member_1;
-                                                        let _e733 = (_e732 * 12u);
-                                                        if ((256u + _e733) < _e85) {
+                                                        let _e736 = triangles.member[_e349.member_1].member_1;
+                                                        let _e737 = (_e736 * 12u);
+                                                        if ((256u + _e737) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if ((_e733 + 257u) < _e85) {
+                                                        if ((_e737 + 257u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if ((_e733 + 258u) < _e85) {
+                                                        if ((_e737 + 258u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        let _e740 = (_e733 + 259u);
-                                                        if (_e740 < _e85) {
+                                                        let _e744 = (_e737 + 259u);
+                                                        if (_e744 < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        let _e743 = surfaces.member[_e740];
-                                                        if ((_e733 + 260u) < _e85) {
+                                                        let _e747 = surfaces.member[_e744];
+                                                        if ((_e737 + 260u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if ((_e733 + 261u) < _e85) {
+                                                        if ((_e737 + 261u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if ((_e733 + 262u) < _e85) {
+                                                        if ((_e737 + 262u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        let _e750 = (_e733 + 263u);
-                                                        if (_e750 < _e85) {
+                                                        let _e754 = (_e737 + 263u);
+                                                        if (_e754 < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
-                                                            break;
-                                                        }
-                                                        let _e753 = surfaces.member[_e750];
-                                                        let _e754 = (_e733 + 264u);
-                                                        if (_e754 < _e85) {
-                                                        } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
                                                         let _e757 = surfaces.member[_e754];
-                                                        let _e758 = bitcast<f32>(_e757);
-                                                        let _e759 = (_e733 + 265u);
-                                                        if (_e759 < _e85) {
+                                                        let _e758 = (_e737 + 264u);
+                                                        if (_e758 < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        let _e762 = surfaces.member[_e759];
-                                                        let _e763 = bitcast<f32>(_e762);
-                                                        if ((_e733 + 266u) < _e85) {
+                                                        let _e761 = surfaces.member[_e758];
+                                                        let _e762 = bitcast<f32>(_e761);
+                                                        let _e763 = (_e737 + 265u);
+                                                        if (_e763 < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if ((_e733 + 267u) < _e85) {
+                                                        let _e766 = surfaces.member[_e763];
+                                                        let _e767 = bitcast<f32>(_e766);
+                                                        if ((_e737 + 266u) < _e89) {
                                                         } else {
-                                                            phi_1991_ = true;
-                                                            phi_1746_ = bool();
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
                                                             break;
                                                         }
-                                                        if (_e743 == 4294967295u) {
-                                                            phi_1636_ = (_e758 < _e763);
+                                                        if ((_e737 + 267u) < _e89) {
                                                         } else {
-                                                            if (_e345.member_1 < arrayLength((&attributes.member))) {
+                                                            phi_2142_ = true;
+                                                            phi_1897_ = bool();
+                                                            break;
+                                                        }
+                                                        if (_e747 == 4294967295u) {
+                                                            phi_1787_ = (_e762 < _e767);
+                                                        } else {
+                                                            if (_e349.member_1 < arrayLength((&attributes.member))) {
                                                             } else {
-                                                                phi_1991_ = true;
-                                                                phi_1746_ = bool();
+                                                                phi_2142_ = true;
+                                                                phi_1897_ = bool();
                                                                 break;
                                                             }
-                                                            let _e771 = ((1f - _e719[1]) - _e719[2]);
-                                                            let _e775 = attributes.member[_e345.member_1].member[0u];
-                                                            let _e780 = attributes.member[_e345.member_1].member[2u];
-                                                            let _e786 = attributes.member[_e345.member_1].member[4u];
-                                                            let _e788 = (((_e775 * _e771) + (_e780 * _e719[1])) + (_e786 * _e719[2]));
-                                                            let _e792 = attributes.member[_e345.member_1].member[1u];
-                                                            let _e797 = attributes.member[_e345.member_1].member[3u];
-                                                            let _e803 = attributes.member[_e345.member_1].member[5u];
-                                                            let _e805 = (((_e792 * _e771) + (_e797 * _e719[1])) + (_e803 * _e719[2]));
-                                                            let _e806 = (_e753 & 65535u);
-                                                            let _e808 = (_e753 >> bitcast<u32>(16i));
-                                                            let _e810 = (_e788 - floor(_e788));
-                                                            let _e815 = ((select(0f, _e810, (_e810 <= 1f)) * f32(_e806)) - 0.5f);
-                                                            let _e816 = floor(_e815);
-                                                            let _e817 = (_e815 - _e816);
-                                                            let _e818 = (_e806 - 1u);
-                                                            if (_e816 < 0f) {
-                                                                phi_1519_ = _e818;
+                                                            let _e775 = ((1f - _e723[1]) - _e723[2]);
+                                                            let _e779 = attributes.member[_e349.member_1].member[0u];
+                                                            let _e784 = attributes.member[_e349.member_1].member[2u];
+                                                            let _e790 = attributes.member[_e349.member_1].member[4u];
+                                                            let _e792 = (((_e779 * _e775) + (_e784 * _e723[1])) + (_e790 * _e723[2]));
+                                                            let _e796 = attributes.member[_e349.member_1].member[1u];
+                                                            let _e801 = attributes.member[_e349.member_1].member[3u];
+                                                            let _e807 = attributes.member[_e349.member_1].member[5u];
+                                                            let _e809 = (((_e796 * _e775) + (_e801 * _e723[1])) + (_e807 * _e723[2]));
+                                                            let _e810 = (_e757 & 65535u);
+                                                            let _e812 = (_e757 >> bitcast<u32>(16i));
+                                                            let _e815 = ((_e747 >> bitcast<u32>(28u)) & 3u);
+                                                            let _e816 = (_e810 - 1u);
+                                                            let _e818 = select(1f, 2f, (_e815 == 2u));
+                                                            let _e822 = (_e792 - (floor((_e792 / _e818)) * _e818));
+                                                            if (_e822 > 1f) {
+                                                                phi_1511_ = (_e818 - _e822);
                                                             } else {
-                                                                let _e824 = select(select(u32(_e816), 0u, (_e816 < 0f)), 4294967295u, (_e816 > 4294967000f));
-                                                                phi_1519_ = select(_e824, _e818, (_e818 < _e824));
+                                                                phi_1511_ = _e822;
                                                             }
-                                                            let _e828 = phi_1519_;
-                                                            if (_e828 == _e818) {
-                                                                phi_1525_ = 0u;
+                                                            let _e826 = phi_1511_;
+                                                            if (_e815 == 1u) {
+                                                                let _e829 = select(0f, _e792, (_e792 > 0f));
+                                                                phi_1526_ = select(1f, _e829, (_e829 < 1f));
                                                             } else {
-                                                                phi_1525_ = (_e828 + 1u);
+                                                                phi_1526_ = _e826;
                                                             }
-                                                            let _e832 = phi_1525_;
-                                                            let _e834 = (_e805 - floor(_e805));
-                                                            let _e839 = ((select(0f, _e834, (_e834 <= 1f)) * f32(_e808)) - 0.5f);
-                                                            let _e840 = floor(_e839);
-                                                            let _e841 = (_e839 - _e840);
-                                                            let _e842 = (_e808 - 1u);
-                                                            if (_e840 < 0f) {
-                                                                phi_1555_ = _e842;
+                                                            let _e833 = phi_1526_;
+                                                            if (_e833 >= 0f) {
+                                                                phi_1536_ = select(true, false, (_e833 <= 1f));
                                                             } else {
-                                                                let _e848 = select(select(u32(_e840), 0u, (_e840 < 0f)), 4294967295u, (_e840 > 4294967000f));
-                                                                phi_1555_ = select(_e848, _e842, (_e842 < _e848));
+                                                                phi_1536_ = true;
                                                             }
-                                                            let _e852 = phi_1555_;
-                                                            if (_e852 == _e842) {
+                                                            let _e838 = phi_1536_;
+                                                            let _e842 = ((select(_e833, 0f, _e838) * f32(_e810)) - 0.5f);
+                                                            let _e843 = floor(_e842);
+                                                            let _e844 = (_e843 < 0f);
+                                                            if _e844 {
                                                                 phi_1561_ = 0u;
                                                             } else {
-                                                                phi_1561_ = (_e852 + 1u);
+                                                                let _e849 = select(select(u32(_e843), 0u, (_e843 < 0f)), 4294967295u, (_e843 > 4294967000f));
+                                                                phi_1561_ = select(_e849, _e816, (_e816 < _e849));
                                                             }
-                                                            let _e856 = phi_1561_;
-                                                            let _e858 = (_e743 + (_e852 * _e806));
-                                                            let _e860 = (_e743 + (_e856 * _e806));
-                                                            let _e861 = (_e858 + _e828);
-                                                            let _e862 = (_e858 + _e832);
-                                                            let _e863 = (_e860 + _e828);
-                                                            let _e864 = (_e860 + _e832);
-                                                            if (_e861 < _e85) {
+                                                            let _e853 = phi_1561_;
+                                                            if _e844 {
+                                                                phi_1571_ = 0u;
                                                             } else {
-                                                                phi_1991_ = true;
-                                                                phi_1746_ = bool();
+                                                                let _e854 = (_e853 + 1u);
+                                                                phi_1571_ = select(_e854, _e816, (_e816 < _e854));
+                                                            }
+                                                            let _e858 = phi_1571_;
+                                                            let _e859 = (_e815 == 0u);
+                                                            if _e859 {
+                                                                phi_1580_ = select(true, false, _e844);
+                                                            } else {
+                                                                phi_1580_ = true;
+                                                            }
+                                                            let _e862 = phi_1580_;
+                                                            let _e863 = select(_e816, _e853, _e862);
+                                                            if _e859 {
+                                                                if _e844 {
+                                                                    phi_1596_ = true;
+                                                                } else {
+                                                                    phi_1596_ = select(true, false, (_e863 == _e816));
+                                                                }
+                                                                let _e867 = phi_1596_;
+                                                                phi_1597_ = _e867;
+                                                            } else {
+                                                                phi_1597_ = true;
+                                                            }
+                                                            let _e869 = phi_1597_;
+                                                            let _e870 = select(0u, _e858, _e869);
+                                                            let _e871 = (_e842 - _e843);
+                                                            let _e874 = ((_e747 >> bitcast<u32>(30u)) & 3u);
+                                                            let _e875 = (_e812 - 1u);
+                                                            let _e877 = select(1f, 2f, (_e874 == 2u));
+                                                            let _e881 = (_e809 - (floor((_e809 / _e877)) * _e877));
+                                                            if (_e881 > 1f) {
+                                                                phi_1620_ = (_e877 - _e881);
+                                                            } else {
+                                                                phi_1620_ = _e881;
+                                                            }
+                                                            let _e885 = phi_1620_;
+                                                            if (_e874 == 1u) {
+                                                                let _e888 = select(0f, _e809, (_e809 > 0f));
+                                                                phi_1635_ = select(1f, _e888, (_e888 < 1f));
+                                                            } else {
+                                                                phi_1635_ = _e885;
+                                                            }
+                                                            let _e892 = phi_1635_;
+                                                            if (_e892 >= 0f) {
+                                                                phi_1645_ = select(true, false, (_e892 <= 1f));
+                                                            } else {
+                                                                phi_1645_ = true;
+                                                            }
+                                                            let _e897 = phi_1645_;
+                                                            let _e901 = ((select(_e892, 0f, _e897) * f32(_e812)) - 0.5f);
+                                                            let _e902 = floor(_e901);
+                                                            let _e903 = (_e902 < 0f);
+                                                            if _e903 {
+                                                                phi_1670_ = 0u;
+                                                            } else {
+                                                                let _e908 = select(select(u32(_e902), 0u, (_e902 < 0f)), 4294967295u, (_e902 > 4294967000f));
+                                                                phi_1670_ = select(_e908, _e875, (_e875 < _e908));
+                                                            }
+                                                            let _e912 = phi_1670_;
+                                                            if _e903 {
+                                                                phi_1680_ = 0u;
+                                                            } else {
+                                                                let _e913 = (_e912 + 1u);
+                                                                phi_1680_ = select(_e913, _e875, (_e875 < _e913));
+                                                            }
+                                                            let _e917 = phi_1680_;
+                                                            let _e918 = (_e874 == 0u);
+                                                            if _e918 {
+                                                                phi_1689_ = select(true, false, _e903);
+                                                            } else {
+                                                                phi_1689_ = true;
+                                                            }
+                                                            let _e921 = phi_1689_;
+                                                            let _e922 = select(_e875, _e912, _e921);
+                                                            if _e918 {
+                                                                if _e903 {
+                                                                    phi_1705_ = true;
+                                                                } else {
+                                                                    phi_1705_ = select(true, false, (_e922 == _e875));
+                                                                }
+                                                                let _e926 = phi_1705_;
+                                                                phi_1706_ = _e926;
+                                                            } else {
+                                                                phi_1706_ = true;
+                                                            }
+                                                            let _e928 = phi_1706_;
+                                                            let _e930 = (_e901 - _e902);
+                                                            let _e931 = (_e747 & 268435455u);
+                                                            let _e933 = (_e931 + (_e922 * _e810));
+                                                            let _e935 = (_e931 + (select(0u, _e917, _e928) * _e810));
+                                                            let _e936 = (_e933 + _e863);
+                                                            let _e937 = (_e933 + _e870);
+                                                            let _e938 = (_e935 + _e863);
+                                                            let _e939 = (_e935 + _e870);
+                                                            if (_e936 < _e89) {
+                                                            } else {
+                                                                phi_2142_ = true;
+                                                                phi_1897_ = bool();
                                                                 break;
                                                             }
-                                                            let _e867 = surfaces.member[_e861];
-                                                            if (_e862 < _e85) {
+                                                            let _e942 = surfaces.member[_e936];
+                                                            if (_e937 < _e89) {
                                                             } else {
-                                                                phi_1991_ = true;
-                                                                phi_1746_ = bool();
+                                                                phi_2142_ = true;
+                                                                phi_1897_ = bool();
                                                                 break;
                                                             }
-                                                            let _e870 = surfaces.member[_e862];
-                                                            if (_e863 < _e85) {
+                                                            let _e945 = surfaces.member[_e937];
+                                                            if (_e938 < _e89) {
                                                             } else {
-                                                                phi_1991_ = true;
-                                                                phi_1746_ = bool();
+                                                                phi_2142_ = true;
+                                                                phi_1897_ = bool();
                                                                 break;
                                                             }
-                                                            let _e873 = surfaces.member[_e863];
-                                                            if (_e864 < _e85) {
+                                                            let _e948 = surfaces.member[_e938];
+                                                            if (_e939 < _e89) {
                                                             } else {
-                                                                phi_1991_ = true;
-                                                                phi_1746_ = bool();
+                                                                phi_2142_ = true;
+                                                                phi_1897_ = bool();
                                                                 break;
                                                             }
-                                                            let _e876 = surfaces.member[_e864];
-                                                            let _e893 = (1f - _e817);
-                                                            phi_1636_ = ((_e758 * (((((f32((_e867 >> bitcast<u32>(24i))) * 0.003921569f) * _e893) + ((f32((_e870 >> bitcast<u32>(24i))) * 0.003921569f) * _e817)) * (1f - _e841)) + ((((f32((_e873 >> bitcast<u32>(24i))) * 0.003921569f) * _e893) + ((f32((_e876 >> bitcast<u32>(24i))) * 0.003921569f) * _e817)) * _e841))) < _e763);
+                                                            let _e951 = surfaces.member[_e939];
+                                                            let _e968 = (1f - _e871);
+                                                            phi_1787_ = ((_e762 * (((((f32((_e942 >> bitcast<u32>(24i))) * 0.003921569f) * _e968) + ((f32((_e945 >> bitcast<u32>(24i))) * 0.003921569f) * _e871)) * (1f - _e930)) + ((((f32((_e948 >> bitcast<u32>(24i))) * 0.003921569f) * _e968) + ((f32((_e951 >> bitcast<u32>(24i))) * 0.003921569f) * _e871)) * _e930))) < _e767);
                                                         }
-                                                        let _e908 = phi_1636_;
-                                                        phi_1641_ = select(true, false, _e908);
+                                                        let _e983 = phi_1787_;
+                                                        phi_1792_ = select(true, false, _e983);
                                                     }
-                                                    let _e911 = phi_1641_;
-                                                    if _e911 {
-                                                        phi_1646_ = type_44(_e719[0], _e345.member_1, _e719[1], _e719[2]);
+                                                    let _e986 = phi_1792_;
+                                                    if _e986 {
+                                                        phi_1797_ = type_44(_e723[0], _e349.member_1, _e723[1], _e723[2]);
                                                     } else {
-                                                        phi_1646_ = type_44();
+                                                        phi_1797_ = type_44();
                                                     }
-                                                    let _e914 = phi_1646_;
-                                                    phi_1648_ = _e914;
-                                                    phi_1650_ = select(true, false, _e911);
+                                                    let _e989 = phi_1797_;
+                                                    phi_1799_ = _e989;
+                                                    phi_1801_ = select(true, false, _e986);
                                                 } else {
-                                                    phi_1648_ = type_44();
-                                                    phi_1650_ = false;
+                                                    phi_1799_ = type_44();
+                                                    phi_1801_ = false;
                                                 }
-                                                let _e917 = phi_1648_;
-                                                let _e919 = phi_1650_;
-                                                phi_1651_ = _e917;
-                                                phi_1653_ = select(true, false, _e723);
-                                                phi_1654_ = _e919;
+                                                let _e992 = phi_1799_;
+                                                let _e994 = phi_1801_;
+                                                phi_1802_ = _e992;
+                                                phi_1804_ = select(true, false, _e727);
+                                                phi_1805_ = _e994;
                                             } else {
-                                                phi_1651_ = type_44();
-                                                phi_1653_ = false;
-                                                phi_1654_ = false;
+                                                phi_1802_ = type_44();
+                                                phi_1804_ = false;
+                                                phi_1805_ = false;
                                             }
-                                            let _e922 = phi_1651_;
-                                            let _e924 = phi_1653_;
-                                            let _e926 = phi_1654_;
-                                            phi_1655_ = _e922;
-                                            phi_1656_ = select(true, false, _e724);
-                                            phi_1657_ = _e924;
-                                            phi_1658_ = _e926;
+                                            let _e997 = phi_1802_;
+                                            let _e999 = phi_1804_;
+                                            let _e1001 = phi_1805_;
+                                            phi_1806_ = _e997;
+                                            phi_1807_ = select(true, false, _e728);
+                                            phi_1808_ = _e999;
+                                            phi_1809_ = _e1001;
                                         } else {
-                                            phi_1655_ = type_44();
-                                            phi_1656_ = true;
-                                            phi_1657_ = false;
-                                            phi_1658_ = false;
+                                            phi_1806_ = type_44();
+                                            phi_1807_ = true;
+                                            phi_1808_ = false;
+                                            phi_1809_ = false;
                                         }
-                                        let _e929 = phi_1655_;
-                                        let _e931 = phi_1656_;
-                                        let _e933 = phi_1657_;
-                                        let _e935 = phi_1658_;
-                                        if select(select(_e935, false, _e931), true, select(_e933, true, _e931)) {
-                                            phi_1671_ = type_44(_e207, 4294967295u, 0f, 0f);
+                                        let _e1004 = phi_1806_;
+                                        let _e1006 = phi_1807_;
+                                        let _e1008 = phi_1808_;
+                                        let _e1010 = phi_1809_;
+                                        if select(select(_e1010, false, _e1006), true, select(_e1008, true, _e1006)) {
+                                            phi_1822_ = type_44(_e211, 4294967295u, 0f, 0f);
                                         } else {
-                                            phi_1671_ = _e929;
+                                            phi_1822_ = _e1004;
                                         }
-                                        let _e940 = phi_1671_;
-                                        phi_1678_ = select(true, false, (_e940.member_1 != 4294967295u));
+                                        let _e1015 = phi_1822_;
+                                        phi_1829_ = select(true, false, (_e1015.member_1 != 4294967295u));
                                     } else {
-                                        phi_1678_ = false;
+                                        phi_1829_ = false;
                                     }
-                                    let _e945 = phi_1678_;
+                                    let _e1020 = phi_1829_;
                                     continue;
                                     continuing {
-                                        phi_995_ = _e343;
-                                        phi_1991_ = _e318;
-                                        phi_1746_ = select(true, false, _e349);
-                                        break if !(_e945);
+                                        phi_999_ = _e347;
+                                        phi_2142_ = _e322;
+                                        phi_1897_ = select(true, false, _e353);
+                                        break if !(_e1020);
                                     }
                                 }
-                                let _e949 = phi_1991_;
-                                let _e951 = phi_1746_;
-                                phi_2050_ = _e949;
-                                phi_1747_ = bool();
-                                if _e949 {
+                                let _e1024 = phi_2142_;
+                                let _e1026 = phi_1897_;
+                                phi_2231_ = _e1024;
+                                phi_1898_ = bool();
+                                if _e1024 {
                                     break;
                                 }
-                                phi_2052_ = _e949;
-                                phi_1683_ = _e322;
-                                phi_1684_ = _e951;
+                                phi_2233_ = _e1024;
+                                phi_1834_ = _e326;
+                                phi_1835_ = _e1026;
                             }
-                            let _e1188 = phi_2052_;
-                            let _e1190 = phi_1683_;
-                            let _e1192 = phi_1684_;
-                            if _e1192 {
-                                let _e1193 = (_e1190 == 0u);
-                                if _e1193 {
-                                    phi_1700_ = u32();
-                                    phi_1701_ = u32();
+                            let _e1263 = phi_2233_;
+                            let _e1265 = phi_1834_;
+                            let _e1267 = phi_1835_;
+                            if _e1267 {
+                                let _e1268 = (_e1265 == 0u);
+                                if _e1268 {
+                                    phi_1851_ = u32();
+                                    phi_1852_ = u32();
                                 } else {
-                                    let _e1194 = (_e1190 - 1u);
-                                    if (_e1194 < 64u) {
+                                    let _e1269 = (_e1265 - 1u);
+                                    if (_e1269 < 64u) {
                                     } else {
-                                        phi_2050_ = true;
-                                        phi_1747_ = bool();
+                                        phi_2231_ = true;
+                                        phi_1898_ = bool();
                                         break;
                                     }
-                                    let _e1197 = local[_e1194];
-                                    phi_1700_ = _e1197;
-                                    phi_1701_ = _e1194;
+                                    let _e1272 = local[_e1269];
+                                    phi_1851_ = _e1272;
+                                    phi_1852_ = _e1269;
                                 }
-                                let _e1199 = phi_1700_;
-                                let _e1201 = phi_1701_;
-                                phi_568_ = _e1199;
-                                phi_571_ = _e1201;
-                                phi_1703_ = select(true, false, _e1193);
-                                phi_1704_ = _e1193;
+                                let _e1274 = phi_1851_;
+                                let _e1276 = phi_1852_;
+                                phi_572_ = _e1274;
+                                phi_575_ = _e1276;
+                                phi_1854_ = select(true, false, _e1268);
+                                phi_1855_ = _e1268;
                             } else {
-                                phi_568_ = u32();
-                                phi_571_ = u32();
-                                phi_1703_ = false;
-                                phi_1704_ = false;
+                                phi_572_ = u32();
+                                phi_575_ = u32();
+                                phi_1854_ = false;
+                                phi_1855_ = false;
                             }
-                            let _e1204 = phi_568_;
-                            let _e1206 = phi_571_;
-                            let _e1208 = phi_1703_;
-                            let _e1210 = phi_1704_;
+                            let _e1279 = phi_572_;
+                            let _e1281 = phi_575_;
+                            let _e1283 = phi_1854_;
+                            let _e1285 = phi_1855_;
                             continue;
                             continuing {
-                                phi_1995_ = _e1188;
-                                phi_567_ = _e1204;
-                                phi_570_ = _e1206;
-                                phi_2050_ = _e1188;
-                                phi_1747_ = _e1210;
-                                break if !(_e1208);
+                                phi_2146_ = _e1263;
+                                phi_571_ = _e1279;
+                                phi_574_ = _e1281;
+                                phi_2231_ = _e1263;
+                                phi_1898_ = _e1285;
+                                break if !(_e1283);
                             }
                         }
-                        let _e1213 = phi_2050_;
-                        let _e1215 = phi_1747_;
-                        if _e1213 {
+                        let _e1288 = phi_2231_;
+                        let _e1290 = phi_1898_;
+                        if _e1288 {
                             break;
                         }
-                        if select(false, true, select(true, false, _e1215)) {
-                            let _e1220 = params.member.member_5;
-                            phi_1718_ = _e1220;
+                        if select(false, true, select(true, false, _e1290)) {
+                            let _e1295 = params.member.member_5;
+                            phi_1869_ = _e1295;
                         } else {
-                            phi_1718_ = _e126;
+                            phi_1869_ = _e130;
                         }
-                        let _e1222 = phi_1718_;
-                        phi_1719_ = _e1222;
+                        let _e1297 = phi_1869_;
+                        phi_1870_ = _e1297;
                     } else {
-                        phi_1719_ = _e126;
+                        phi_1870_ = _e130;
                     }
-                    let _e1224 = phi_1719_;
-                    phi_1720_ = _e1224;
+                    let _e1299 = phi_1870_;
+                    phi_1871_ = _e1299;
                 } else {
-                    phi_1720_ = _e126;
+                    phi_1871_ = _e130;
                 }
-                let _e1226 = phi_1720_;
-                if (_e94 < arrayLength((&seen.member))) {
+                let _e1301 = phi_1871_;
+                if (_e98 < arrayLength((&seen.member))) {
                 } else {
                     break;
                 }
-                seen.member[_e94] = _e1226;
+                seen.member[_e98] = _e1301;
             }
             break;
         }

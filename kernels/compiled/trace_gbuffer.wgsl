@@ -116,1519 +116,1738 @@ fn function_() {
     var local_1: array<f32, 64>;
     var local_2: array<f32, 3>;
     var local_3: array<f32, 3>;
-    var phi_309_: vec3<f32>;
-    var phi_311_: vec3<f32>;
-    var phi_312_: bool;
-    var phi_337_: bool;
-    var phi_347_: u32;
-    var phi_350_: bool;
-    var phi_361_: u32;
-    var phi_497_: f32;
-    var phi_505_: f32;
-    var phi_513_: f32;
-    var phi_2954_: bool;
-    var phi_516_: u32;
-    var phi_519_: u32;
-    var phi_521_: type_44;
-    var phi_1013_: type_12;
-    var phi_1016_: type_44;
-    var phi_1014_: type_12;
-    var phi_1039_: type_12;
-    var phi_1155_: f32;
-    var phi_1166_: f32;
-    var phi_1177_: f32;
-    var phi_1192_: f32;
-    var phi_1193_: f32;
-    var phi_1194_: bool;
-    var phi_1195_: f32;
-    var phi_1196_: bool;
-    var phi_1215_: f32;
-    var phi_1216_: bool;
-    var phi_1217_: f32;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
+    var phi_318_: vec3<f32>;
+    var phi_320_: vec3<f32>;
+    var phi_321_: bool;
+    var phi_346_: bool;
+    var phi_356_: u32;
+    var phi_359_: bool;
+    var phi_370_: u32;
+    var phi_506_: f32;
+    var phi_514_: f32;
+    var phi_522_: f32;
+    var phi_3370_: bool;
+    var phi_525_: u32;
+    var phi_528_: u32;
+    var phi_530_: type_44;
+    var phi_1022_: type_12;
+    var phi_1025_: type_44;
+    var phi_1023_: type_12;
+    var phi_1048_: type_12;
+    var phi_1164_: f32;
+    var phi_1175_: f32;
+    var phi_1186_: f32;
+    var phi_1201_: f32;
+    var phi_1202_: f32;
+    var phi_1203_: bool;
+    var phi_1204_: f32;
+    var phi_1205_: bool;
     var phi_1224_: f32;
     var phi_1225_: bool;
-    var phi_1311_: array<f32, 3>;
-    var phi_1312_: array<f32, 3>;
-    var phi_1313_: array<f32, 3>;
-    var phi_1314_: array<f32, 3>;
-    var phi_1315_: bool;
-    var phi_1316_: array<f32, 3>;
-    var phi_1317_: array<f32, 3>;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1324_: array<f32, 3>;
-    var phi_1329_: array<f32, 3>;
-    var phi_1540_: u32;
-    var phi_1546_: u32;
-    var phi_1576_: u32;
-    var phi_1582_: u32;
-    var phi_1657_: bool;
-    var phi_1662_: bool;
-    var phi_1667_: type_44;
-    var phi_1669_: type_44;
+    var phi_1226_: f32;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1233_: f32;
+    var phi_1234_: bool;
+    var phi_1320_: array<f32, 3>;
+    var phi_1321_: array<f32, 3>;
+    var phi_1322_: array<f32, 3>;
+    var phi_1323_: array<f32, 3>;
+    var phi_1324_: bool;
+    var phi_1325_: array<f32, 3>;
+    var phi_1326_: array<f32, 3>;
+    var phi_1327_: bool;
+    var phi_1328_: bool;
+    var phi_1333_: array<f32, 3>;
+    var phi_1338_: array<f32, 3>;
+    var phi_1537_: f32;
+    var phi_1552_: f32;
+    var phi_1562_: bool;
+    var phi_1587_: u32;
+    var phi_1597_: u32;
+    var phi_1606_: bool;
+    var phi_1622_: bool;
+    var phi_1623_: bool;
+    var phi_1646_: f32;
+    var phi_1661_: f32;
     var phi_1671_: bool;
-    var phi_1672_: type_44;
-    var phi_1674_: bool;
-    var phi_1675_: bool;
-    var phi_1676_: type_44;
-    var phi_1677_: bool;
-    var phi_1678_: bool;
-    var phi_1679_: bool;
-    var phi_1692_: type_44;
-    var phi_1017_: type_44;
-    var phi_2950_: bool;
-    var phi_902_: type_45;
-    var phi_913_: type_45;
-    var phi_924_: type_45;
-    var phi_935_: type_45;
-    var phi_946_: type_45;
-    var phi_968_: u32;
-    var phi_986_: u32;
-    var phi_1004_: u32;
-    var phi_3015_: bool;
-    var phi_1693_: u32;
-    var phi_1694_: u32;
-    var phi_522_: type_44;
-    var phi_517_: u32;
-    var phi_520_: u32;
-    var phi_1729_: u32;
-    var phi_1730_: u32;
-    var phi_1731_: u32;
     var phi_1696_: u32;
-    var phi_1698_: u32;
+    var phi_1706_: u32;
+    var phi_1715_: bool;
+    var phi_1731_: bool;
     var phi_1732_: bool;
-    var phi_3012_: bool;
+    var phi_1813_: bool;
+    var phi_1818_: bool;
+    var phi_1823_: type_44;
+    var phi_1825_: type_44;
+    var phi_1827_: bool;
+    var phi_1828_: type_44;
+    var phi_1830_: bool;
+    var phi_1831_: bool;
+    var phi_1832_: type_44;
+    var phi_1833_: bool;
+    var phi_1834_: bool;
+    var phi_1835_: bool;
+    var phi_1848_: type_44;
+    var phi_1026_: type_44;
+    var phi_3366_: bool;
+    var phi_911_: type_45;
+    var phi_922_: type_45;
+    var phi_933_: type_45;
+    var phi_944_: type_45;
+    var phi_955_: type_45;
+    var phi_977_: u32;
+    var phi_995_: u32;
+    var phi_1013_: u32;
+    var phi_3461_: bool;
+    var phi_1849_: u32;
+    var phi_1850_: u32;
+    var phi_531_: type_44;
+    var phi_526_: u32;
+    var phi_529_: u32;
+    var phi_1885_: u32;
+    var phi_1886_: u32;
+    var phi_1887_: u32;
+    var phi_1852_: u32;
+    var phi_1854_: u32;
+    var phi_1888_: bool;
+    var phi_3458_: bool;
     var local_4: bool;
-    var phi_3079_: bool;
-    var phi_2706_: type_44;
-    var phi_1834_: vec3<f32>;
-    var phi_1836_: vec3<f32>;
-    var phi_1837_: bool;
-    var phi_1858_: vec3<f32>;
-    var phi_2042_: u32;
-    var phi_2048_: u32;
-    var phi_2078_: u32;
-    var phi_2084_: u32;
-    var phi_2301_: type_47;
-    var phi_2367_: vec3<f32>;
-    var phi_2441_: vec3<f32>;
-    var phi_2515_: vec3<f32>;
-    var phi_2560_: vec3<f32>;
-    var phi_2562_: vec3<f32>;
-    var phi_2563_: bool;
-    var phi_2584_: vec3<f32>;
-    var phi_2617_: array<f32, 3>;
-    var phi_2663_: type_48;
-    var phi_2676_: type_48;
+    var phi_3525_: bool;
+    var phi_3122_: type_44;
+    var phi_1990_: vec3<f32>;
+    var phi_1992_: vec3<f32>;
+    var phi_1993_: bool;
+    var phi_2014_: vec3<f32>;
+    var phi_2186_: f32;
+    var phi_2201_: f32;
+    var phi_2211_: bool;
+    var phi_2236_: u32;
+    var phi_2246_: u32;
+    var phi_2255_: bool;
+    var phi_2271_: bool;
+    var phi_2272_: bool;
+    var phi_2295_: f32;
+    var phi_2310_: f32;
+    var phi_2320_: bool;
+    var phi_2345_: u32;
+    var phi_2355_: u32;
+    var phi_2364_: bool;
+    var phi_2380_: bool;
+    var phi_2381_: bool;
+    var phi_2604_: type_47;
+    var phi_2711_: vec3<f32>;
+    var phi_2786_: vec3<f32>;
+    var phi_2860_: vec3<f32>;
+    var phi_2934_: vec3<f32>;
+    var phi_2979_: vec3<f32>;
+    var phi_2981_: vec3<f32>;
+    var phi_2982_: bool;
+    var phi_3003_: vec3<f32>;
+    var phi_3033_: array<f32, 3>;
+    var phi_3079_: type_48;
+    var phi_3092_: type_48;
     var local_5: u32;
     var local_6: u32;
     var local_7: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e80 = gid_1;
-            let _e83 = arrayLength((&nodes.member));
-            let _e86 = arrayLength((&triangles.member));
-            let _e89 = arrayLength((&attributes.member));
-            let _e92 = arrayLength((&surfaces.member));
-            let _e97 = params.member.member_5;
-            let _e100 = params.member.member_6;
-            let _e105 = (_e80.x + (_e80.y * 2097152u));
-            if (_e105 < (_e97 * _e100)) {
-                if (_e97 == 0u) {
+            let _e89 = gid_1;
+            let _e92 = arrayLength((&nodes.member));
+            let _e95 = arrayLength((&triangles.member));
+            let _e98 = arrayLength((&attributes.member));
+            let _e101 = arrayLength((&surfaces.member));
+            let _e106 = params.member.member_5;
+            let _e109 = params.member.member_6;
+            let _e114 = (_e89.x + (_e89.y * 2097152u));
+            if (_e114 < (_e106 * _e109)) {
+                if (_e106 == 0u) {
                     break;
                 }
-                let _e108 = (_e105 / _e97);
-                let _e116 = ((f32(((2u * (_e105 - (_e108 * _e97))) + 1u)) / f32(_e97)) - 1f);
-                let _e122 = (1f - (f32(((2u * _e108) + 1u)) / f32(_e100)));
-                let _e125 = params.member.member_1;
-                let _e131 = params.member.member_2;
-                let _e143 = params.member.member_3;
-                let _e150 = ((_e125.x + (_e131.x * _e116)) + (_e143.x * _e122));
-                let _e151 = ((_e125.y + (_e131.y * _e116)) + (_e143.y * _e122));
-                let _e152 = ((_e125.z + (_e131.z * _e116)) + (_e143.z * _e122));
-                let _e155 = params.member.member;
-                let _e159 = abs(_e150);
-                let _e160 = abs(_e151);
-                let _e162 = select(_e160, _e159, (_e159 > _e160));
-                let _e163 = abs(_e152);
-                let _e165 = select(_e163, _e162, (_e162 > _e163));
-                if (_e165 > 0.000000000000000000000000000000000000011754944f) {
-                    let _e167 = (_e165 < 340282350000000000000000000000000000000f);
-                    if _e167 {
-                        let _e168 = (_e150 / _e165);
-                        let _e169 = (_e151 / _e165);
-                        let _e170 = (_e152 / _e165);
-                        let _e176 = sqrt((((_e168 * _e168) + (_e169 * _e169)) + (_e170 * _e170)));
-                        phi_309_ = vec3<f32>((_e168 / _e176), (_e169 / _e176), (_e170 / _e176));
+                let _e117 = (_e114 / _e106);
+                let _e125 = ((f32(((2u * (_e114 - (_e117 * _e106))) + 1u)) / f32(_e106)) - 1f);
+                let _e131 = (1f - (f32(((2u * _e117) + 1u)) / f32(_e109)));
+                let _e134 = params.member.member_1;
+                let _e140 = params.member.member_2;
+                let _e152 = params.member.member_3;
+                let _e159 = ((_e134.x + (_e140.x * _e125)) + (_e152.x * _e131));
+                let _e160 = ((_e134.y + (_e140.y * _e125)) + (_e152.y * _e131));
+                let _e161 = ((_e134.z + (_e140.z * _e125)) + (_e152.z * _e131));
+                let _e164 = params.member.member;
+                let _e168 = abs(_e159);
+                let _e169 = abs(_e160);
+                let _e171 = select(_e169, _e168, (_e168 > _e169));
+                let _e172 = abs(_e161);
+                let _e174 = select(_e172, _e171, (_e171 > _e172));
+                if (_e174 > 0.000000000000000000000000000000000000011754944f) {
+                    let _e176 = (_e174 < 340282350000000000000000000000000000000f);
+                    if _e176 {
+                        let _e177 = (_e159 / _e174);
+                        let _e178 = (_e160 / _e174);
+                        let _e179 = (_e161 / _e174);
+                        let _e185 = sqrt((((_e177 * _e177) + (_e178 * _e178)) + (_e179 * _e179)));
+                        phi_318_ = vec3<f32>((_e177 / _e185), (_e178 / _e185), (_e179 / _e185));
                     } else {
-                        phi_309_ = vec3<f32>();
+                        phi_318_ = vec3<f32>();
                     }
-                    let _e182 = phi_309_;
-                    phi_311_ = _e182;
-                    phi_312_ = select(true, false, _e167);
+                    let _e191 = phi_318_;
+                    phi_320_ = _e191;
+                    phi_321_ = select(true, false, _e176);
                 } else {
-                    phi_311_ = vec3<f32>();
-                    phi_312_ = true;
+                    phi_320_ = vec3<f32>();
+                    phi_321_ = true;
                 }
-                let _e185 = phi_311_;
-                let _e187 = phi_312_;
-                let _e189 = select(_e185, vec3<f32>(0f, 0f, 1f), vec3(_e187));
-                let _e191 = abs(_e189.x);
-                let _e193 = abs(_e189.y);
-                let _e195 = abs(_e189.z);
-                let _e196 = (_e191 > _e193);
-                if _e196 {
-                    phi_337_ = (_e191 > _e195);
+                let _e194 = phi_320_;
+                let _e196 = phi_321_;
+                let _e198 = select(_e194, vec3<f32>(0f, 0f, 1f), vec3(_e196));
+                let _e200 = abs(_e198.x);
+                let _e202 = abs(_e198.y);
+                let _e204 = abs(_e198.z);
+                let _e205 = (_e200 > _e202);
+                if _e205 {
+                    phi_346_ = (_e200 > _e204);
                 } else {
-                    phi_337_ = (_e193 > _e195);
+                    phi_346_ = (_e202 > _e204);
                 }
-                let _e200 = phi_337_;
-                let _e201 = select(1u, 0u, _e196);
-                if _e200 {
-                    let _e202 = (_e201 + 1u);
-                    phi_347_ = _e202;
-                    phi_350_ = select(true, false, (_e202 == 2u));
+                let _e209 = phi_346_;
+                let _e210 = select(1u, 0u, _e205);
+                if _e209 {
+                    let _e211 = (_e210 + 1u);
+                    phi_356_ = _e211;
+                    phi_359_ = select(true, false, (_e211 == 2u));
                 } else {
-                    phi_347_ = u32();
-                    phi_350_ = false;
+                    phi_356_ = u32();
+                    phi_359_ = false;
                 }
-                let _e206 = phi_347_;
-                let _e208 = phi_350_;
-                let _e209 = select(true, false, _e200);
-                let _e210 = select(_e206, 0u, _e209);
-                let _e212 = select(_e208, true, _e209);
-                if _e212 {
-                    phi_361_ = (_e210 + 1u);
+                let _e215 = phi_356_;
+                let _e217 = phi_359_;
+                let _e218 = select(true, false, _e209);
+                let _e219 = select(_e215, 0u, _e218);
+                let _e221 = select(_e217, true, _e218);
+                if _e221 {
+                    phi_370_ = (_e219 + 1u);
                 } else {
-                    phi_361_ = 0u;
+                    phi_370_ = 0u;
                 }
-                let _e215 = phi_361_;
-                let _e216 = select(_e206, _e210, _e212);
-                let _e217 = select(_e201, select(_e201, 2u, _e209), _e212);
-                local_2 = array<f32, 3>(_e189.x, _e189.y, _e189.z);
-                local_3 = array<f32, 3>(_e155.x, _e155.y, _e155.z);
-                let _e220 = (_e217 < 3u);
-                if _e220 {
-                } else {
-                    break;
-                }
-                let _e222 = local_2[_e217];
-                let _e223 = (1f / _e222);
-                let _e224 = (_e216 < 3u);
-                if _e224 {
+                let _e224 = phi_370_;
+                let _e225 = select(_e215, _e219, _e221);
+                let _e226 = select(_e210, select(_e210, 2u, _e218), _e221);
+                local_2 = array<f32, 3>(_e198.x, _e198.y, _e198.z);
+                local_3 = array<f32, 3>(_e164.x, _e164.y, _e164.z);
+                let _e229 = (_e226 < 3u);
+                if _e229 {
                 } else {
                     break;
                 }
-                let _e226 = local_2[_e216];
-                let _e227 = (_e226 * _e223);
-                let _e228 = (_e215 < 3u);
-                if _e228 {
+                let _e231 = local_2[_e226];
+                let _e232 = (1f / _e231);
+                let _e233 = (_e225 < 3u);
+                if _e233 {
                 } else {
                     break;
                 }
-                let _e230 = local_2[_e215];
-                let _e231 = (_e230 * _e223);
-                if _e224 {
+                let _e235 = local_2[_e225];
+                let _e236 = (_e235 * _e232);
+                let _e237 = (_e224 < 3u);
+                if _e237 {
                 } else {
                     break;
                 }
-                let _e233 = local_3[_e216];
-                if _e228 {
+                let _e239 = local_2[_e224];
+                let _e240 = (_e239 * _e232);
+                if _e233 {
                 } else {
                     break;
                 }
-                let _e235 = local_3[_e215];
-                if _e220 {
+                let _e242 = local_3[_e225];
+                if _e237 {
                 } else {
                     break;
                 }
-                let _e237 = local_3[_e217];
-                if (0u < _e83) {
+                let _e244 = local_3[_e224];
+                if _e229 {
                 } else {
                     break;
                 }
-                let _e242 = nodes.member[0u].member_7[0u];
-                let _e246 = nodes.member[0u].member_7[1u];
-                let _e250 = nodes.member[0u].member_7[2u];
-                let _e254 = nodes.member[0u].member_7[3u];
-                let _e256 = abs((_e155.x - _e242));
-                let _e258 = abs((_e155.y - _e246));
-                let _e260 = select(_e258, _e256, (_e256 > _e258));
-                let _e262 = abs((_e155.z - _e250));
-                let _e266 = ((select(_e262, _e260, (_e260 > _e262)) + _e254) * 0.0000009536743f);
-                let _e273 = (_e266 + (abs(_e155.x) * 0.00000023841858f));
-                let _e274 = (_e266 + (abs(_e155.y) * 0.00000023841858f));
-                let _e275 = (_e266 + (abs(_e155.z) * 0.00000023841858f));
-                let _e276 = select(_e193, _e191, _e196);
-                let _e278 = select(_e195, _e276, (_e276 > _e195));
-                let _e279 = (_e278 * 0.000000000001f);
-                let _e280 = (_e155.x + _e273);
-                let _e281 = (_e155.y + _e274);
-                let _e282 = (_e155.z + _e275);
-                let _e283 = (_e155.x - _e273);
-                let _e284 = (_e155.y - _e274);
-                let _e285 = (_e155.z - _e275);
-                if (_e191 > _e279) {
-                    phi_497_ = (1f / _e189.x);
+                let _e246 = local_3[_e226];
+                if (0u < _e92) {
                 } else {
-                    phi_497_ = (1000000000000f / _e278);
+                    break;
                 }
-                let _e290 = phi_497_;
-                if (_e193 > _e279) {
-                    phi_505_ = (1f / _e189.y);
+                let _e251 = nodes.member[0u].member_7[0u];
+                let _e255 = nodes.member[0u].member_7[1u];
+                let _e259 = nodes.member[0u].member_7[2u];
+                let _e263 = nodes.member[0u].member_7[3u];
+                let _e265 = abs((_e164.x - _e251));
+                let _e267 = abs((_e164.y - _e255));
+                let _e269 = select(_e267, _e265, (_e265 > _e267));
+                let _e271 = abs((_e164.z - _e259));
+                let _e275 = ((select(_e271, _e269, (_e269 > _e271)) + _e263) * 0.0000009536743f);
+                let _e282 = (_e275 + (abs(_e164.x) * 0.00000023841858f));
+                let _e283 = (_e275 + (abs(_e164.y) * 0.00000023841858f));
+                let _e284 = (_e275 + (abs(_e164.z) * 0.00000023841858f));
+                let _e285 = select(_e202, _e200, _e205);
+                let _e287 = select(_e204, _e285, (_e285 > _e204));
+                let _e288 = (_e287 * 0.000000000001f);
+                let _e289 = (_e164.x + _e282);
+                let _e290 = (_e164.y + _e283);
+                let _e291 = (_e164.z + _e284);
+                let _e292 = (_e164.x - _e282);
+                let _e293 = (_e164.y - _e283);
+                let _e294 = (_e164.z - _e284);
+                if (_e200 > _e288) {
+                    phi_506_ = (1f / _e198.x);
                 } else {
-                    phi_505_ = (1000000000000f / _e278);
+                    phi_506_ = (1000000000000f / _e287);
                 }
-                let _e295 = phi_505_;
-                if (_e195 > _e279) {
-                    phi_513_ = (1f / _e189.z);
+                let _e299 = phi_506_;
+                if (_e202 > _e288) {
+                    phi_514_ = (1f / _e198.y);
                 } else {
-                    phi_513_ = (1000000000000f / _e278);
+                    phi_514_ = (1000000000000f / _e287);
                 }
-                let _e300 = phi_513_;
+                let _e304 = phi_514_;
+                if (_e204 > _e288) {
+                    phi_522_ = (1f / _e198.z);
+                } else {
+                    phi_522_ = (1000000000000f / _e287);
+                }
+                let _e309 = phi_522_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_2954_ = false;
-                phi_516_ = 0u;
-                phi_519_ = 0u;
-                phi_521_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
+                phi_3370_ = false;
+                phi_525_ = 0u;
+                phi_528_ = 0u;
+                phi_530_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                 loop {
-                    let _e302 = phi_2954_;
-                    let _e304 = phi_516_;
-                    let _e306 = phi_519_;
-                    let _e308 = phi_521_;
-                    let _e309 = (_e304 & 15u);
-                    let _e311 = (_e304 >> bitcast<u32>(4u));
-                    if (_e309 == 0u) {
-                        if (_e311 < _e83) {
+                    let _e311 = phi_3370_;
+                    let _e313 = phi_525_;
+                    let _e315 = phi_528_;
+                    let _e317 = phi_530_;
+                    let _e318 = (_e313 & 15u);
+                    let _e320 = (_e313 >> bitcast<u32>(4u));
+                    if (_e318 == 0u) {
+                        if (_e320 < _e92) {
                         } else {
-                            phi_3079_ = true;
-                            phi_2706_ = type_44();
+                            phi_3525_ = true;
+                            phi_3122_ = type_44();
                             break;
                         }
-                        let _e939 = nodes.member[_e311].member;
-                        let _e948 = ((_e939.x - _e280) * _e290);
-                        let _e949 = ((_e939.y - _e280) * _e290);
-                        let _e950 = ((_e939.z - _e280) * _e290);
-                        let _e951 = ((_e939.w - _e280) * _e290);
-                        let _e954 = nodes.member[_e311].member_3;
-                        let _e963 = ((_e954.x - _e283) * _e290);
-                        let _e964 = ((_e954.y - _e283) * _e290);
-                        let _e965 = ((_e954.z - _e283) * _e290);
-                        let _e966 = ((_e954.w - _e283) * _e290);
-                        let _e969 = nodes.member[_e311].member_1;
-                        let _e978 = ((_e969.x - _e281) * _e295);
-                        let _e979 = ((_e969.y - _e281) * _e295);
-                        let _e980 = ((_e969.z - _e281) * _e295);
-                        let _e981 = ((_e969.w - _e281) * _e295);
-                        let _e984 = nodes.member[_e311].member_4;
-                        let _e993 = ((_e984.x - _e284) * _e295);
-                        let _e994 = ((_e984.y - _e284) * _e295);
-                        let _e995 = ((_e984.z - _e284) * _e295);
-                        let _e996 = ((_e984.w - _e284) * _e295);
-                        let _e999 = nodes.member[_e311].member_2;
-                        let _e1008 = ((_e999.x - _e282) * _e300);
-                        let _e1009 = ((_e999.y - _e282) * _e300);
-                        let _e1010 = ((_e999.z - _e282) * _e300);
-                        let _e1011 = ((_e999.w - _e282) * _e300);
-                        let _e1014 = nodes.member[_e311].member_5;
-                        let _e1023 = ((_e1014.x - _e285) * _e300);
-                        let _e1024 = ((_e1014.y - _e285) * _e300);
-                        let _e1025 = ((_e1014.z - _e285) * _e300);
-                        let _e1026 = ((_e1014.w - _e285) * _e300);
-                        let _e1028 = select(_e963, _e948, (_e948 < _e963));
-                        let _e1030 = select(_e964, _e949, (_e949 < _e964));
-                        let _e1032 = select(_e965, _e950, (_e950 < _e965));
-                        let _e1034 = select(_e966, _e951, (_e951 < _e966));
-                        let _e1036 = select(_e993, _e978, (_e978 < _e993));
-                        let _e1038 = select(_e994, _e979, (_e979 < _e994));
-                        let _e1040 = select(_e995, _e980, (_e980 < _e995));
-                        let _e1042 = select(_e996, _e981, (_e981 < _e996));
-                        let _e1044 = select(_e1036, _e1028, (_e1028 > _e1036));
-                        let _e1046 = select(_e1038, _e1030, (_e1030 > _e1038));
-                        let _e1048 = select(_e1040, _e1032, (_e1032 > _e1040));
-                        let _e1050 = select(_e1042, _e1034, (_e1034 > _e1042));
-                        let _e1052 = select(_e1023, _e1008, (_e1008 < _e1023));
-                        let _e1054 = select(_e1024, _e1009, (_e1009 < _e1024));
-                        let _e1056 = select(_e1025, _e1010, (_e1010 < _e1025));
-                        let _e1058 = select(_e1026, _e1011, (_e1011 < _e1026));
-                        let _e1060 = select(_e1052, _e1044, (_e1044 > _e1052));
-                        let _e1062 = select(_e1054, _e1046, (_e1046 > _e1054));
-                        let _e1064 = select(_e1056, _e1048, (_e1048 > _e1056));
-                        let _e1066 = select(_e1058, _e1050, (_e1050 > _e1058));
-                        let _e1068 = select(0f, _e1060, (_e1060 > 0f));
-                        let _e1070 = select(0f, _e1062, (_e1062 > 0f));
-                        let _e1072 = select(0f, _e1064, (_e1064 > 0f));
-                        let _e1074 = select(0f, _e1066, (_e1066 > 0f));
-                        let _e1076 = select(_e963, _e948, (_e948 > _e963));
-                        let _e1078 = select(_e964, _e949, (_e949 > _e964));
-                        let _e1080 = select(_e965, _e950, (_e950 > _e965));
-                        let _e1082 = select(_e966, _e951, (_e951 > _e966));
-                        let _e1084 = select(_e993, _e978, (_e978 > _e993));
-                        let _e1086 = select(_e994, _e979, (_e979 > _e994));
-                        let _e1088 = select(_e995, _e980, (_e980 > _e995));
-                        let _e1090 = select(_e996, _e981, (_e981 > _e996));
-                        let _e1092 = select(_e1084, _e1076, (_e1076 < _e1084));
-                        let _e1094 = select(_e1086, _e1078, (_e1078 < _e1086));
-                        let _e1096 = select(_e1088, _e1080, (_e1080 < _e1088));
-                        let _e1098 = select(_e1090, _e1082, (_e1082 < _e1090));
-                        let _e1100 = select(_e1023, _e1008, (_e1008 > _e1023));
-                        let _e1102 = select(_e1024, _e1009, (_e1009 > _e1024));
-                        let _e1104 = select(_e1025, _e1010, (_e1010 > _e1025));
-                        let _e1106 = select(_e1026, _e1011, (_e1011 > _e1026));
-                        let _e1108 = select(_e1100, _e1092, (_e1092 < _e1100));
-                        let _e1110 = select(_e1102, _e1094, (_e1094 < _e1102));
-                        let _e1112 = select(_e1104, _e1096, (_e1096 < _e1104));
-                        let _e1114 = select(_e1106, _e1098, (_e1098 < _e1106));
-                        let _e1124 = select(340282350000000000000000000000000000000f, _e1068, (_e1068 <= select(_e308.member, _e1108, (_e1108 < _e308.member))));
-                        let _e1126 = select(340282350000000000000000000000000000000f, _e1070, (_e1070 <= select(_e308.member, _e1110, (_e1110 < _e308.member))));
-                        let _e1128 = select(340282350000000000000000000000000000000f, _e1072, (_e1072 <= select(_e308.member, _e1112, (_e1112 < _e308.member))));
-                        let _e1130 = select(340282350000000000000000000000000000000f, _e1074, (_e1074 <= select(_e308.member, _e1114, (_e1114 < _e308.member))));
-                        let _e1134 = nodes.member[_e311].member_6[0u];
-                        let _e1138 = nodes.member[_e311].member_6[1u];
-                        let _e1142 = nodes.member[_e311].member_6[2u];
-                        let _e1146 = nodes.member[_e311].member_6[3u];
-                        if (_e1126 < _e1124) {
-                            phi_902_ = type_45(_e1126, _e1138, _e1124, _e1134);
+                        let _e1019 = nodes.member[_e320].member;
+                        let _e1028 = ((_e1019.x - _e289) * _e299);
+                        let _e1029 = ((_e1019.y - _e289) * _e299);
+                        let _e1030 = ((_e1019.z - _e289) * _e299);
+                        let _e1031 = ((_e1019.w - _e289) * _e299);
+                        let _e1034 = nodes.member[_e320].member_3;
+                        let _e1043 = ((_e1034.x - _e292) * _e299);
+                        let _e1044 = ((_e1034.y - _e292) * _e299);
+                        let _e1045 = ((_e1034.z - _e292) * _e299);
+                        let _e1046 = ((_e1034.w - _e292) * _e299);
+                        let _e1049 = nodes.member[_e320].member_1;
+                        let _e1058 = ((_e1049.x - _e290) * _e304);
+                        let _e1059 = ((_e1049.y - _e290) * _e304);
+                        let _e1060 = ((_e1049.z - _e290) * _e304);
+                        let _e1061 = ((_e1049.w - _e290) * _e304);
+                        let _e1064 = nodes.member[_e320].member_4;
+                        let _e1073 = ((_e1064.x - _e293) * _e304);
+                        let _e1074 = ((_e1064.y - _e293) * _e304);
+                        let _e1075 = ((_e1064.z - _e293) * _e304);
+                        let _e1076 = ((_e1064.w - _e293) * _e304);
+                        let _e1079 = nodes.member[_e320].member_2;
+                        let _e1088 = ((_e1079.x - _e291) * _e309);
+                        let _e1089 = ((_e1079.y - _e291) * _e309);
+                        let _e1090 = ((_e1079.z - _e291) * _e309);
+                        let _e1091 = ((_e1079.w - _e291) * _e309);
+                        let _e1094 = nodes.member[_e320].member_5;
+                        let _e1103 = ((_e1094.x - _e294) * _e309);
+                        let _e1104 = ((_e1094.y - _e294) * _e309);
+                        let _e1105 = ((_e1094.z - _e294) * _e309);
+                        let _e1106 = ((_e1094.w - _e294) * _e309);
+                        let _e1108 = select(_e1043, _e1028, (_e1028 < _e1043));
+                        let _e1110 = select(_e1044, _e1029, (_e1029 < _e1044));
+                        let _e1112 = select(_e1045, _e1030, (_e1030 < _e1045));
+                        let _e1114 = select(_e1046, _e1031, (_e1031 < _e1046));
+                        let _e1116 = select(_e1073, _e1058, (_e1058 < _e1073));
+                        let _e1118 = select(_e1074, _e1059, (_e1059 < _e1074));
+                        let _e1120 = select(_e1075, _e1060, (_e1060 < _e1075));
+                        let _e1122 = select(_e1076, _e1061, (_e1061 < _e1076));
+                        let _e1124 = select(_e1116, _e1108, (_e1108 > _e1116));
+                        let _e1126 = select(_e1118, _e1110, (_e1110 > _e1118));
+                        let _e1128 = select(_e1120, _e1112, (_e1112 > _e1120));
+                        let _e1130 = select(_e1122, _e1114, (_e1114 > _e1122));
+                        let _e1132 = select(_e1103, _e1088, (_e1088 < _e1103));
+                        let _e1134 = select(_e1104, _e1089, (_e1089 < _e1104));
+                        let _e1136 = select(_e1105, _e1090, (_e1090 < _e1105));
+                        let _e1138 = select(_e1106, _e1091, (_e1091 < _e1106));
+                        let _e1140 = select(_e1132, _e1124, (_e1124 > _e1132));
+                        let _e1142 = select(_e1134, _e1126, (_e1126 > _e1134));
+                        let _e1144 = select(_e1136, _e1128, (_e1128 > _e1136));
+                        let _e1146 = select(_e1138, _e1130, (_e1130 > _e1138));
+                        let _e1148 = select(0f, _e1140, (_e1140 > 0f));
+                        let _e1150 = select(0f, _e1142, (_e1142 > 0f));
+                        let _e1152 = select(0f, _e1144, (_e1144 > 0f));
+                        let _e1154 = select(0f, _e1146, (_e1146 > 0f));
+                        let _e1156 = select(_e1043, _e1028, (_e1028 > _e1043));
+                        let _e1158 = select(_e1044, _e1029, (_e1029 > _e1044));
+                        let _e1160 = select(_e1045, _e1030, (_e1030 > _e1045));
+                        let _e1162 = select(_e1046, _e1031, (_e1031 > _e1046));
+                        let _e1164 = select(_e1073, _e1058, (_e1058 > _e1073));
+                        let _e1166 = select(_e1074, _e1059, (_e1059 > _e1074));
+                        let _e1168 = select(_e1075, _e1060, (_e1060 > _e1075));
+                        let _e1170 = select(_e1076, _e1061, (_e1061 > _e1076));
+                        let _e1172 = select(_e1164, _e1156, (_e1156 < _e1164));
+                        let _e1174 = select(_e1166, _e1158, (_e1158 < _e1166));
+                        let _e1176 = select(_e1168, _e1160, (_e1160 < _e1168));
+                        let _e1178 = select(_e1170, _e1162, (_e1162 < _e1170));
+                        let _e1180 = select(_e1103, _e1088, (_e1088 > _e1103));
+                        let _e1182 = select(_e1104, _e1089, (_e1089 > _e1104));
+                        let _e1184 = select(_e1105, _e1090, (_e1090 > _e1105));
+                        let _e1186 = select(_e1106, _e1091, (_e1091 > _e1106));
+                        let _e1188 = select(_e1180, _e1172, (_e1172 < _e1180));
+                        let _e1190 = select(_e1182, _e1174, (_e1174 < _e1182));
+                        let _e1192 = select(_e1184, _e1176, (_e1176 < _e1184));
+                        let _e1194 = select(_e1186, _e1178, (_e1178 < _e1186));
+                        let _e1204 = select(340282350000000000000000000000000000000f, _e1148, (_e1148 <= select(_e317.member, _e1188, (_e1188 < _e317.member))));
+                        let _e1206 = select(340282350000000000000000000000000000000f, _e1150, (_e1150 <= select(_e317.member, _e1190, (_e1190 < _e317.member))));
+                        let _e1208 = select(340282350000000000000000000000000000000f, _e1152, (_e1152 <= select(_e317.member, _e1192, (_e1192 < _e317.member))));
+                        let _e1210 = select(340282350000000000000000000000000000000f, _e1154, (_e1154 <= select(_e317.member, _e1194, (_e1194 < _e317.member))));
+                        let _e1214 = nodes.member[_e320].member_6[0u];
+                        let _e1218 = nodes.member[_e320].member_6[1u];
+                        let _e1222 = nodes.member[_e320].member_6[2u];
+                        let _e1226 = nodes.member[_e320].member_6[3u];
+                        if (_e1206 < _e1204) {
+                            phi_911_ = type_45(_e1206, _e1218, _e1204, _e1214);
                         } else {
-                            phi_902_ = type_45(_e1124, _e1134, _e1126, _e1138);
+                            phi_911_ = type_45(_e1204, _e1214, _e1206, _e1218);
                         }
-                        let _e1151 = phi_902_;
-                        if (_e1130 < _e1128) {
-                            phi_913_ = type_45(_e1130, _e1146, _e1128, _e1142);
+                        let _e1231 = phi_911_;
+                        if (_e1210 < _e1208) {
+                            phi_922_ = type_45(_e1210, _e1226, _e1208, _e1222);
                         } else {
-                            phi_913_ = type_45(_e1128, _e1142, _e1130, _e1146);
+                            phi_922_ = type_45(_e1208, _e1222, _e1210, _e1226);
                         }
-                        let _e1160 = phi_913_;
-                        if (_e1160.member < _e1151.member) {
-                            phi_924_ = type_45(_e1160.member, _e1160.member_1, _e1151.member, _e1151.member_1);
+                        let _e1240 = phi_922_;
+                        if (_e1240.member < _e1231.member) {
+                            phi_933_ = type_45(_e1240.member, _e1240.member_1, _e1231.member, _e1231.member_1);
                         } else {
-                            phi_924_ = type_45(_e1151.member, _e1151.member_1, _e1160.member, _e1160.member_1);
+                            phi_933_ = type_45(_e1231.member, _e1231.member_1, _e1240.member, _e1240.member_1);
                         }
-                        let _e1169 = phi_924_;
-                        if (_e1160.member_2 < _e1151.member_2) {
-                            phi_935_ = type_45(_e1160.member_2, _e1160.member_3, _e1151.member_2, _e1151.member_3);
+                        let _e1249 = phi_933_;
+                        if (_e1240.member_2 < _e1231.member_2) {
+                            phi_944_ = type_45(_e1240.member_2, _e1240.member_3, _e1231.member_2, _e1231.member_3);
                         } else {
-                            phi_935_ = type_45(_e1151.member_2, _e1151.member_3, _e1160.member_2, _e1160.member_3);
+                            phi_944_ = type_45(_e1231.member_2, _e1231.member_3, _e1240.member_2, _e1240.member_3);
                         }
-                        let _e1178 = phi_935_;
-                        if (_e1169.member_2 < _e1178.member) {
-                            phi_946_ = type_45(_e1169.member_2, _e1169.member_3, _e1178.member, _e1178.member_1);
+                        let _e1258 = phi_944_;
+                        if (_e1249.member_2 < _e1258.member) {
+                            phi_955_ = type_45(_e1249.member_2, _e1249.member_3, _e1258.member, _e1258.member_1);
                         } else {
-                            phi_946_ = type_45(_e1178.member, _e1178.member_1, _e1169.member_2, _e1169.member_3);
+                            phi_955_ = type_45(_e1258.member, _e1258.member_1, _e1249.member_2, _e1249.member_3);
                         }
-                        let _e1187 = phi_946_;
-                        if (_e1178.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1193 = (_e306 < 64u);
-                            if _e1193 {
+                        let _e1267 = phi_955_;
+                        if (_e1258.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1273 = (_e315 < 64u);
+                            if _e1273 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local[_e306] = _e1178.member_3;
-                            if _e1193 {
+                            local[_e315] = _e1258.member_3;
+                            if _e1273 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local_1[_e306] = _e1178.member_2;
-                            phi_968_ = (_e306 + 1u);
+                            local_1[_e315] = _e1258.member_2;
+                            phi_977_ = (_e315 + 1u);
                         } else {
-                            phi_968_ = _e306;
+                            phi_977_ = _e315;
                         }
-                        let _e1198 = phi_968_;
-                        if (_e1187.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1200 = (_e1198 < 64u);
-                            if _e1200 {
+                        let _e1278 = phi_977_;
+                        if (_e1267.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1280 = (_e1278 < 64u);
+                            if _e1280 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local[_e1198] = _e1187.member_3;
-                            if _e1200 {
+                            local[_e1278] = _e1267.member_3;
+                            if _e1280 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local_1[_e1198] = _e1187.member_2;
-                            phi_986_ = (_e1198 + 1u);
+                            local_1[_e1278] = _e1267.member_2;
+                            phi_995_ = (_e1278 + 1u);
                         } else {
-                            phi_986_ = _e1198;
+                            phi_995_ = _e1278;
                         }
-                        let _e1205 = phi_986_;
-                        if (_e1187.member < 340282350000000000000000000000000000000f) {
-                            let _e1207 = (_e1205 < 64u);
-                            if _e1207 {
+                        let _e1285 = phi_995_;
+                        if (_e1267.member < 340282350000000000000000000000000000000f) {
+                            let _e1287 = (_e1285 < 64u);
+                            if _e1287 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local[_e1205] = _e1187.member_1;
-                            if _e1207 {
+                            local[_e1285] = _e1267.member_1;
+                            if _e1287 {
                             } else {
-                                phi_3079_ = true;
-                                phi_2706_ = type_44();
+                                phi_3525_ = true;
+                                phi_3122_ = type_44();
                                 break;
                             }
-                            local_1[_e1205] = _e1187.member;
-                            phi_1004_ = (_e1205 + 1u);
+                            local_1[_e1285] = _e1267.member;
+                            phi_1013_ = (_e1285 + 1u);
                         } else {
-                            phi_1004_ = _e1205;
+                            phi_1013_ = _e1285;
                         }
-                        let _e1212 = phi_1004_;
-                        phi_3015_ = _e302;
-                        phi_1693_ = select(0u, _e1169.member_1, (_e1169.member < 340282350000000000000000000000000000000f));
-                        phi_1694_ = _e1212;
-                        phi_522_ = _e308;
+                        let _e1292 = phi_1013_;
+                        phi_3461_ = _e311;
+                        phi_1849_ = select(0u, _e1249.member_1, (_e1249.member < 340282350000000000000000000000000000000f));
+                        phi_1850_ = _e1292;
+                        phi_531_ = _e317;
                     } else {
-                        phi_1013_ = type_12(_e311, (_e311 + _e309));
-                        phi_1016_ = _e308;
+                        phi_1022_ = type_12(_e320, (_e320 + _e318));
+                        phi_1025_ = _e317;
                         loop {
-                            let _e316 = phi_1013_;
-                            let _e318 = phi_1016_;
-                            local_7 = _e318;
-                            if (_e316.member < _e316.member_1) {
-                                phi_1014_ = type_12((_e316.member + 1u), _e316.member_1);
-                                phi_1039_ = type_12(1u, _e316.member);
+                            let _e325 = phi_1022_;
+                            let _e327 = phi_1025_;
+                            local_7 = _e327;
+                            if (_e325.member < _e325.member_1) {
+                                phi_1023_ = type_12((_e325.member + 1u), _e325.member_1);
+                                phi_1048_ = type_12(1u, _e325.member);
                             } else {
-                                phi_1014_ = _e316;
-                                phi_1039_ = type_12(0u, type_12().member_1);
+                                phi_1023_ = _e325;
+                                phi_1048_ = type_12(0u, type_12().member_1);
                             }
-                            let _e331 = phi_1014_;
-                            let _e333 = phi_1039_;
-                            let _e337 = (bitcast<i32>(_e333.member) != 0i);
-                            if _e337 {
-                                let _e338 = (_e333.member_1 < _e86);
-                                if _e338 {
+                            let _e340 = phi_1023_;
+                            let _e342 = phi_1048_;
+                            let _e346 = (bitcast<i32>(_e342.member) != 0i);
+                            if _e346 {
+                                let _e347 = (_e342.member_1 < _e95);
+                                if _e347 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                if _e220 {
+                                if _e229 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e342 = triangles.member[_e333.member_1].member[_e217];
-                                let _e343 = (_e342 - _e237);
-                                if _e220 {
+                                let _e351 = triangles.member[_e342.member_1].member[_e226];
+                                let _e352 = (_e351 - _e246);
+                                if _e229 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e347 = triangles.member[_e333.member_1].member_2[_e217];
-                                let _e348 = (_e347 - _e237);
-                                if _e220 {
+                                let _e356 = triangles.member[_e342.member_1].member_2[_e226];
+                                let _e357 = (_e356 - _e246);
+                                if _e229 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e352 = triangles.member[_e333.member_1].member_4[_e217];
-                                let _e353 = (_e352 - _e237);
-                                if _e224 {
+                                let _e361 = triangles.member[_e342.member_1].member_4[_e226];
+                                let _e362 = (_e361 - _e246);
+                                if _e233 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e357 = triangles.member[_e333.member_1].member[_e216];
-                                let _e360 = ((_e357 - _e233) - (_e227 * _e343));
-                                if _e228 {
+                                let _e366 = triangles.member[_e342.member_1].member[_e225];
+                                let _e369 = ((_e366 - _e242) - (_e236 * _e352));
+                                if _e237 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e364 = triangles.member[_e333.member_1].member[_e215];
-                                let _e367 = ((_e364 - _e235) - (_e231 * _e343));
-                                if _e224 {
+                                let _e373 = triangles.member[_e342.member_1].member[_e224];
+                                let _e376 = ((_e373 - _e244) - (_e240 * _e352));
+                                if _e233 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e371 = triangles.member[_e333.member_1].member_2[_e216];
-                                let _e374 = ((_e371 - _e233) - (_e227 * _e348));
-                                if _e228 {
+                                let _e380 = triangles.member[_e342.member_1].member_2[_e225];
+                                let _e383 = ((_e380 - _e242) - (_e236 * _e357));
+                                if _e237 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e378 = triangles.member[_e333.member_1].member_2[_e215];
-                                let _e381 = ((_e378 - _e235) - (_e231 * _e348));
-                                if _e224 {
+                                let _e387 = triangles.member[_e342.member_1].member_2[_e224];
+                                let _e390 = ((_e387 - _e244) - (_e240 * _e357));
+                                if _e233 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e385 = triangles.member[_e333.member_1].member_4[_e216];
-                                let _e388 = ((_e385 - _e233) - (_e227 * _e353));
-                                if _e228 {
+                                let _e394 = triangles.member[_e342.member_1].member_4[_e225];
+                                let _e397 = ((_e394 - _e242) - (_e236 * _e362));
+                                if _e237 {
                                 } else {
-                                    phi_2950_ = true;
+                                    phi_3366_ = true;
                                     break;
                                 }
-                                let _e392 = triangles.member[_e333.member_1].member_4[_e215];
-                                let _e395 = ((_e392 - _e235) - (_e231 * _e353));
-                                let _e396 = (_e388 * _e381);
-                                let _e397 = (_e395 * _e374);
-                                if (_e396 != _e397) {
-                                    phi_1155_ = (_e396 - _e397);
+                                let _e401 = triangles.member[_e342.member_1].member_4[_e224];
+                                let _e404 = ((_e401 - _e244) - (_e240 * _e362));
+                                let _e405 = (_e397 * _e390);
+                                let _e406 = (_e404 * _e383);
+                                if (_e405 != _e406) {
+                                    phi_1164_ = (_e405 - _e406);
                                 } else {
-                                    let _e399 = (_e388 * 4097f);
-                                    let _e401 = (_e399 - (_e399 - _e388));
-                                    let _e402 = (_e381 * 4097f);
-                                    let _e404 = (_e402 - (_e402 - _e381));
-                                    let _e405 = (_e388 - _e401);
-                                    let _e406 = (_e381 - _e404);
-                                    let _e415 = (_e395 * 4097f);
-                                    let _e417 = (_e415 - (_e415 - _e395));
-                                    let _e418 = (_e374 * 4097f);
-                                    let _e420 = (_e418 - (_e418 - _e374));
-                                    let _e421 = (_e395 - _e417);
-                                    let _e422 = (_e374 - _e420);
-                                    phi_1155_ = ((((((_e401 * _e404) - _e396) + (_e401 * _e406)) + (_e405 * _e404)) + (_e405 * _e406)) - (((((_e417 * _e420) - _e397) + (_e417 * _e422)) + (_e421 * _e420)) + (_e421 * _e422)));
+                                    let _e408 = (_e397 * 4097f);
+                                    let _e410 = (_e408 - (_e408 - _e397));
+                                    let _e411 = (_e390 * 4097f);
+                                    let _e413 = (_e411 - (_e411 - _e390));
+                                    let _e414 = (_e397 - _e410);
+                                    let _e415 = (_e390 - _e413);
+                                    let _e424 = (_e404 * 4097f);
+                                    let _e426 = (_e424 - (_e424 - _e404));
+                                    let _e427 = (_e383 * 4097f);
+                                    let _e429 = (_e427 - (_e427 - _e383));
+                                    let _e430 = (_e404 - _e426);
+                                    let _e431 = (_e383 - _e429);
+                                    phi_1164_ = ((((((_e410 * _e413) - _e405) + (_e410 * _e415)) + (_e414 * _e413)) + (_e414 * _e415)) - (((((_e426 * _e429) - _e406) + (_e426 * _e431)) + (_e430 * _e429)) + (_e430 * _e431)));
                                 }
-                                let _e434 = phi_1155_;
-                                let _e435 = (_e360 * _e395);
-                                let _e436 = (_e367 * _e388);
-                                if (_e435 != _e436) {
-                                    phi_1166_ = (_e435 - _e436);
+                                let _e443 = phi_1164_;
+                                let _e444 = (_e369 * _e404);
+                                let _e445 = (_e376 * _e397);
+                                if (_e444 != _e445) {
+                                    phi_1175_ = (_e444 - _e445);
                                 } else {
-                                    let _e438 = (_e360 * 4097f);
-                                    let _e440 = (_e438 - (_e438 - _e360));
-                                    let _e441 = (_e395 * 4097f);
-                                    let _e443 = (_e441 - (_e441 - _e395));
-                                    let _e444 = (_e360 - _e440);
-                                    let _e445 = (_e395 - _e443);
-                                    let _e454 = (_e367 * 4097f);
-                                    let _e456 = (_e454 - (_e454 - _e367));
-                                    let _e457 = (_e388 * 4097f);
-                                    let _e459 = (_e457 - (_e457 - _e388));
-                                    let _e460 = (_e367 - _e456);
-                                    let _e461 = (_e388 - _e459);
-                                    phi_1166_ = ((((((_e440 * _e443) - _e435) + (_e440 * _e445)) + (_e444 * _e443)) + (_e444 * _e445)) - (((((_e456 * _e459) - _e436) + (_e456 * _e461)) + (_e460 * _e459)) + (_e460 * _e461)));
+                                    let _e447 = (_e369 * 4097f);
+                                    let _e449 = (_e447 - (_e447 - _e369));
+                                    let _e450 = (_e404 * 4097f);
+                                    let _e452 = (_e450 - (_e450 - _e404));
+                                    let _e453 = (_e369 - _e449);
+                                    let _e454 = (_e404 - _e452);
+                                    let _e463 = (_e376 * 4097f);
+                                    let _e465 = (_e463 - (_e463 - _e376));
+                                    let _e466 = (_e397 * 4097f);
+                                    let _e468 = (_e466 - (_e466 - _e397));
+                                    let _e469 = (_e376 - _e465);
+                                    let _e470 = (_e397 - _e468);
+                                    phi_1175_ = ((((((_e449 * _e452) - _e444) + (_e449 * _e454)) + (_e453 * _e452)) + (_e453 * _e454)) - (((((_e465 * _e468) - _e445) + (_e465 * _e470)) + (_e469 * _e468)) + (_e469 * _e470)));
                                 }
-                                let _e473 = phi_1166_;
-                                let _e474 = (_e374 * _e367);
-                                let _e475 = (_e381 * _e360);
-                                if (_e474 != _e475) {
-                                    phi_1177_ = (_e474 - _e475);
+                                let _e482 = phi_1175_;
+                                let _e483 = (_e383 * _e376);
+                                let _e484 = (_e390 * _e369);
+                                if (_e483 != _e484) {
+                                    phi_1186_ = (_e483 - _e484);
                                 } else {
-                                    let _e477 = (_e374 * 4097f);
-                                    let _e479 = (_e477 - (_e477 - _e374));
-                                    let _e480 = (_e367 * 4097f);
-                                    let _e482 = (_e480 - (_e480 - _e367));
-                                    let _e483 = (_e374 - _e479);
-                                    let _e484 = (_e367 - _e482);
-                                    let _e493 = (_e381 * 4097f);
-                                    let _e495 = (_e493 - (_e493 - _e381));
-                                    let _e496 = (_e360 * 4097f);
-                                    let _e498 = (_e496 - (_e496 - _e360));
-                                    let _e499 = (_e381 - _e495);
-                                    let _e500 = (_e360 - _e498);
-                                    phi_1177_ = ((((((_e479 * _e482) - _e474) + (_e479 * _e484)) + (_e483 * _e482)) + (_e483 * _e484)) - (((((_e495 * _e498) - _e475) + (_e495 * _e500)) + (_e499 * _e498)) + (_e499 * _e500)));
+                                    let _e486 = (_e383 * 4097f);
+                                    let _e488 = (_e486 - (_e486 - _e383));
+                                    let _e489 = (_e376 * 4097f);
+                                    let _e491 = (_e489 - (_e489 - _e376));
+                                    let _e492 = (_e383 - _e488);
+                                    let _e493 = (_e376 - _e491);
+                                    let _e502 = (_e390 * 4097f);
+                                    let _e504 = (_e502 - (_e502 - _e390));
+                                    let _e505 = (_e369 * 4097f);
+                                    let _e507 = (_e505 - (_e505 - _e369));
+                                    let _e508 = (_e390 - _e504);
+                                    let _e509 = (_e369 - _e507);
+                                    phi_1186_ = ((((((_e488 * _e491) - _e483) + (_e488 * _e493)) + (_e492 * _e491)) + (_e492 * _e493)) - (((((_e504 * _e507) - _e484) + (_e504 * _e509)) + (_e508 * _e507)) + (_e508 * _e509)));
                                 }
-                                let _e512 = phi_1177_;
-                                if (_e434 < 0f) {
-                                    phi_1195_ = f32();
-                                    phi_1196_ = true;
+                                let _e521 = phi_1186_;
+                                if (_e443 < 0f) {
+                                    phi_1204_ = f32();
+                                    phi_1205_ = true;
                                 } else {
-                                    if (_e473 < 0f) {
-                                        phi_1193_ = f32();
-                                        phi_1194_ = true;
+                                    if (_e482 < 0f) {
+                                        phi_1202_ = f32();
+                                        phi_1203_ = true;
                                     } else {
-                                        let _e515 = (_e512 < 0f);
-                                        if _e515 {
-                                            phi_1192_ = f32();
+                                        let _e524 = (_e521 < 0f);
+                                        if _e524 {
+                                            phi_1201_ = f32();
                                         } else {
-                                            phi_1192_ = ((_e434 + _e473) + _e512);
+                                            phi_1201_ = ((_e443 + _e482) + _e521);
                                         }
-                                        let _e519 = phi_1192_;
-                                        phi_1193_ = _e519;
-                                        phi_1194_ = _e515;
+                                        let _e528 = phi_1201_;
+                                        phi_1202_ = _e528;
+                                        phi_1203_ = _e524;
                                     }
-                                    let _e521 = phi_1193_;
-                                    let _e523 = phi_1194_;
-                                    phi_1195_ = _e521;
-                                    phi_1196_ = _e523;
+                                    let _e530 = phi_1202_;
+                                    let _e532 = phi_1203_;
+                                    phi_1204_ = _e530;
+                                    phi_1205_ = _e532;
                                 }
-                                let _e525 = phi_1195_;
-                                let _e527 = phi_1196_;
-                                if _e527 {
-                                    if (_e434 > 0f) {
-                                        phi_1217_ = f32();
-                                        phi_1218_ = true;
-                                        phi_1219_ = false;
+                                let _e534 = phi_1204_;
+                                let _e536 = phi_1205_;
+                                if _e536 {
+                                    if (_e443 > 0f) {
+                                        phi_1226_ = f32();
+                                        phi_1227_ = true;
+                                        phi_1228_ = false;
                                     } else {
-                                        let _e529 = (_e473 > 0f);
-                                        if _e529 {
-                                            phi_1215_ = f32();
-                                            phi_1216_ = false;
+                                        let _e538 = (_e482 > 0f);
+                                        if _e538 {
+                                            phi_1224_ = f32();
+                                            phi_1225_ = false;
                                         } else {
-                                            phi_1215_ = ((_e434 + _e473) + _e512);
-                                            phi_1216_ = select(true, false, (_e512 > 0f));
+                                            phi_1224_ = ((_e443 + _e482) + _e521);
+                                            phi_1225_ = select(true, false, (_e521 > 0f));
                                         }
-                                        let _e535 = phi_1215_;
-                                        let _e537 = phi_1216_;
-                                        phi_1217_ = _e535;
-                                        phi_1218_ = _e529;
-                                        phi_1219_ = _e537;
+                                        let _e544 = phi_1224_;
+                                        let _e546 = phi_1225_;
+                                        phi_1226_ = _e544;
+                                        phi_1227_ = _e538;
+                                        phi_1228_ = _e546;
                                     }
-                                    let _e539 = phi_1217_;
-                                    let _e541 = phi_1218_;
-                                    let _e543 = phi_1219_;
-                                    phi_1224_ = _e539;
-                                    phi_1225_ = select(_e543, false, _e541);
+                                    let _e548 = phi_1226_;
+                                    let _e550 = phi_1227_;
+                                    let _e552 = phi_1228_;
+                                    phi_1233_ = _e548;
+                                    phi_1234_ = select(_e552, false, _e550);
                                 } else {
-                                    phi_1224_ = _e525;
-                                    phi_1225_ = true;
+                                    phi_1233_ = _e534;
+                                    phi_1234_ = true;
                                 }
-                                let _e546 = phi_1224_;
-                                let _e548 = phi_1225_;
-                                if _e548 {
-                                    let _e549 = (_e546 == 0f);
-                                    if _e549 {
-                                        phi_1313_ = array<f32, 3>();
-                                        phi_1314_ = array<f32, 3>();
-                                        phi_1315_ = false;
+                                let _e555 = phi_1233_;
+                                let _e557 = phi_1234_;
+                                if _e557 {
+                                    let _e558 = (_e555 == 0f);
+                                    if _e558 {
+                                        phi_1322_ = array<f32, 3>();
+                                        phi_1323_ = array<f32, 3>();
+                                        phi_1324_ = false;
                                     } else {
-                                        let _e550 = (_e343 * _e223);
-                                        let _e551 = (_e348 * _e223);
-                                        let _e552 = (_e353 * _e223);
-                                        let _e555 = (1f / ((_e434 + _e473) + _e512));
-                                        let _e556 = (_e473 * _e555);
-                                        let _e557 = (_e512 * _e555);
-                                        let _e563 = ((((_e434 * _e555) * _e550) + (_e556 * _e551)) + (_e557 * _e552));
-                                        let _e564 = abs(_e360);
-                                        let _e565 = abs(_e374);
-                                        let _e567 = select(_e565, _e564, (_e564 > _e565));
-                                        let _e568 = abs(_e388);
-                                        let _e571 = abs(_e367);
-                                        let _e572 = abs(_e381);
-                                        let _e574 = select(_e572, _e571, (_e571 > _e572));
-                                        let _e575 = abs(_e395);
-                                        let _e579 = abs(_e550);
-                                        let _e580 = abs(_e551);
-                                        let _e582 = select(_e580, _e579, (_e579 > _e580));
-                                        let _e583 = abs(_e552);
-                                        let _e590 = (((select(_e568, _e567, (_e567 > _e568)) * select(_e575, _e574, (_e574 > _e575))) * select(_e583, _e582, (_e582 > _e583))) <= (abs((_e546 * _e563)) * 256f));
-                                        if _e590 {
-                                            phi_1311_ = array<f32, 3>(_e563, _e556, _e557);
-                                            phi_1312_ = array<f32, 3>();
+                                        let _e559 = (_e352 * _e232);
+                                        let _e560 = (_e357 * _e232);
+                                        let _e561 = (_e362 * _e232);
+                                        let _e564 = (1f / ((_e443 + _e482) + _e521));
+                                        let _e565 = (_e482 * _e564);
+                                        let _e566 = (_e521 * _e564);
+                                        let _e572 = ((((_e443 * _e564) * _e559) + (_e565 * _e560)) + (_e566 * _e561));
+                                        let _e573 = abs(_e369);
+                                        let _e574 = abs(_e383);
+                                        let _e576 = select(_e574, _e573, (_e573 > _e574));
+                                        let _e577 = abs(_e397);
+                                        let _e580 = abs(_e376);
+                                        let _e581 = abs(_e390);
+                                        let _e583 = select(_e581, _e580, (_e580 > _e581));
+                                        let _e584 = abs(_e404);
+                                        let _e588 = abs(_e559);
+                                        let _e589 = abs(_e560);
+                                        let _e591 = select(_e589, _e588, (_e588 > _e589));
+                                        let _e592 = abs(_e561);
+                                        let _e599 = (((select(_e577, _e576, (_e576 > _e577)) * select(_e584, _e583, (_e583 > _e584))) * select(_e592, _e591, (_e591 > _e592))) <= (abs((_e555 * _e572)) * 256f));
+                                        if _e599 {
+                                            phi_1320_ = array<f32, 3>(_e572, _e565, _e566);
+                                            phi_1321_ = array<f32, 3>();
                                         } else {
-                                            let _e592 = (_e388 * 4097f);
-                                            let _e594 = (_e592 - (_e592 - _e388));
-                                            let _e595 = (_e381 * 4097f);
-                                            let _e597 = (_e595 - (_e595 - _e381));
-                                            let _e598 = (_e388 - _e594);
-                                            let _e599 = (_e381 - _e597);
-                                            let _e608 = (_e395 * 4097f);
-                                            let _e610 = (_e608 - (_e608 - _e395));
-                                            let _e611 = (_e374 * 4097f);
-                                            let _e613 = (_e611 - (_e611 - _e374));
-                                            let _e614 = (_e395 - _e610);
-                                            let _e615 = (_e374 - _e613);
-                                            let _e625 = ((_e396 - _e397) + ((((((_e594 * _e597) - _e396) + (_e594 * _e599)) + (_e598 * _e597)) + (_e598 * _e599)) - (((((_e610 * _e613) - _e397) + (_e610 * _e615)) + (_e614 * _e613)) + (_e614 * _e615))));
-                                            let _e627 = (_e360 * 4097f);
-                                            let _e629 = (_e627 - (_e627 - _e360));
-                                            let _e630 = (_e360 - _e629);
-                                            let _e639 = (_e367 * 4097f);
-                                            let _e641 = (_e639 - (_e639 - _e367));
-                                            let _e642 = (_e367 - _e641);
-                                            let _e652 = ((_e435 - _e436) + ((((((_e629 * _e610) - _e435) + (_e629 * _e614)) + (_e630 * _e610)) + (_e630 * _e614)) - (((((_e641 * _e594) - _e436) + (_e641 * _e598)) + (_e642 * _e594)) + (_e642 * _e598))));
-                                            let _e671 = ((_e474 - _e475) + ((((((_e613 * _e641) - _e474) + (_e613 * _e642)) + (_e615 * _e641)) + (_e615 * _e642)) - (((((_e597 * _e629) - _e475) + (_e597 * _e630)) + (_e599 * _e629)) + (_e599 * _e630))));
-                                            let _e674 = (1f / ((_e625 + _e652) + _e671));
-                                            let _e675 = (_e652 * _e674);
-                                            let _e676 = (_e671 * _e674);
-                                            phi_1311_ = array<f32, 3>();
-                                            phi_1312_ = array<f32, 3>(((((_e625 * _e674) * _e550) + (_e675 * _e551)) + (_e676 * _e552)), _e675, _e676);
+                                            let _e601 = (_e397 * 4097f);
+                                            let _e603 = (_e601 - (_e601 - _e397));
+                                            let _e604 = (_e390 * 4097f);
+                                            let _e606 = (_e604 - (_e604 - _e390));
+                                            let _e607 = (_e397 - _e603);
+                                            let _e608 = (_e390 - _e606);
+                                            let _e617 = (_e404 * 4097f);
+                                            let _e619 = (_e617 - (_e617 - _e404));
+                                            let _e620 = (_e383 * 4097f);
+                                            let _e622 = (_e620 - (_e620 - _e383));
+                                            let _e623 = (_e404 - _e619);
+                                            let _e624 = (_e383 - _e622);
+                                            let _e634 = ((_e405 - _e406) + ((((((_e603 * _e606) - _e405) + (_e603 * _e608)) + (_e607 * _e606)) + (_e607 * _e608)) - (((((_e619 * _e622) - _e406) + (_e619 * _e624)) + (_e623 * _e622)) + (_e623 * _e624))));
+                                            let _e636 = (_e369 * 4097f);
+                                            let _e638 = (_e636 - (_e636 - _e369));
+                                            let _e639 = (_e369 - _e638);
+                                            let _e648 = (_e376 * 4097f);
+                                            let _e650 = (_e648 - (_e648 - _e376));
+                                            let _e651 = (_e376 - _e650);
+                                            let _e661 = ((_e444 - _e445) + ((((((_e638 * _e619) - _e444) + (_e638 * _e623)) + (_e639 * _e619)) + (_e639 * _e623)) - (((((_e650 * _e603) - _e445) + (_e650 * _e607)) + (_e651 * _e603)) + (_e651 * _e607))));
+                                            let _e680 = ((_e483 - _e484) + ((((((_e622 * _e650) - _e483) + (_e622 * _e651)) + (_e624 * _e650)) + (_e624 * _e651)) - (((((_e606 * _e638) - _e484) + (_e606 * _e639)) + (_e608 * _e638)) + (_e608 * _e639))));
+                                            let _e683 = (1f / ((_e634 + _e661) + _e680));
+                                            let _e684 = (_e661 * _e683);
+                                            let _e685 = (_e680 * _e683);
+                                            phi_1320_ = array<f32, 3>();
+                                            phi_1321_ = array<f32, 3>(((((_e634 * _e683) * _e559) + (_e684 * _e560)) + (_e685 * _e561)), _e684, _e685);
                                         }
-                                        let _e686 = phi_1311_;
-                                        let _e688 = phi_1312_;
-                                        phi_1313_ = _e686;
-                                        phi_1314_ = _e688;
-                                        phi_1315_ = _e590;
+                                        let _e695 = phi_1320_;
+                                        let _e697 = phi_1321_;
+                                        phi_1322_ = _e695;
+                                        phi_1323_ = _e697;
+                                        phi_1324_ = _e599;
                                     }
-                                    let _e690 = phi_1313_;
-                                    let _e692 = phi_1314_;
-                                    let _e694 = phi_1315_;
-                                    phi_1316_ = _e690;
-                                    phi_1317_ = _e692;
-                                    phi_1318_ = _e549;
-                                    phi_1319_ = _e694;
+                                    let _e699 = phi_1322_;
+                                    let _e701 = phi_1323_;
+                                    let _e703 = phi_1324_;
+                                    phi_1325_ = _e699;
+                                    phi_1326_ = _e701;
+                                    phi_1327_ = _e558;
+                                    phi_1328_ = _e703;
                                 } else {
-                                    phi_1316_ = array<f32, 3>();
-                                    phi_1317_ = array<f32, 3>();
-                                    phi_1318_ = true;
-                                    phi_1319_ = false;
+                                    phi_1325_ = array<f32, 3>();
+                                    phi_1326_ = array<f32, 3>();
+                                    phi_1327_ = true;
+                                    phi_1328_ = false;
                                 }
-                                let _e696 = phi_1316_;
-                                let _e698 = phi_1317_;
-                                let _e700 = phi_1318_;
-                                let _e702 = phi_1319_;
-                                if _e700 {
-                                    phi_1324_ = array<f32, 3>(-1f, 0f, 0f);
+                                let _e705 = phi_1325_;
+                                let _e707 = phi_1326_;
+                                let _e709 = phi_1327_;
+                                let _e711 = phi_1328_;
+                                if _e709 {
+                                    phi_1333_ = array<f32, 3>(-1f, 0f, 0f);
                                 } else {
-                                    phi_1324_ = _e696;
+                                    phi_1333_ = _e705;
                                 }
-                                let _e704 = phi_1324_;
-                                if select(_e702, true, _e700) {
-                                    phi_1329_ = _e704;
+                                let _e713 = phi_1333_;
+                                if select(_e711, true, _e709) {
+                                    phi_1338_ = _e713;
                                 } else {
-                                    phi_1329_ = _e698;
+                                    phi_1338_ = _e707;
                                 }
-                                let _e707 = phi_1329_;
-                                let _e711 = (_e707[0] >= 0f);
-                                if _e711 {
-                                    let _e713 = (_e707[0] < _e318.member);
-                                    if _e713 {
-                                        if _e711 {
-                                            if _e338 {
+                                let _e716 = phi_1338_;
+                                let _e720 = (_e716[0] >= 0f);
+                                if _e720 {
+                                    let _e722 = (_e716[0] < _e327.member);
+                                    if _e722 {
+                                        if _e720 {
+                                            if _e347 {
                                             } else {
-                                                phi_2950_ = true;
+                                                phi_3366_ = true;
                                                 break;
                                             }
-                                            let _e716 = triangles.member[_e333.member_1].member_3;
-                                            if ((_e716 & 1u) == 0u) {
-                                                phi_1662_ = true;
+                                            let _e725 = triangles.member[_e342.member_1].member_3;
+                                            if ((_e725 & 1u) == 0u) {
+                                                phi_1818_ = true;
                                             } else {
-                                                if _e338 {
+                                                if _e347 {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                let _e721 = triangles.member[_e333.member_1].member_1;
-                                                let _e722 = (_e721 * 12u);
-                                                if ((256u + _e722) < _e92) {
+                                                let _e730 = triangles.member[_e342.member_1].member_1;
+                                                let _e731 = (_e730 * 12u);
+                                                if ((256u + _e731) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if ((_e722 + 257u) < _e92) {
+                                                if ((_e731 + 257u) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if ((_e722 + 258u) < _e92) {
+                                                if ((_e731 + 258u) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                let _e729 = (_e722 + 259u);
-                                                if (_e729 < _e92) {
+                                                let _e738 = (_e731 + 259u);
+                                                if (_e738 < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                let _e732 = surfaces.member[_e729];
-                                                if ((_e722 + 260u) < _e92) {
+                                                let _e741 = surfaces.member[_e738];
+                                                if ((_e731 + 260u) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if ((_e722 + 261u) < _e92) {
+                                                if ((_e731 + 261u) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if ((_e722 + 262u) < _e92) {
+                                                if ((_e731 + 262u) < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                let _e739 = (_e722 + 263u);
-                                                if (_e739 < _e92) {
+                                                let _e748 = (_e731 + 263u);
+                                                if (_e748 < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
-                                                    break;
-                                                }
-                                                let _e742 = surfaces.member[_e739];
-                                                let _e743 = (_e722 + 264u);
-                                                if (_e743 < _e92) {
-                                                } else {
-                                                    phi_2950_ = true;
-                                                    break;
-                                                }
-                                                let _e746 = surfaces.member[_e743];
-                                                let _e747 = bitcast<f32>(_e746);
-                                                let _e748 = (_e722 + 265u);
-                                                if (_e748 < _e92) {
-                                                } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
                                                 let _e751 = surfaces.member[_e748];
-                                                let _e752 = bitcast<f32>(_e751);
-                                                if ((_e722 + 266u) < _e92) {
+                                                let _e752 = (_e731 + 264u);
+                                                if (_e752 < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if ((_e722 + 267u) < _e92) {
+                                                let _e755 = surfaces.member[_e752];
+                                                let _e756 = bitcast<f32>(_e755);
+                                                let _e757 = (_e731 + 265u);
+                                                if (_e757 < _e101) {
                                                 } else {
-                                                    phi_2950_ = true;
+                                                    phi_3366_ = true;
                                                     break;
                                                 }
-                                                if (_e732 == 4294967295u) {
-                                                    phi_1657_ = (_e747 < _e752);
+                                                let _e760 = surfaces.member[_e757];
+                                                let _e761 = bitcast<f32>(_e760);
+                                                if ((_e731 + 266u) < _e101) {
                                                 } else {
-                                                    if (_e333.member_1 < _e89) {
-                                                    } else {
-                                                        phi_2950_ = true;
-                                                        break;
-                                                    }
-                                                    let _e760 = ((1f - _e707[1]) - _e707[2]);
-                                                    let _e764 = attributes.member[_e333.member_1].member[0u];
-                                                    let _e769 = attributes.member[_e333.member_1].member[2u];
-                                                    let _e775 = attributes.member[_e333.member_1].member[4u];
-                                                    let _e777 = (((_e764 * _e760) + (_e769 * _e707[1])) + (_e775 * _e707[2]));
-                                                    let _e781 = attributes.member[_e333.member_1].member[1u];
-                                                    let _e786 = attributes.member[_e333.member_1].member[3u];
-                                                    let _e792 = attributes.member[_e333.member_1].member[5u];
-                                                    let _e794 = (((_e781 * _e760) + (_e786 * _e707[1])) + (_e792 * _e707[2]));
-                                                    let _e795 = (_e742 & 65535u);
-                                                    let _e797 = (_e742 >> bitcast<u32>(16i));
-                                                    let _e799 = (_e777 - floor(_e777));
-                                                    let _e804 = ((select(0f, _e799, (_e799 <= 1f)) * f32(_e795)) - 0.5f);
-                                                    let _e805 = floor(_e804);
-                                                    let _e806 = (_e804 - _e805);
-                                                    let _e807 = (_e795 - 1u);
-                                                    if (_e805 < 0f) {
-                                                        phi_1540_ = _e807;
-                                                    } else {
-                                                        let _e813 = select(select(u32(_e805), 0u, (_e805 < 0f)), 4294967295u, (_e805 > 4294967000f));
-                                                        phi_1540_ = select(_e813, _e807, (_e807 < _e813));
-                                                    }
-                                                    let _e817 = phi_1540_;
-                                                    if (_e817 == _e807) {
-                                                        phi_1546_ = 0u;
-                                                    } else {
-                                                        phi_1546_ = (_e817 + 1u);
-                                                    }
-                                                    let _e821 = phi_1546_;
-                                                    let _e823 = (_e794 - floor(_e794));
-                                                    let _e828 = ((select(0f, _e823, (_e823 <= 1f)) * f32(_e797)) - 0.5f);
-                                                    let _e829 = floor(_e828);
-                                                    let _e830 = (_e828 - _e829);
-                                                    let _e831 = (_e797 - 1u);
-                                                    if (_e829 < 0f) {
-                                                        phi_1576_ = _e831;
-                                                    } else {
-                                                        let _e837 = select(select(u32(_e829), 0u, (_e829 < 0f)), 4294967295u, (_e829 > 4294967000f));
-                                                        phi_1576_ = select(_e837, _e831, (_e831 < _e837));
-                                                    }
-                                                    let _e841 = phi_1576_;
-                                                    if (_e841 == _e831) {
-                                                        phi_1582_ = 0u;
-                                                    } else {
-                                                        phi_1582_ = (_e841 + 1u);
-                                                    }
-                                                    let _e845 = phi_1582_;
-                                                    let _e847 = (_e732 + (_e841 * _e795));
-                                                    let _e849 = (_e732 + (_e845 * _e795));
-                                                    let _e850 = (_e847 + _e817);
-                                                    let _e851 = (_e847 + _e821);
-                                                    let _e852 = (_e849 + _e817);
-                                                    let _e853 = (_e849 + _e821);
-                                                    if (_e850 < _e92) {
-                                                    } else {
-                                                        phi_2950_ = true;
-                                                        break;
-                                                    }
-                                                    let _e856 = surfaces.member[_e850];
-                                                    if (_e851 < _e92) {
-                                                    } else {
-                                                        phi_2950_ = true;
-                                                        break;
-                                                    }
-                                                    let _e859 = surfaces.member[_e851];
-                                                    if (_e852 < _e92) {
-                                                    } else {
-                                                        phi_2950_ = true;
-                                                        break;
-                                                    }
-                                                    let _e862 = surfaces.member[_e852];
-                                                    if (_e853 < _e92) {
-                                                    } else {
-                                                        phi_2950_ = true;
-                                                        break;
-                                                    }
-                                                    let _e865 = surfaces.member[_e853];
-                                                    let _e882 = (1f - _e806);
-                                                    phi_1657_ = ((_e747 * (((((f32((_e856 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e859 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * (1f - _e830)) + ((((f32((_e862 >> bitcast<u32>(24i))) * 0.003921569f) * _e882) + ((f32((_e865 >> bitcast<u32>(24i))) * 0.003921569f) * _e806)) * _e830))) < _e752);
+                                                    phi_3366_ = true;
+                                                    break;
                                                 }
-                                                let _e897 = phi_1657_;
-                                                phi_1662_ = select(true, false, _e897);
+                                                if ((_e731 + 267u) < _e101) {
+                                                } else {
+                                                    phi_3366_ = true;
+                                                    break;
+                                                }
+                                                if (_e741 == 4294967295u) {
+                                                    phi_1813_ = (_e756 < _e761);
+                                                } else {
+                                                    if (_e342.member_1 < _e98) {
+                                                    } else {
+                                                        phi_3366_ = true;
+                                                        break;
+                                                    }
+                                                    let _e769 = ((1f - _e716[1]) - _e716[2]);
+                                                    let _e773 = attributes.member[_e342.member_1].member[0u];
+                                                    let _e778 = attributes.member[_e342.member_1].member[2u];
+                                                    let _e784 = attributes.member[_e342.member_1].member[4u];
+                                                    let _e786 = (((_e773 * _e769) + (_e778 * _e716[1])) + (_e784 * _e716[2]));
+                                                    let _e790 = attributes.member[_e342.member_1].member[1u];
+                                                    let _e795 = attributes.member[_e342.member_1].member[3u];
+                                                    let _e801 = attributes.member[_e342.member_1].member[5u];
+                                                    let _e803 = (((_e790 * _e769) + (_e795 * _e716[1])) + (_e801 * _e716[2]));
+                                                    let _e804 = (_e751 & 65535u);
+                                                    let _e806 = (_e751 >> bitcast<u32>(16i));
+                                                    let _e809 = ((_e741 >> bitcast<u32>(28u)) & 3u);
+                                                    let _e810 = (_e804 - 1u);
+                                                    let _e812 = select(1f, 2f, (_e809 == 2u));
+                                                    let _e816 = (_e786 - (floor((_e786 / _e812)) * _e812));
+                                                    if (_e816 > 1f) {
+                                                        phi_1537_ = (_e812 - _e816);
+                                                    } else {
+                                                        phi_1537_ = _e816;
+                                                    }
+                                                    let _e820 = phi_1537_;
+                                                    if (_e809 == 1u) {
+                                                        let _e823 = select(0f, _e786, (_e786 > 0f));
+                                                        phi_1552_ = select(1f, _e823, (_e823 < 1f));
+                                                    } else {
+                                                        phi_1552_ = _e820;
+                                                    }
+                                                    let _e827 = phi_1552_;
+                                                    if (_e827 >= 0f) {
+                                                        phi_1562_ = select(true, false, (_e827 <= 1f));
+                                                    } else {
+                                                        phi_1562_ = true;
+                                                    }
+                                                    let _e832 = phi_1562_;
+                                                    let _e836 = ((select(_e827, 0f, _e832) * f32(_e804)) - 0.5f);
+                                                    let _e837 = floor(_e836);
+                                                    let _e838 = (_e837 < 0f);
+                                                    if _e838 {
+                                                        phi_1587_ = 0u;
+                                                    } else {
+                                                        let _e843 = select(select(u32(_e837), 0u, (_e837 < 0f)), 4294967295u, (_e837 > 4294967000f));
+                                                        phi_1587_ = select(_e843, _e810, (_e810 < _e843));
+                                                    }
+                                                    let _e847 = phi_1587_;
+                                                    if _e838 {
+                                                        phi_1597_ = 0u;
+                                                    } else {
+                                                        let _e848 = (_e847 + 1u);
+                                                        phi_1597_ = select(_e848, _e810, (_e810 < _e848));
+                                                    }
+                                                    let _e852 = phi_1597_;
+                                                    let _e853 = (_e809 == 0u);
+                                                    if _e853 {
+                                                        phi_1606_ = select(true, false, _e838);
+                                                    } else {
+                                                        phi_1606_ = true;
+                                                    }
+                                                    let _e856 = phi_1606_;
+                                                    let _e857 = select(_e810, _e847, _e856);
+                                                    if _e853 {
+                                                        if _e838 {
+                                                            phi_1622_ = true;
+                                                        } else {
+                                                            phi_1622_ = select(true, false, (_e857 == _e810));
+                                                        }
+                                                        let _e861 = phi_1622_;
+                                                        phi_1623_ = _e861;
+                                                    } else {
+                                                        phi_1623_ = true;
+                                                    }
+                                                    let _e863 = phi_1623_;
+                                                    let _e864 = select(0u, _e852, _e863);
+                                                    let _e865 = (_e836 - _e837);
+                                                    let _e868 = ((_e741 >> bitcast<u32>(30u)) & 3u);
+                                                    let _e869 = (_e806 - 1u);
+                                                    let _e871 = select(1f, 2f, (_e868 == 2u));
+                                                    let _e875 = (_e803 - (floor((_e803 / _e871)) * _e871));
+                                                    if (_e875 > 1f) {
+                                                        phi_1646_ = (_e871 - _e875);
+                                                    } else {
+                                                        phi_1646_ = _e875;
+                                                    }
+                                                    let _e879 = phi_1646_;
+                                                    if (_e868 == 1u) {
+                                                        let _e882 = select(0f, _e803, (_e803 > 0f));
+                                                        phi_1661_ = select(1f, _e882, (_e882 < 1f));
+                                                    } else {
+                                                        phi_1661_ = _e879;
+                                                    }
+                                                    let _e886 = phi_1661_;
+                                                    if (_e886 >= 0f) {
+                                                        phi_1671_ = select(true, false, (_e886 <= 1f));
+                                                    } else {
+                                                        phi_1671_ = true;
+                                                    }
+                                                    let _e891 = phi_1671_;
+                                                    let _e895 = ((select(_e886, 0f, _e891) * f32(_e806)) - 0.5f);
+                                                    let _e896 = floor(_e895);
+                                                    let _e897 = (_e896 < 0f);
+                                                    if _e897 {
+                                                        phi_1696_ = 0u;
+                                                    } else {
+                                                        let _e902 = select(select(u32(_e896), 0u, (_e896 < 0f)), 4294967295u, (_e896 > 4294967000f));
+                                                        phi_1696_ = select(_e902, _e869, (_e869 < _e902));
+                                                    }
+                                                    let _e906 = phi_1696_;
+                                                    if _e897 {
+                                                        phi_1706_ = 0u;
+                                                    } else {
+                                                        let _e907 = (_e906 + 1u);
+                                                        phi_1706_ = select(_e907, _e869, (_e869 < _e907));
+                                                    }
+                                                    let _e911 = phi_1706_;
+                                                    let _e912 = (_e868 == 0u);
+                                                    if _e912 {
+                                                        phi_1715_ = select(true, false, _e897);
+                                                    } else {
+                                                        phi_1715_ = true;
+                                                    }
+                                                    let _e915 = phi_1715_;
+                                                    let _e916 = select(_e869, _e906, _e915);
+                                                    if _e912 {
+                                                        if _e897 {
+                                                            phi_1731_ = true;
+                                                        } else {
+                                                            phi_1731_ = select(true, false, (_e916 == _e869));
+                                                        }
+                                                        let _e920 = phi_1731_;
+                                                        phi_1732_ = _e920;
+                                                    } else {
+                                                        phi_1732_ = true;
+                                                    }
+                                                    let _e922 = phi_1732_;
+                                                    let _e924 = (_e895 - _e896);
+                                                    let _e925 = (_e741 & 268435455u);
+                                                    let _e927 = (_e925 + (_e916 * _e804));
+                                                    let _e929 = (_e925 + (select(0u, _e911, _e922) * _e804));
+                                                    let _e930 = (_e927 + _e857);
+                                                    let _e931 = (_e927 + _e864);
+                                                    let _e932 = (_e929 + _e857);
+                                                    let _e933 = (_e929 + _e864);
+                                                    if (_e930 < _e101) {
+                                                    } else {
+                                                        phi_3366_ = true;
+                                                        break;
+                                                    }
+                                                    let _e936 = surfaces.member[_e930];
+                                                    if (_e931 < _e101) {
+                                                    } else {
+                                                        phi_3366_ = true;
+                                                        break;
+                                                    }
+                                                    let _e939 = surfaces.member[_e931];
+                                                    if (_e932 < _e101) {
+                                                    } else {
+                                                        phi_3366_ = true;
+                                                        break;
+                                                    }
+                                                    let _e942 = surfaces.member[_e932];
+                                                    if (_e933 < _e101) {
+                                                    } else {
+                                                        phi_3366_ = true;
+                                                        break;
+                                                    }
+                                                    let _e945 = surfaces.member[_e933];
+                                                    let _e962 = (1f - _e865);
+                                                    phi_1813_ = ((_e756 * (((((f32((_e936 >> bitcast<u32>(24i))) * 0.003921569f) * _e962) + ((f32((_e939 >> bitcast<u32>(24i))) * 0.003921569f) * _e865)) * (1f - _e924)) + ((((f32((_e942 >> bitcast<u32>(24i))) * 0.003921569f) * _e962) + ((f32((_e945 >> bitcast<u32>(24i))) * 0.003921569f) * _e865)) * _e924))) < _e761);
+                                                }
+                                                let _e977 = phi_1813_;
+                                                phi_1818_ = select(true, false, _e977);
                                             }
-                                            let _e900 = phi_1662_;
-                                            if _e900 {
-                                                phi_1667_ = type_44(_e707[0], _e333.member_1, _e707[1], _e707[2]);
+                                            let _e980 = phi_1818_;
+                                            if _e980 {
+                                                phi_1823_ = type_44(_e716[0], _e342.member_1, _e716[1], _e716[2]);
                                             } else {
-                                                phi_1667_ = type_44();
+                                                phi_1823_ = type_44();
                                             }
-                                            let _e903 = phi_1667_;
-                                            phi_1669_ = _e903;
-                                            phi_1671_ = select(true, false, _e900);
+                                            let _e983 = phi_1823_;
+                                            phi_1825_ = _e983;
+                                            phi_1827_ = select(true, false, _e980);
                                         } else {
-                                            phi_1669_ = type_44();
-                                            phi_1671_ = false;
+                                            phi_1825_ = type_44();
+                                            phi_1827_ = false;
                                         }
-                                        let _e906 = phi_1669_;
-                                        let _e908 = phi_1671_;
-                                        phi_1672_ = _e906;
-                                        phi_1674_ = select(true, false, _e711);
-                                        phi_1675_ = _e908;
+                                        let _e986 = phi_1825_;
+                                        let _e988 = phi_1827_;
+                                        phi_1828_ = _e986;
+                                        phi_1830_ = select(true, false, _e720);
+                                        phi_1831_ = _e988;
                                     } else {
-                                        phi_1672_ = type_44();
-                                        phi_1674_ = false;
-                                        phi_1675_ = false;
+                                        phi_1828_ = type_44();
+                                        phi_1830_ = false;
+                                        phi_1831_ = false;
                                     }
-                                    let _e911 = phi_1672_;
-                                    let _e913 = phi_1674_;
-                                    let _e915 = phi_1675_;
-                                    phi_1676_ = _e911;
-                                    phi_1677_ = select(true, false, _e713);
-                                    phi_1678_ = _e913;
-                                    phi_1679_ = _e915;
+                                    let _e991 = phi_1828_;
+                                    let _e993 = phi_1830_;
+                                    let _e995 = phi_1831_;
+                                    phi_1832_ = _e991;
+                                    phi_1833_ = select(true, false, _e722);
+                                    phi_1834_ = _e993;
+                                    phi_1835_ = _e995;
                                 } else {
-                                    phi_1676_ = type_44();
-                                    phi_1677_ = true;
-                                    phi_1678_ = false;
-                                    phi_1679_ = false;
+                                    phi_1832_ = type_44();
+                                    phi_1833_ = true;
+                                    phi_1834_ = false;
+                                    phi_1835_ = false;
                                 }
-                                let _e918 = phi_1676_;
-                                let _e920 = phi_1677_;
-                                let _e922 = phi_1678_;
-                                let _e924 = phi_1679_;
-                                if select(select(_e924, false, _e920), true, select(_e922, true, _e920)) {
-                                    phi_1692_ = _e318;
+                                let _e998 = phi_1832_;
+                                let _e1000 = phi_1833_;
+                                let _e1002 = phi_1834_;
+                                let _e1004 = phi_1835_;
+                                if select(select(_e1004, false, _e1000), true, select(_e1002, true, _e1000)) {
+                                    phi_1848_ = _e327;
                                 } else {
-                                    phi_1692_ = _e918;
+                                    phi_1848_ = _e998;
                                 }
-                                let _e929 = phi_1692_;
-                                phi_1017_ = _e929;
+                                let _e1009 = phi_1848_;
+                                phi_1026_ = _e1009;
                             } else {
-                                phi_1017_ = type_44();
+                                phi_1026_ = type_44();
                             }
-                            let _e931 = phi_1017_;
+                            let _e1011 = phi_1026_;
                             continue;
                             continuing {
-                                phi_1013_ = _e331;
-                                phi_1016_ = _e931;
-                                phi_2950_ = _e302;
-                                break if !(_e337);
+                                phi_1022_ = _e340;
+                                phi_1025_ = _e1011;
+                                phi_3366_ = _e311;
+                                break if !(_e346);
                             }
                         }
-                        let _e934 = phi_2950_;
-                        phi_3079_ = _e934;
-                        phi_2706_ = type_44();
-                        if _e934 {
+                        let _e1014 = phi_3366_;
+                        phi_3525_ = _e1014;
+                        phi_3122_ = type_44();
+                        if _e1014 {
                             break;
                         }
-                        phi_3015_ = _e934;
-                        phi_1693_ = 0u;
-                        phi_1694_ = _e306;
-                        let _e2040 = local_7;
-                        phi_522_ = _e2040;
+                        phi_3461_ = _e1014;
+                        phi_1849_ = 0u;
+                        phi_1850_ = _e315;
+                        let _e2297 = local_7;
+                        phi_531_ = _e2297;
                     }
-                    let _e1216 = phi_3015_;
-                    let _e1218 = phi_1693_;
-                    let _e1220 = phi_1694_;
-                    let _e1222 = phi_522_;
-                    phi_517_ = _e1218;
-                    phi_520_ = _e1220;
+                    let _e1296 = phi_3461_;
+                    let _e1298 = phi_1849_;
+                    let _e1300 = phi_1850_;
+                    let _e1302 = phi_531_;
+                    phi_526_ = _e1298;
+                    phi_529_ = _e1300;
                     loop {
-                        let _e1224 = phi_517_;
-                        let _e1226 = phi_520_;
-                        local_5 = _e1224;
-                        local_6 = _e1226;
-                        let _e1227 = (_e1224 == 0u);
-                        local_4 = _e1227;
-                        if _e1227 {
-                            let _e1228 = (_e1226 > 0u);
-                            if _e1228 {
-                                let _e1229 = (_e1226 - 1u);
-                                let _e1230 = (_e1229 < 64u);
-                                if _e1230 {
+                        let _e1304 = phi_526_;
+                        let _e1306 = phi_529_;
+                        local_5 = _e1304;
+                        local_6 = _e1306;
+                        let _e1307 = (_e1304 == 0u);
+                        local_4 = _e1307;
+                        if _e1307 {
+                            let _e1308 = (_e1306 > 0u);
+                            if _e1308 {
+                                let _e1309 = (_e1306 - 1u);
+                                let _e1310 = (_e1309 < 64u);
+                                if _e1310 {
                                 } else {
-                                    phi_3012_ = true;
+                                    phi_3458_ = true;
                                     break;
                                 }
-                                let _e1232 = local_1[_e1229];
-                                if (_e1232 <= _e1222.member) {
-                                    if _e1230 {
+                                let _e1312 = local_1[_e1309];
+                                if (_e1312 <= _e1302.member) {
+                                    if _e1310 {
                                     } else {
-                                        phi_3012_ = true;
+                                        phi_3458_ = true;
                                         break;
                                     }
-                                    let _e1236 = local[_e1229];
-                                    phi_1729_ = _e1236;
+                                    let _e1316 = local[_e1309];
+                                    phi_1885_ = _e1316;
                                 } else {
-                                    phi_1729_ = _e1224;
+                                    phi_1885_ = _e1304;
                                 }
-                                let _e1238 = phi_1729_;
-                                phi_1730_ = _e1238;
-                                phi_1731_ = _e1229;
+                                let _e1318 = phi_1885_;
+                                phi_1886_ = _e1318;
+                                phi_1887_ = _e1309;
                             } else {
-                                phi_1730_ = u32();
-                                phi_1731_ = u32();
+                                phi_1886_ = u32();
+                                phi_1887_ = u32();
                             }
-                            let _e1240 = phi_1730_;
-                            let _e1242 = phi_1731_;
-                            phi_1696_ = _e1240;
-                            phi_1698_ = _e1242;
-                            phi_1732_ = _e1228;
+                            let _e1320 = phi_1886_;
+                            let _e1322 = phi_1887_;
+                            phi_1852_ = _e1320;
+                            phi_1854_ = _e1322;
+                            phi_1888_ = _e1308;
                         } else {
-                            phi_1696_ = u32();
-                            phi_1698_ = u32();
-                            phi_1732_ = false;
+                            phi_1852_ = u32();
+                            phi_1854_ = u32();
+                            phi_1888_ = false;
                         }
-                        let _e1244 = phi_1696_;
-                        let _e1246 = phi_1698_;
-                        let _e1248 = phi_1732_;
+                        let _e1324 = phi_1852_;
+                        let _e1326 = phi_1854_;
+                        let _e1328 = phi_1888_;
                         continue;
                         continuing {
-                            phi_517_ = _e1244;
-                            phi_520_ = _e1246;
-                            phi_3012_ = _e1216;
-                            break if !(_e1248);
+                            phi_526_ = _e1324;
+                            phi_529_ = _e1326;
+                            phi_3458_ = _e1296;
+                            break if !(_e1328);
                         }
                     }
-                    let _e1251 = phi_3012_;
-                    phi_3079_ = _e1251;
-                    phi_2706_ = type_44();
-                    if _e1251 {
+                    let _e1331 = phi_3458_;
+                    phi_3525_ = _e1331;
+                    phi_3122_ = type_44();
+                    if _e1331 {
                         break;
                     }
-                    let _e1253 = local_4;
+                    let _e1333 = local_4;
                     continue;
                     continuing {
-                        phi_2954_ = _e1251;
-                        let _e1973 = local_5;
-                        phi_516_ = _e1973;
-                        let _e1976 = local_6;
-                        phi_519_ = _e1976;
-                        phi_521_ = _e1222;
-                        phi_3079_ = _e1251;
-                        phi_2706_ = _e1222;
-                        break if !(select(true, false, _e1253));
+                        phi_3370_ = _e1331;
+                        let _e2218 = local_5;
+                        phi_525_ = _e2218;
+                        let _e2221 = local_6;
+                        phi_528_ = _e2221;
+                        phi_530_ = _e1302;
+                        phi_3525_ = _e1331;
+                        phi_3122_ = _e1302;
+                        break if !(select(true, false, _e1333));
                     }
                 }
-                let _e1257 = phi_3079_;
-                let _e1259 = phi_2706_;
-                if _e1257 {
+                let _e1337 = phi_3525_;
+                let _e1339 = phi_3122_;
+                if _e1337 {
                     break;
                 }
-                let _e1261 = (_e1259.member_1 != 4294967295u);
-                if _e1261 {
-                    if (_e1259.member_1 < _e86) {
+                let _e1341 = (_e1339.member_1 != 4294967295u);
+                if _e1341 {
+                    if (_e1339.member_1 < _e95) {
                     } else {
                         break;
                     }
-                    let _e1265 = triangles.member[_e1259.member_1].member;
-                    let _e1271 = triangles.member[_e1259.member_1].member_2;
-                    let _e1277 = triangles.member[_e1259.member_1].member_4;
-                    let _e1281 = (_e1271[0] - _e1265[0]);
-                    let _e1282 = (_e1271[1] - _e1265[1]);
-                    let _e1283 = (_e1271[2] - _e1265[2]);
-                    let _e1284 = (_e1277[0] - _e1265[0]);
-                    let _e1285 = (_e1277[1] - _e1265[1]);
-                    let _e1286 = (_e1277[2] - _e1265[2]);
-                    let _e1303 = ((_e1282 * _e1286) - (_e1285 * _e1283));
-                    let _e1306 = ((_e1283 * _e1284) - (_e1286 * _e1281));
-                    let _e1309 = ((_e1281 * _e1285) - (_e1284 * _e1282));
-                    let _e1310 = abs(_e1303);
-                    let _e1311 = abs(_e1306);
-                    let _e1313 = select(_e1311, _e1310, (_e1310 > _e1311));
-                    let _e1314 = abs(_e1309);
-                    let _e1316 = select(_e1314, _e1313, (_e1313 > _e1314));
-                    if (_e1316 > 0.000000000000000000000000000000000000011754944f) {
-                        let _e1318 = (_e1316 < 340282350000000000000000000000000000000f);
-                        if _e1318 {
-                            let _e1319 = (_e1303 / _e1316);
-                            let _e1320 = (_e1306 / _e1316);
-                            let _e1321 = (_e1309 / _e1316);
-                            let _e1327 = sqrt((((_e1319 * _e1319) + (_e1320 * _e1320)) + (_e1321 * _e1321)));
-                            phi_1834_ = vec3<f32>((_e1319 / _e1327), (_e1320 / _e1327), (_e1321 / _e1327));
+                    let _e1345 = triangles.member[_e1339.member_1].member;
+                    let _e1351 = triangles.member[_e1339.member_1].member_2;
+                    let _e1357 = triangles.member[_e1339.member_1].member_4;
+                    let _e1361 = (_e1351[0] - _e1345[0]);
+                    let _e1362 = (_e1351[1] - _e1345[1]);
+                    let _e1363 = (_e1351[2] - _e1345[2]);
+                    let _e1364 = (_e1357[0] - _e1345[0]);
+                    let _e1365 = (_e1357[1] - _e1345[1]);
+                    let _e1366 = (_e1357[2] - _e1345[2]);
+                    let _e1383 = ((_e1362 * _e1366) - (_e1365 * _e1363));
+                    let _e1386 = ((_e1363 * _e1364) - (_e1366 * _e1361));
+                    let _e1389 = ((_e1361 * _e1365) - (_e1364 * _e1362));
+                    let _e1390 = abs(_e1383);
+                    let _e1391 = abs(_e1386);
+                    let _e1393 = select(_e1391, _e1390, (_e1390 > _e1391));
+                    let _e1394 = abs(_e1389);
+                    let _e1396 = select(_e1394, _e1393, (_e1393 > _e1394));
+                    if (_e1396 > 0.000000000000000000000000000000000000011754944f) {
+                        let _e1398 = (_e1396 < 340282350000000000000000000000000000000f);
+                        if _e1398 {
+                            let _e1399 = (_e1383 / _e1396);
+                            let _e1400 = (_e1386 / _e1396);
+                            let _e1401 = (_e1389 / _e1396);
+                            let _e1407 = sqrt((((_e1399 * _e1399) + (_e1400 * _e1400)) + (_e1401 * _e1401)));
+                            phi_1990_ = vec3<f32>((_e1399 / _e1407), (_e1400 / _e1407), (_e1401 / _e1407));
                         } else {
-                            phi_1834_ = vec3<f32>();
+                            phi_1990_ = vec3<f32>();
                         }
-                        let _e1333 = phi_1834_;
-                        phi_1836_ = _e1333;
-                        phi_1837_ = select(true, false, _e1318);
+                        let _e1413 = phi_1990_;
+                        phi_1992_ = _e1413;
+                        phi_1993_ = select(true, false, _e1398);
                     } else {
-                        phi_1836_ = vec3<f32>();
-                        phi_1837_ = true;
+                        phi_1992_ = vec3<f32>();
+                        phi_1993_ = true;
                     }
-                    let _e1336 = phi_1836_;
-                    let _e1338 = phi_1837_;
-                    let _e1340 = select(_e1336, vec3<f32>(0f, 1f, 0f), vec3(_e1338));
-                    let _e1349 = ((((_e1340.x * _e189.x) + (_e1340.y * _e189.y)) + (_e1340.z * _e189.z)) < 0f);
-                    if _e1349 {
-                        phi_1858_ = _e1340;
+                    let _e1416 = phi_1992_;
+                    let _e1418 = phi_1993_;
+                    let _e1420 = select(_e1416, vec3<f32>(0f, 1f, 0f), vec3(_e1418));
+                    let _e1429 = ((((_e1420.x * _e198.x) + (_e1420.y * _e198.y)) + (_e1420.z * _e198.z)) < 0f);
+                    if _e1429 {
+                        phi_2014_ = _e1420;
                     } else {
-                        phi_1858_ = -(_e1340);
+                        phi_2014_ = -(_e1420);
                     }
-                    let _e1352 = phi_1858_;
-                    if (_e1259.member_1 < _e89) {
-                    } else {
-                        break;
-                    }
-                    let _e1356 = triangles.member[_e1259.member_1].member_1;
-                    let _e1357 = (_e1356 * 12u);
-                    let _e1358 = (256u + _e1357);
-                    if (_e1358 < _e92) {
+                    let _e1432 = phi_2014_;
+                    if (_e1339.member_1 < _e98) {
                     } else {
                         break;
                     }
-                    let _e1361 = surfaces.member[_e1358];
-                    let _e1362 = bitcast<f32>(_e1361);
-                    let _e1363 = (_e1357 + 257u);
-                    if (_e1363 < _e92) {
+                    let _e1436 = triangles.member[_e1339.member_1].member_1;
+                    let _e1437 = (_e1436 * 12u);
+                    let _e1438 = (256u + _e1437);
+                    if (_e1438 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1366 = surfaces.member[_e1363];
-                    let _e1367 = bitcast<f32>(_e1366);
-                    let _e1368 = (_e1357 + 258u);
-                    if (_e1368 < _e92) {
+                    let _e1441 = surfaces.member[_e1438];
+                    let _e1442 = bitcast<f32>(_e1441);
+                    let _e1443 = (_e1437 + 257u);
+                    if (_e1443 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1371 = surfaces.member[_e1368];
-                    let _e1372 = bitcast<f32>(_e1371);
-                    let _e1373 = (_e1357 + 259u);
-                    if (_e1373 < _e92) {
+                    let _e1446 = surfaces.member[_e1443];
+                    let _e1447 = bitcast<f32>(_e1446);
+                    let _e1448 = (_e1437 + 258u);
+                    if (_e1448 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1376 = surfaces.member[_e1373];
-                    let _e1377 = (_e1357 + 260u);
-                    if (_e1377 < _e92) {
+                    let _e1451 = surfaces.member[_e1448];
+                    let _e1452 = bitcast<f32>(_e1451);
+                    let _e1453 = (_e1437 + 259u);
+                    if (_e1453 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1380 = surfaces.member[_e1377];
-                    let _e1382 = (_e1357 + 261u);
-                    if (_e1382 < _e92) {
+                    let _e1456 = surfaces.member[_e1453];
+                    let _e1457 = (_e1437 + 260u);
+                    if (_e1457 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1385 = surfaces.member[_e1382];
-                    let _e1387 = (_e1357 + 262u);
-                    if (_e1387 < _e92) {
+                    let _e1460 = surfaces.member[_e1457];
+                    let _e1462 = (_e1437 + 261u);
+                    if (_e1462 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1390 = surfaces.member[_e1387];
-                    let _e1393 = (_e1357 + 263u);
-                    if (_e1393 < _e92) {
+                    let _e1465 = surfaces.member[_e1462];
+                    let _e1467 = (_e1437 + 262u);
+                    if (_e1467 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1396 = surfaces.member[_e1393];
-                    let _e1397 = (_e1357 + 264u);
-                    if (_e1397 < _e92) {
+                    let _e1470 = surfaces.member[_e1467];
+                    let _e1473 = (_e1437 + 263u);
+                    if (_e1473 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1400 = surfaces.member[_e1397];
-                    let _e1401 = bitcast<f32>(_e1400);
-                    if ((_e1357 + 265u) < _e92) {
+                    let _e1476 = surfaces.member[_e1473];
+                    let _e1477 = (_e1437 + 264u);
+                    if (_e1477 < _e101) {
                     } else {
                         break;
                     }
-                    if ((_e1357 + 266u) < _e92) {
+                    let _e1480 = surfaces.member[_e1477];
+                    let _e1481 = bitcast<f32>(_e1480);
+                    if ((_e1437 + 265u) < _e101) {
                     } else {
                         break;
                     }
-                    if ((_e1357 + 267u) < _e92) {
+                    if ((_e1437 + 266u) < _e101) {
                     } else {
                         break;
                     }
-                    let _e1409 = ((1f - _e1259.member_2) - _e1259.member_3);
-                    let _e1413 = attributes.member[_e1259.member_1].member[0u];
-                    let _e1418 = attributes.member[_e1259.member_1].member[2u];
-                    let _e1424 = attributes.member[_e1259.member_1].member[4u];
-                    let _e1426 = (((_e1413 * _e1409) + (_e1418 * _e1259.member_2)) + (_e1424 * _e1259.member_3));
-                    let _e1430 = attributes.member[_e1259.member_1].member[1u];
-                    let _e1435 = attributes.member[_e1259.member_1].member[3u];
-                    let _e1441 = attributes.member[_e1259.member_1].member[5u];
-                    let _e1443 = (((_e1430 * _e1409) + (_e1435 * _e1259.member_2)) + (_e1441 * _e1259.member_3));
-                    if (_e1376 == 4294967295u) {
-                        phi_2301_ = type_47(vec3<f32>(_e1362, _e1367, _e1372), _e1401);
+                    if ((_e1437 + 267u) < _e101) {
                     } else {
-                        let _e1446 = (_e1396 & 65535u);
-                        let _e1448 = (_e1396 >> bitcast<u32>(16i));
-                        let _e1450 = (_e1426 - floor(_e1426));
-                        let _e1455 = ((select(0f, _e1450, (_e1450 <= 1f)) * f32(_e1446)) - 0.5f);
-                        let _e1456 = floor(_e1455);
-                        let _e1457 = (_e1455 - _e1456);
-                        let _e1458 = (_e1446 - 1u);
-                        if (_e1456 < 0f) {
-                            phi_2042_ = _e1458;
-                        } else {
-                            let _e1464 = select(select(u32(_e1456), 0u, (_e1456 < 0f)), 4294967295u, (_e1456 > 4294967000f));
-                            phi_2042_ = select(_e1464, _e1458, (_e1458 < _e1464));
-                        }
-                        let _e1468 = phi_2042_;
-                        if (_e1468 == _e1458) {
-                            phi_2048_ = 0u;
-                        } else {
-                            phi_2048_ = (_e1468 + 1u);
-                        }
-                        let _e1472 = phi_2048_;
-                        let _e1474 = (_e1443 - floor(_e1443));
-                        let _e1479 = ((select(0f, _e1474, (_e1474 <= 1f)) * f32(_e1448)) - 0.5f);
-                        let _e1480 = floor(_e1479);
-                        let _e1481 = (_e1479 - _e1480);
-                        let _e1482 = (_e1448 - 1u);
-                        if (_e1480 < 0f) {
-                            phi_2078_ = _e1482;
-                        } else {
-                            let _e1488 = select(select(u32(_e1480), 0u, (_e1480 < 0f)), 4294967295u, (_e1480 > 4294967000f));
-                            phi_2078_ = select(_e1488, _e1482, (_e1482 < _e1488));
-                        }
-                        let _e1492 = phi_2078_;
-                        if (_e1492 == _e1482) {
-                            phi_2084_ = 0u;
-                        } else {
-                            phi_2084_ = (_e1492 + 1u);
-                        }
-                        let _e1496 = phi_2084_;
-                        let _e1498 = (_e1376 + (_e1492 * _e1446));
-                        let _e1500 = (_e1376 + (_e1496 * _e1446));
-                        let _e1501 = (_e1498 + _e1468);
-                        let _e1502 = (_e1498 + _e1472);
-                        let _e1503 = (_e1500 + _e1468);
-                        let _e1504 = (_e1500 + _e1472);
-                        if (_e1501 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1507 = surfaces.member[_e1501];
-                        if (_e1502 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1510 = surfaces.member[_e1502];
-                        if (_e1503 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1513 = surfaces.member[_e1503];
-                        if (_e1504 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1516 = surfaces.member[_e1504];
-                        let _e1517 = (_e1507 & 255u);
-                        if (_e1517 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1520 = surfaces.member[_e1517];
-                        let _e1524 = ((_e1507 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1524 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1527 = surfaces.member[_e1524];
-                        let _e1531 = ((_e1507 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1531 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1534 = surfaces.member[_e1531];
-                        let _e1536 = (1f - _e1457);
-                        let _e1540 = (_e1510 & 255u);
-                        if (_e1540 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1543 = surfaces.member[_e1540];
-                        let _e1547 = ((_e1510 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1547 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1550 = surfaces.member[_e1547];
-                        let _e1554 = ((_e1510 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1554 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1557 = surfaces.member[_e1554];
-                        let _e1565 = (_e1513 & 255u);
-                        if (_e1565 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1568 = surfaces.member[_e1565];
-                        let _e1572 = ((_e1513 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1572 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1575 = surfaces.member[_e1572];
-                        let _e1579 = ((_e1513 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1579 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1582 = surfaces.member[_e1579];
-                        let _e1587 = (_e1516 & 255u);
-                        if (_e1587 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1590 = surfaces.member[_e1587];
-                        let _e1594 = ((_e1516 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1594 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1597 = surfaces.member[_e1594];
-                        let _e1601 = ((_e1516 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1601 < _e92) {
-                        } else {
-                            break;
-                        }
-                        let _e1604 = surfaces.member[_e1601];
-                        let _e1612 = (1f - _e1481);
-                        phi_2301_ = type_47(vec3<f32>((_e1362 * ((((bitcast<f32>(_e1520) * _e1536) + (bitcast<f32>(_e1543) * _e1457)) * _e1612) + (((bitcast<f32>(_e1568) * _e1536) + (bitcast<f32>(_e1590) * _e1457)) * _e1481))), (_e1367 * ((((bitcast<f32>(_e1527) * _e1536) + (bitcast<f32>(_e1550) * _e1457)) * _e1612) + (((bitcast<f32>(_e1575) * _e1536) + (bitcast<f32>(_e1597) * _e1457)) * _e1481))), (_e1372 * ((((bitcast<f32>(_e1534) * _e1536) + (bitcast<f32>(_e1557) * _e1457)) * _e1612) + (((bitcast<f32>(_e1582) * _e1536) + (bitcast<f32>(_e1604) * _e1457)) * _e1481)))), (_e1401 * (((((f32((_e1507 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1510 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1612) + ((((f32((_e1513 >> bitcast<u32>(24i))) * 0.003921569f) * _e1536) + ((f32((_e1516 >> bitcast<u32>(24i))) * 0.003921569f) * _e1457)) * _e1481))));
+                        break;
                     }
-                    let _e1655 = phi_2301_;
-                    let _e1660 = attributes.member[_e1259.member_1].member_1[0u];
-                    let _e1670 = (f32((bitcast<i32>((_e1660 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1672 = select(-1f, _e1670, (_e1670 > -1f));
-                    let _e1674 = (f32((bitcast<i32>(_e1660) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1676 = select(-1f, _e1674, (_e1674 > -1f));
-                    let _e1680 = ((1f - abs(_e1672)) - abs(_e1676));
-                    let _e1681 = -(_e1680);
-                    let _e1685 = (bitcast<u32>(select(0f, _e1681, (_e1681 > 0f))) & 2147483647u);
-                    let _e1690 = (_e1672 - bitcast<f32>((_e1685 | (bitcast<u32>(_e1672) & 2147483648u))));
-                    let _e1695 = (_e1676 - bitcast<f32>((_e1685 | (bitcast<u32>(_e1676) & 2147483648u))));
-                    let _e1700 = (((_e1690 * _e1690) + (_e1695 * _e1695)) + (_e1680 * _e1680));
-                    if (_e1700 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e1703 = (1f / sqrt(_e1700));
-                        phi_2367_ = vec3<f32>((_e1690 * _e1703), (_e1695 * _e1703), (_e1680 * _e1703));
+                    let _e1489 = ((1f - _e1339.member_2) - _e1339.member_3);
+                    let _e1493 = attributes.member[_e1339.member_1].member[0u];
+                    let _e1498 = attributes.member[_e1339.member_1].member[2u];
+                    let _e1504 = attributes.member[_e1339.member_1].member[4u];
+                    let _e1506 = (((_e1493 * _e1489) + (_e1498 * _e1339.member_2)) + (_e1504 * _e1339.member_3));
+                    let _e1510 = attributes.member[_e1339.member_1].member[1u];
+                    let _e1515 = attributes.member[_e1339.member_1].member[3u];
+                    let _e1521 = attributes.member[_e1339.member_1].member[5u];
+                    let _e1523 = (((_e1510 * _e1489) + (_e1515 * _e1339.member_2)) + (_e1521 * _e1339.member_3));
+                    if (_e1456 == 4294967295u) {
+                        phi_2604_ = type_47(vec3<f32>(_e1442, _e1447, _e1452), _e1481);
                     } else {
-                        phi_2367_ = vec3<f32>(0f, 0f, 0f);
-                    }
-                    let _e1709 = phi_2367_;
-                    let _e1719 = attributes.member[_e1259.member_1].member_1[1u];
-                    let _e1729 = (f32((bitcast<i32>((_e1719 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1731 = select(-1f, _e1729, (_e1729 > -1f));
-                    let _e1733 = (f32((bitcast<i32>(_e1719) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1735 = select(-1f, _e1733, (_e1733 > -1f));
-                    let _e1739 = ((1f - abs(_e1731)) - abs(_e1735));
-                    let _e1740 = -(_e1739);
-                    let _e1744 = (bitcast<u32>(select(0f, _e1740, (_e1740 > 0f))) & 2147483647u);
-                    let _e1749 = (_e1731 - bitcast<f32>((_e1744 | (bitcast<u32>(_e1731) & 2147483648u))));
-                    let _e1754 = (_e1735 - bitcast<f32>((_e1744 | (bitcast<u32>(_e1735) & 2147483648u))));
-                    let _e1759 = (((_e1749 * _e1749) + (_e1754 * _e1754)) + (_e1739 * _e1739));
-                    if (_e1759 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e1762 = (1f / sqrt(_e1759));
-                        phi_2441_ = vec3<f32>((_e1749 * _e1762), (_e1754 * _e1762), (_e1739 * _e1762));
-                    } else {
-                        phi_2441_ = vec3<f32>(0f, 0f, 0f);
-                    }
-                    let _e1768 = phi_2441_;
-                    let _e1781 = attributes.member[_e1259.member_1].member_1[2u];
-                    let _e1791 = (f32((bitcast<i32>((_e1781 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1793 = select(-1f, _e1791, (_e1791 > -1f));
-                    let _e1795 = (f32((bitcast<i32>(_e1781) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1797 = select(-1f, _e1795, (_e1795 > -1f));
-                    let _e1801 = ((1f - abs(_e1793)) - abs(_e1797));
-                    let _e1802 = -(_e1801);
-                    let _e1806 = (bitcast<u32>(select(0f, _e1802, (_e1802 > 0f))) & 2147483647u);
-                    let _e1811 = (_e1793 - bitcast<f32>((_e1806 | (bitcast<u32>(_e1793) & 2147483648u))));
-                    let _e1816 = (_e1797 - bitcast<f32>((_e1806 | (bitcast<u32>(_e1797) & 2147483648u))));
-                    let _e1821 = (((_e1811 * _e1811) + (_e1816 * _e1816)) + (_e1801 * _e1801));
-                    if (_e1821 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e1824 = (1f / sqrt(_e1821));
-                        phi_2515_ = vec3<f32>((_e1811 * _e1824), (_e1816 * _e1824), (_e1801 * _e1824));
-                    } else {
-                        phi_2515_ = vec3<f32>(0f, 0f, 0f);
-                    }
-                    let _e1830 = phi_2515_;
-                    let _e1837 = (((_e1709.x * _e1409) + (_e1768.x * _e1259.member_2)) + (_e1830.x * _e1259.member_3));
-                    let _e1838 = (((_e1709.y * _e1409) + (_e1768.y * _e1259.member_2)) + (_e1830.y * _e1259.member_3));
-                    let _e1839 = (((_e1709.z * _e1409) + (_e1768.z * _e1259.member_2)) + (_e1830.z * _e1259.member_3));
-                    let _e1840 = abs(_e1837);
-                    let _e1841 = abs(_e1838);
-                    let _e1843 = select(_e1841, _e1840, (_e1840 > _e1841));
-                    let _e1844 = abs(_e1839);
-                    let _e1846 = select(_e1844, _e1843, (_e1843 > _e1844));
-                    if (_e1846 > 0.000000000000000000000000000000000000011754944f) {
-                        let _e1848 = (_e1846 < 340282350000000000000000000000000000000f);
-                        if _e1848 {
-                            let _e1849 = (_e1837 / _e1846);
-                            let _e1850 = (_e1838 / _e1846);
-                            let _e1851 = (_e1839 / _e1846);
-                            let _e1857 = sqrt((((_e1849 * _e1849) + (_e1850 * _e1850)) + (_e1851 * _e1851)));
-                            phi_2560_ = vec3<f32>((_e1849 / _e1857), (_e1850 / _e1857), (_e1851 / _e1857));
+                        let _e1526 = (_e1476 & 65535u);
+                        let _e1528 = (_e1476 >> bitcast<u32>(16i));
+                        let _e1531 = ((_e1456 >> bitcast<u32>(28u)) & 3u);
+                        let _e1532 = (_e1526 - 1u);
+                        let _e1534 = select(1f, 2f, (_e1531 == 2u));
+                        let _e1538 = (_e1506 - (floor((_e1506 / _e1534)) * _e1534));
+                        if (_e1538 > 1f) {
+                            phi_2186_ = (_e1534 - _e1538);
                         } else {
-                            phi_2560_ = vec3<f32>();
+                            phi_2186_ = _e1538;
                         }
-                        let _e1863 = phi_2560_;
-                        phi_2562_ = _e1863;
-                        phi_2563_ = select(true, false, _e1848);
-                    } else {
-                        phi_2562_ = vec3<f32>();
-                        phi_2563_ = true;
+                        let _e1542 = phi_2186_;
+                        if (_e1531 == 1u) {
+                            let _e1545 = select(0f, _e1506, (_e1506 > 0f));
+                            phi_2201_ = select(1f, _e1545, (_e1545 < 1f));
+                        } else {
+                            phi_2201_ = _e1542;
+                        }
+                        let _e1549 = phi_2201_;
+                        if (_e1549 >= 0f) {
+                            phi_2211_ = select(true, false, (_e1549 <= 1f));
+                        } else {
+                            phi_2211_ = true;
+                        }
+                        let _e1554 = phi_2211_;
+                        let _e1558 = ((select(_e1549, 0f, _e1554) * f32(_e1526)) - 0.5f);
+                        let _e1559 = floor(_e1558);
+                        let _e1560 = (_e1559 < 0f);
+                        if _e1560 {
+                            phi_2236_ = 0u;
+                        } else {
+                            let _e1565 = select(select(u32(_e1559), 0u, (_e1559 < 0f)), 4294967295u, (_e1559 > 4294967000f));
+                            phi_2236_ = select(_e1565, _e1532, (_e1532 < _e1565));
+                        }
+                        let _e1569 = phi_2236_;
+                        if _e1560 {
+                            phi_2246_ = 0u;
+                        } else {
+                            let _e1570 = (_e1569 + 1u);
+                            phi_2246_ = select(_e1570, _e1532, (_e1532 < _e1570));
+                        }
+                        let _e1574 = phi_2246_;
+                        let _e1575 = (_e1531 == 0u);
+                        if _e1575 {
+                            phi_2255_ = select(true, false, _e1560);
+                        } else {
+                            phi_2255_ = true;
+                        }
+                        let _e1578 = phi_2255_;
+                        let _e1579 = select(_e1532, _e1569, _e1578);
+                        if _e1575 {
+                            if _e1560 {
+                                phi_2271_ = true;
+                            } else {
+                                phi_2271_ = select(true, false, (_e1579 == _e1532));
+                            }
+                            let _e1583 = phi_2271_;
+                            phi_2272_ = _e1583;
+                        } else {
+                            phi_2272_ = true;
+                        }
+                        let _e1585 = phi_2272_;
+                        let _e1586 = select(0u, _e1574, _e1585);
+                        let _e1587 = (_e1558 - _e1559);
+                        let _e1590 = ((_e1456 >> bitcast<u32>(30u)) & 3u);
+                        let _e1591 = (_e1528 - 1u);
+                        let _e1593 = select(1f, 2f, (_e1590 == 2u));
+                        let _e1597 = (_e1523 - (floor((_e1523 / _e1593)) * _e1593));
+                        if (_e1597 > 1f) {
+                            phi_2295_ = (_e1593 - _e1597);
+                        } else {
+                            phi_2295_ = _e1597;
+                        }
+                        let _e1601 = phi_2295_;
+                        if (_e1590 == 1u) {
+                            let _e1604 = select(0f, _e1523, (_e1523 > 0f));
+                            phi_2310_ = select(1f, _e1604, (_e1604 < 1f));
+                        } else {
+                            phi_2310_ = _e1601;
+                        }
+                        let _e1608 = phi_2310_;
+                        if (_e1608 >= 0f) {
+                            phi_2320_ = select(true, false, (_e1608 <= 1f));
+                        } else {
+                            phi_2320_ = true;
+                        }
+                        let _e1613 = phi_2320_;
+                        let _e1617 = ((select(_e1608, 0f, _e1613) * f32(_e1528)) - 0.5f);
+                        let _e1618 = floor(_e1617);
+                        let _e1619 = (_e1618 < 0f);
+                        if _e1619 {
+                            phi_2345_ = 0u;
+                        } else {
+                            let _e1624 = select(select(u32(_e1618), 0u, (_e1618 < 0f)), 4294967295u, (_e1618 > 4294967000f));
+                            phi_2345_ = select(_e1624, _e1591, (_e1591 < _e1624));
+                        }
+                        let _e1628 = phi_2345_;
+                        if _e1619 {
+                            phi_2355_ = 0u;
+                        } else {
+                            let _e1629 = (_e1628 + 1u);
+                            phi_2355_ = select(_e1629, _e1591, (_e1591 < _e1629));
+                        }
+                        let _e1633 = phi_2355_;
+                        let _e1634 = (_e1590 == 0u);
+                        if _e1634 {
+                            phi_2364_ = select(true, false, _e1619);
+                        } else {
+                            phi_2364_ = true;
+                        }
+                        let _e1637 = phi_2364_;
+                        let _e1638 = select(_e1591, _e1628, _e1637);
+                        if _e1634 {
+                            if _e1619 {
+                                phi_2380_ = true;
+                            } else {
+                                phi_2380_ = select(true, false, (_e1638 == _e1591));
+                            }
+                            let _e1642 = phi_2380_;
+                            phi_2381_ = _e1642;
+                        } else {
+                            phi_2381_ = true;
+                        }
+                        let _e1644 = phi_2381_;
+                        let _e1646 = (_e1617 - _e1618);
+                        let _e1647 = (_e1456 & 268435455u);
+                        let _e1649 = (_e1647 + (_e1638 * _e1526));
+                        let _e1651 = (_e1647 + (select(0u, _e1633, _e1644) * _e1526));
+                        let _e1652 = (_e1649 + _e1579);
+                        let _e1653 = (_e1649 + _e1586);
+                        let _e1654 = (_e1651 + _e1579);
+                        let _e1655 = (_e1651 + _e1586);
+                        if (_e1652 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1658 = surfaces.member[_e1652];
+                        if (_e1653 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1661 = surfaces.member[_e1653];
+                        if (_e1654 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1664 = surfaces.member[_e1654];
+                        if (_e1655 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1667 = surfaces.member[_e1655];
+                        let _e1668 = (_e1658 & 255u);
+                        if (_e1668 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1671 = surfaces.member[_e1668];
+                        let _e1675 = ((_e1658 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1675 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1678 = surfaces.member[_e1675];
+                        let _e1682 = ((_e1658 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1682 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1685 = surfaces.member[_e1682];
+                        let _e1687 = (1f - _e1587);
+                        let _e1691 = (_e1661 & 255u);
+                        if (_e1691 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1694 = surfaces.member[_e1691];
+                        let _e1698 = ((_e1661 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1698 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1701 = surfaces.member[_e1698];
+                        let _e1705 = ((_e1661 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1705 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1708 = surfaces.member[_e1705];
+                        let _e1716 = (_e1664 & 255u);
+                        if (_e1716 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1719 = surfaces.member[_e1716];
+                        let _e1723 = ((_e1664 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1723 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1726 = surfaces.member[_e1723];
+                        let _e1730 = ((_e1664 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1730 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1733 = surfaces.member[_e1730];
+                        let _e1738 = (_e1667 & 255u);
+                        if (_e1738 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1741 = surfaces.member[_e1738];
+                        let _e1745 = ((_e1667 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1745 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1748 = surfaces.member[_e1745];
+                        let _e1752 = ((_e1667 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1752 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1755 = surfaces.member[_e1752];
+                        let _e1763 = (1f - _e1646);
+                        phi_2604_ = type_47(vec3<f32>((_e1442 * ((((bitcast<f32>(_e1671) * _e1687) + (bitcast<f32>(_e1694) * _e1587)) * _e1763) + (((bitcast<f32>(_e1719) * _e1687) + (bitcast<f32>(_e1741) * _e1587)) * _e1646))), (_e1447 * ((((bitcast<f32>(_e1678) * _e1687) + (bitcast<f32>(_e1701) * _e1587)) * _e1763) + (((bitcast<f32>(_e1726) * _e1687) + (bitcast<f32>(_e1748) * _e1587)) * _e1646))), (_e1452 * ((((bitcast<f32>(_e1685) * _e1687) + (bitcast<f32>(_e1708) * _e1587)) * _e1763) + (((bitcast<f32>(_e1733) * _e1687) + (bitcast<f32>(_e1755) * _e1587)) * _e1646)))), (_e1481 * (((((f32((_e1658 >> bitcast<u32>(24i))) * 0.003921569f) * _e1687) + ((f32((_e1661 >> bitcast<u32>(24i))) * 0.003921569f) * _e1587)) * _e1763) + ((((f32((_e1664 >> bitcast<u32>(24i))) * 0.003921569f) * _e1687) + ((f32((_e1667 >> bitcast<u32>(24i))) * 0.003921569f) * _e1587)) * _e1646))));
                     }
-                    let _e1866 = phi_2562_;
-                    let _e1868 = phi_2563_;
-                    let _e1870 = select(_e1866, _e1352, vec3(_e1868));
-                    if ((((_e1870.x * _e189.x) + (_e1870.y * _e189.y)) + (_e1870.z * _e189.z)) > 0f) {
-                        phi_2584_ = -(_e1870);
+                    let _e1806 = phi_2604_;
+                    let _e1811 = attributes.member[_e1339.member_1].member_2[0u];
+                    let _e1815 = attributes.member[_e1339.member_1].member_2[1u];
+                    let _e1820 = attributes.member[_e1339.member_1].member_2[2u];
+                    if (((_e1811 | _e1815) | _e1820) == 0u) {
+                        phi_2711_ = vec3<f32>(1f, 1f, 1f);
                     } else {
-                        phi_2584_ = _e1870;
+                        let _e1836 = (1f - (f32((_e1811 & 1023u)) * 0.0009775171f));
+                        let _e1837 = (1f - (f32(((_e1811 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1838 = (1f - (f32(((_e1811 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        let _e1858 = (1f - (f32((_e1815 & 1023u)) * 0.0009775171f));
+                        let _e1859 = (1f - (f32(((_e1815 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1860 = (1f - (f32(((_e1815 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        let _e1883 = (1f - (f32((_e1820 & 1023u)) * 0.0009775171f));
+                        let _e1884 = (1f - (f32(((_e1820 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1885 = (1f - (f32(((_e1820 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        phi_2711_ = vec3<f32>(((((_e1836 * _e1836) * _e1489) + ((_e1858 * _e1858) * _e1339.member_2)) + ((_e1883 * _e1883) * _e1339.member_3)), ((((_e1837 * _e1837) * _e1489) + ((_e1859 * _e1859) * _e1339.member_2)) + ((_e1884 * _e1884) * _e1339.member_3)), ((((_e1838 * _e1838) * _e1489) + ((_e1860 * _e1860) * _e1339.member_2)) + ((_e1885 * _e1885) * _e1339.member_3)));
                     }
-                    let _e1882 = phi_2584_;
-                    if _e1349 {
-                        phi_2617_ = array<f32, 3>(bitcast<f32>(_e1380), bitcast<f32>(_e1385), bitcast<f32>(_e1390));
+                    let _e1897 = phi_2711_;
+                    let _e1911 = attributes.member[_e1339.member_1].member_1[0u];
+                    let _e1921 = (f32((bitcast<i32>((_e1911 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1923 = select(-1f, _e1921, (_e1921 > -1f));
+                    let _e1925 = (f32((bitcast<i32>(_e1911) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1927 = select(-1f, _e1925, (_e1925 > -1f));
+                    let _e1931 = ((1f - abs(_e1923)) - abs(_e1927));
+                    let _e1932 = -(_e1931);
+                    let _e1936 = (bitcast<u32>(select(0f, _e1932, (_e1932 > 0f))) & 2147483647u);
+                    let _e1941 = (_e1923 - bitcast<f32>((_e1936 | (bitcast<u32>(_e1923) & 2147483648u))));
+                    let _e1946 = (_e1927 - bitcast<f32>((_e1936 | (bitcast<u32>(_e1927) & 2147483648u))));
+                    let _e1951 = (((_e1941 * _e1941) + (_e1946 * _e1946)) + (_e1931 * _e1931));
+                    if (_e1951 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e1954 = (1f / sqrt(_e1951));
+                        phi_2786_ = vec3<f32>((_e1941 * _e1954), (_e1946 * _e1954), (_e1931 * _e1954));
                     } else {
-                        phi_2617_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_2786_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e1908 = phi_2617_;
-                    let _e1909 = abs(_e1265[0]);
-                    let _e1910 = abs(_e1265[1]);
-                    let _e1912 = select(_e1910, _e1909, (_e1909 > _e1910));
-                    let _e1913 = abs(_e1265[2]);
-                    let _e1917 = abs(_e1281);
-                    let _e1918 = abs(_e1282);
-                    let _e1920 = select(_e1918, _e1917, (_e1917 > _e1918));
-                    let _e1921 = abs(_e1283);
-                    let _e1924 = abs(_e1284);
-                    let _e1925 = abs(_e1285);
-                    let _e1927 = select(_e1925, _e1924, (_e1924 > _e1925));
-                    let _e1928 = abs(_e1286);
-                    phi_2663_ = type_48(array<f32, 3>(((_e1265[0] + (_e1281 * _e1259.member_2)) + (_e1284 * _e1259.member_3)), ((_e1265[1] + (_e1282 * _e1259.member_2)) + (_e1285 * _e1259.member_3)), ((_e1265[2] + (_e1283 * _e1259.member_2)) + (_e1286 * _e1259.member_3))), _e1259.member_1, array<f32, 3>(_e1882.x, _e1882.y, _e1882.z), (_e1259.member * sqrt((((_e189.x * _e189.x) + (_e189.y * _e189.y)) + (_e189.z * _e189.z)))), array<f32, 3>(_e1352.x, _e1352.y, _e1352.z), select(0u, 1u, _e1349), array<f32, 3>(_e1655.member.x, _e1655.member.y, _e1655.member.z), _e1356, _e1908, ((select(_e1913, _e1912, (_e1912 > _e1913)) * 0.00000047683716f) + ((select(_e1921, _e1920, (_e1920 > _e1921)) + select(_e1928, _e1927, (_e1927 > _e1928))) * 0.0000010728836f)));
+                    let _e1960 = phi_2786_;
+                    let _e1970 = attributes.member[_e1339.member_1].member_1[1u];
+                    let _e1980 = (f32((bitcast<i32>((_e1970 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1982 = select(-1f, _e1980, (_e1980 > -1f));
+                    let _e1984 = (f32((bitcast<i32>(_e1970) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1986 = select(-1f, _e1984, (_e1984 > -1f));
+                    let _e1990 = ((1f - abs(_e1982)) - abs(_e1986));
+                    let _e1991 = -(_e1990);
+                    let _e1995 = (bitcast<u32>(select(0f, _e1991, (_e1991 > 0f))) & 2147483647u);
+                    let _e2000 = (_e1982 - bitcast<f32>((_e1995 | (bitcast<u32>(_e1982) & 2147483648u))));
+                    let _e2005 = (_e1986 - bitcast<f32>((_e1995 | (bitcast<u32>(_e1986) & 2147483648u))));
+                    let _e2010 = (((_e2000 * _e2000) + (_e2005 * _e2005)) + (_e1990 * _e1990));
+                    if (_e2010 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e2013 = (1f / sqrt(_e2010));
+                        phi_2860_ = vec3<f32>((_e2000 * _e2013), (_e2005 * _e2013), (_e1990 * _e2013));
+                    } else {
+                        phi_2860_ = vec3<f32>(0f, 0f, 0f);
+                    }
+                    let _e2019 = phi_2860_;
+                    let _e2032 = attributes.member[_e1339.member_1].member_1[2u];
+                    let _e2042 = (f32((bitcast<i32>((_e2032 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e2044 = select(-1f, _e2042, (_e2042 > -1f));
+                    let _e2046 = (f32((bitcast<i32>(_e2032) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e2048 = select(-1f, _e2046, (_e2046 > -1f));
+                    let _e2052 = ((1f - abs(_e2044)) - abs(_e2048));
+                    let _e2053 = -(_e2052);
+                    let _e2057 = (bitcast<u32>(select(0f, _e2053, (_e2053 > 0f))) & 2147483647u);
+                    let _e2062 = (_e2044 - bitcast<f32>((_e2057 | (bitcast<u32>(_e2044) & 2147483648u))));
+                    let _e2067 = (_e2048 - bitcast<f32>((_e2057 | (bitcast<u32>(_e2048) & 2147483648u))));
+                    let _e2072 = (((_e2062 * _e2062) + (_e2067 * _e2067)) + (_e2052 * _e2052));
+                    if (_e2072 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e2075 = (1f / sqrt(_e2072));
+                        phi_2934_ = vec3<f32>((_e2062 * _e2075), (_e2067 * _e2075), (_e2052 * _e2075));
+                    } else {
+                        phi_2934_ = vec3<f32>(0f, 0f, 0f);
+                    }
+                    let _e2081 = phi_2934_;
+                    let _e2088 = (((_e1960.x * _e1489) + (_e2019.x * _e1339.member_2)) + (_e2081.x * _e1339.member_3));
+                    let _e2089 = (((_e1960.y * _e1489) + (_e2019.y * _e1339.member_2)) + (_e2081.y * _e1339.member_3));
+                    let _e2090 = (((_e1960.z * _e1489) + (_e2019.z * _e1339.member_2)) + (_e2081.z * _e1339.member_3));
+                    let _e2091 = abs(_e2088);
+                    let _e2092 = abs(_e2089);
+                    let _e2094 = select(_e2092, _e2091, (_e2091 > _e2092));
+                    let _e2095 = abs(_e2090);
+                    let _e2097 = select(_e2095, _e2094, (_e2094 > _e2095));
+                    if (_e2097 > 0.000000000000000000000000000000000000011754944f) {
+                        let _e2099 = (_e2097 < 340282350000000000000000000000000000000f);
+                        if _e2099 {
+                            let _e2100 = (_e2088 / _e2097);
+                            let _e2101 = (_e2089 / _e2097);
+                            let _e2102 = (_e2090 / _e2097);
+                            let _e2108 = sqrt((((_e2100 * _e2100) + (_e2101 * _e2101)) + (_e2102 * _e2102)));
+                            phi_2979_ = vec3<f32>((_e2100 / _e2108), (_e2101 / _e2108), (_e2102 / _e2108));
+                        } else {
+                            phi_2979_ = vec3<f32>();
+                        }
+                        let _e2114 = phi_2979_;
+                        phi_2981_ = _e2114;
+                        phi_2982_ = select(true, false, _e2099);
+                    } else {
+                        phi_2981_ = vec3<f32>();
+                        phi_2982_ = true;
+                    }
+                    let _e2117 = phi_2981_;
+                    let _e2119 = phi_2982_;
+                    let _e2121 = select(_e2117, _e1432, vec3(_e2119));
+                    if ((((_e2121.x * _e198.x) + (_e2121.y * _e198.y)) + (_e2121.z * _e198.z)) > 0f) {
+                        phi_3003_ = -(_e2121);
+                    } else {
+                        phi_3003_ = _e2121;
+                    }
+                    let _e2133 = phi_3003_;
+                    if _e1429 {
+                        phi_3033_ = array<f32, 3>(bitcast<f32>(_e1460), bitcast<f32>(_e1465), bitcast<f32>(_e1470));
+                    } else {
+                        phi_3033_ = array<f32, 3>(0f, 0f, 0f);
+                    }
+                    let _e2153 = phi_3033_;
+                    let _e2154 = abs(_e1345[0]);
+                    let _e2155 = abs(_e1345[1]);
+                    let _e2157 = select(_e2155, _e2154, (_e2154 > _e2155));
+                    let _e2158 = abs(_e1345[2]);
+                    let _e2162 = abs(_e1361);
+                    let _e2163 = abs(_e1362);
+                    let _e2165 = select(_e2163, _e2162, (_e2162 > _e2163));
+                    let _e2166 = abs(_e1363);
+                    let _e2169 = abs(_e1364);
+                    let _e2170 = abs(_e1365);
+                    let _e2172 = select(_e2170, _e2169, (_e2169 > _e2170));
+                    let _e2173 = abs(_e1366);
+                    phi_3079_ = type_48(array<f32, 3>(((_e1345[0] + (_e1361 * _e1339.member_2)) + (_e1364 * _e1339.member_3)), ((_e1345[1] + (_e1362 * _e1339.member_2)) + (_e1365 * _e1339.member_3)), ((_e1345[2] + (_e1363 * _e1339.member_2)) + (_e1366 * _e1339.member_3))), _e1339.member_1, array<f32, 3>(_e2133.x, _e2133.y, _e2133.z), (_e1339.member * sqrt((((_e198.x * _e198.x) + (_e198.y * _e198.y)) + (_e198.z * _e198.z)))), array<f32, 3>(_e1432.x, _e1432.y, _e1432.z), select(0u, 1u, _e1429), array<f32, 3>((_e1806.member.x * _e1897.x), (_e1806.member.y * _e1897.y), (_e1806.member.z * _e1897.z)), _e1436, _e2153, ((select(_e2158, _e2157, (_e2157 > _e2158)) * 0.00000047683716f) + ((select(_e2166, _e2165, (_e2165 > _e2166)) + select(_e2173, _e2172, (_e2172 > _e2173))) * 0.0000010728836f)));
                 } else {
-                    phi_2663_ = type_48(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_3079_ = type_48(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
-                let _e1936 = phi_2663_;
-                if _e1261 {
-                    phi_2676_ = _e1936;
+                let _e2181 = phi_3079_;
+                if _e1341 {
+                    phi_3092_ = _e2181;
                 } else {
-                    let _e1939 = params.member.member_4;
-                    phi_2676_ = type_48(_e1936.member, _e1936.member_1, _e1936.member_2, _e1936.member_3, _e1936.member_4, _e1936.member_5, _e1936.member_6, _e1936.member_7, array<f32, 3>(_e1939.x, _e1939.y, _e1939.z), _e1936.member_9);
+                    let _e2184 = params.member.member_4;
+                    phi_3092_ = type_48(_e2181.member, _e2181.member_1, _e2181.member_2, _e2181.member_3, _e2181.member_4, _e2181.member_5, _e2181.member_6, _e2181.member_7, array<f32, 3>(_e2184.x, _e2184.y, _e2184.z), _e2181.member_9);
                 }
-                let _e1956 = phi_2676_;
-                if (_e105 < arrayLength((&surfels.member))) {
+                let _e2201 = phi_3092_;
+                if (_e114 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                surfels.member[_e105] = _e1956;
+                surfels.member[_e114] = _e2201;
             }
             break;
         }

@@ -64,8 +64,9 @@ crate::record! {
         pub uv: [f32; 6],
         /// Unit vertex normals, octahedral, 2×16 bits signed normalized.
         pub normals: [u32; 3],
-        /// Zero.
-        pub _pad: [u32; 3],
+        /// What the corners' vertex colours take away, 10 bits per channel, red lowest: `q` stands for the factor
+        /// (1 − q/1023)², so that dark colours are as exact as bright ones and 0 is white.
+        pub tints: [u32; 3],
     }
 }
 
@@ -75,7 +76,8 @@ crate::record! {
     pub struct SceneMaterial: 48 {
         /// Reflectance, multiplied with the texture.
         pub albedo: [f32; 3],
-        /// Word of the first texel in the `surfaces` buffer, [`NO_TEXTURE`] without. Texel: 0xAABBGGRR, RGB sRGB-coded.
+        /// Word of the first texel in the `surfaces` buffer, and how the texture goes on beyond its sides (`WRAP_…`, along u at
+        /// [`WRAP_U_SHIFT`], along v at [`WRAP_V_SHIFT`]); [`NO_TEXTURE`] without. Texel: 0xAABBGGRR, RGB sRGB-coded.
         pub texture_first: u32,
         /// Radiance of the front face, W/(sr m²).
         pub emission: [f32; 3],
@@ -94,6 +96,18 @@ crate::record! {
 
 /// [`SceneMaterial::texture_first`] of a material without a texture.
 pub const NO_TEXTURE: u32 = u32::MAX;
+/// Bits of [`SceneMaterial::texture_first`] that hold the word: more than a binding has.
+pub const TEXTURE_FIRST_MASK: u32 = (1 << WRAP_U_SHIFT) - 1;
+/// Bit of [`SceneMaterial::texture_first`] where the two bits of the wrap mode along u begin.
+pub const WRAP_U_SHIFT: u32 = 28;
+/// The same along v.
+pub const WRAP_V_SHIFT: u32 = 30;
+/// The texture repeats.
+pub const WRAP_REPEAT: u32 = 0;
+/// The texels at its side go on.
+pub const WRAP_CLAMP: u32 = 1;
+/// It repeats, mirrored every other time.
+pub const WRAP_MIRROR: u32 = 2;
 /// Words of the sRGB table at the start of the `surfaces` buffer: the linear value (f32 bits) of each 8-bit code. A
 /// table in a buffer gives every target the same bits, and costs less than a power per texel and channel.
 pub const SRGB_TABLE_WORDS: u32 = 256;

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use interreflect::scene::{
-    Alpha, BUILT_IN, FileError, Light, LoadOptions, Scene, SceneError, Triangle, built_in, load,
+    Alpha, BUILT_IN, FileError, Light, LoadOptions, Scene, SceneError, Triangle, Wrap, built_in, load,
 };
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -28,6 +28,7 @@ fn check_consistency(scene: &Scene) {
     assert_eq!(scene.normals.len(), count, "{}", scene.name);
     assert_eq!(scene.uvs.len(), count);
     assert!(scene.lightmap_uvs.is_empty() || scene.lightmap_uvs.len() == count);
+    assert!(scene.colours.is_empty() || scene.colours.len() == count);
     assert!(!scene.cameras.is_empty());
     for triangle in &scene.triangles {
         assert!(triangle.vertices.iter().all(|&v| (v as usize) < count));
@@ -294,6 +295,7 @@ impl Document {
         let components = match kind {
             "VEC2" => 2,
             "VEC3" => 3,
+            "VEC4" => 4,
             _ => 1,
         };
         let bytes: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
@@ -578,6 +580,16 @@ fn gltf_lights_and_cameras_follow_their_nodes() {
     assert_eq!(scene.cameras.len(), 1, "the orthographic one is left out: {:?}", scene.notes);
     let camera = &scene.cameras[0];
     assert_eq!((camera.name.as_str(), camera.position, camera.fovy_rad), ("from above", position, 0.7));
+    // A camera is known by its own name and by its node's.
+    let mut document = Document::triangle();
+    document.root["nodes"] = json!([{"mesh": 0}, {"camera": 0, "name": "tripod"}]);
+    document.root["scenes"] = json!([{"nodes": [0, 1]}]);
+    document.root["cameras"] =
+        json!([{"type": "perspective", "name": "lens", "perspective": {"yfov": 0.5, "znear": 0.1}}]);
+    let by_names = document.must_load();
+    for name in ["lens", "tripod"] {
+        assert_eq!(by_names.camera(Some(name)).unwrap().fovy_rad, 0.5, "{name}");
+    }
     assert!(camera.forward.distance(Vec3::NEG_Y) < 1e-6 && camera.up.distance(Vec3::NEG_Z) < 1e-6, "{camera:?}");
 }
 
@@ -633,6 +645,32 @@ fn gltf_materials_textures_and_their_transforms_are_read() {
     let second = textured(&picture, json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}}));
     let scene = second.must_load();
     assert_eq!(scene.uvs[scene.triangles[0].vertices[2] as usize], Vec2::new(0.5, 0.75));
+}
+
+#[test]
+fn gltf_vertex_colours_and_wrap_modes_are_read() {
+    let picture = png(2, 2, |_, _| [200; 4]);
+    let plain = || textured(&picture, json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}));
+    assert_eq!(plain().must_load().materials[0].wrap, [Wrap::Repeat; 2]);
+    let mut document = plain();
+    document.root["samplers"] = json!([{"wrapS": 33071, "wrapT": 33648}]);
+    document.root["textures"][0]["sampler"] = json!(0);
+    let colours = document.floats("VEC3", &[1.0, 0.5, 0.25, 0.0, 2.0, 1.0, 1.0, 1.0, 1.0]);
+    document.primitive()["attributes"]["COLOR_0"] = json!(colours);
+    let scene = document.must_load();
+    assert_eq!(scene.materials[scene.triangles[0].material as usize].wrap, [Wrap::Clamp, Wrap::Mirror]);
+    let [a, b, c] = scene.triangles[0].vertices.map(|v| scene.colours[v as usize]);
+    // More than 1 would reflect more than arrives.
+    assert_eq!([a, b, c], [Vec3::new(1.0, 0.5, 0.25), Vec3::new(0.0, 1.0, 1.0), Vec3::ONE]);
+    // Four components; white colours are none.
+    let mut document = Document::triangle();
+    let white = document.floats("VEC4", &[1.0; 12]);
+    document.primitive()["attributes"]["COLOR_0"] = json!(white);
+    assert!(document.must_load().colours.is_empty());
+    let mut document = Document::triangle();
+    let few = document.floats("VEC4", &[1.0; 8]);
+    document.primitive()["attributes"]["COLOR_0"] = json!(few);
+    assert!(document.load().is_err());
 }
 
 #[test]
@@ -828,8 +866,27 @@ fn obj_without_its_library_or_material_is_grey_and_says_so() {
     said("gone.mtl");
     said("`x` is not defined");
     said("no camera");
+    let scene = load_obj("usemtl t\nf 1 2 3\n", "newmtl t\nmap_Kd tile.png\n").unwrap();
+    assert_eq!(
+        scene.materials[scene.triangles[0].material as usize].albedo,
+        Vec3::ONE,
+        "a picture alone is the colour"
+    );
     let scene = load_obj("usemtl t\nf 1 2 3\n", "newmtl t\nmap_Kd gone.png\n").unwrap();
     assert!(scene.notes.iter().any(|n| n.contains("gone.png")), "{:?}", scene.notes);
+}
+
+#[test]
+fn obj_takes_several_libraries_on_one_line_and_names_with_blanks() {
+    let at = tempfile::tempdir().unwrap();
+    std::fs::write(at.path().join("a.mtl"), "newmtl one\nKd 0.1 0.2 0.3\n").unwrap();
+    std::fs::write(at.path().join("b.mtl"), "newmtl two\nKd 0.4 0.5 0.6\n").unwrap();
+    std::fs::write(at.path().join("my box.mtl"), "newmtl three\nKd 0.7 0.8 0.9\n").unwrap();
+    let text = "mtllib a.mtl b.mtl\nmtllib my box.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n\
+                usemtl one\nf 1 2 3\nusemtl two\nf 1 2 3\nusemtl three\nf 1 2 3\n";
+    let scene = load_in(at.path(), "obj", text.as_bytes()).unwrap();
+    let albedo: Vec<f32> = scene.triangles.iter().map(|t| scene.materials[t.material as usize].albedo.x).collect();
+    assert_eq!(albedo, [0.1, 0.4, 0.7], "{:?}", scene.notes);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2, Vec3};
 use interreflect::exec::{CpuExecutor, ExecutorExt};
 use interreflect::scene::device::{PackedScene, SceneBuffers};
-use interreflect::scene::{Alpha, Camera, Light, LoadOptions, Material, Scene, Texture, Triangle};
+use interreflect::scene::{Alpha, Camera, Light, LoadOptions, Material, Scene, Texture, Triangle, Wrap};
 use interreflect::shading::{self, DirectSettings};
 use interreflect_kernels::trace::light::{DirectSampling, environment_irradiance, lambert};
 use interreflect_kernels::trace::{
@@ -54,6 +54,7 @@ fn material(albedo: Vec3) -> Material {
         name: "plain".into(),
         albedo,
         texture: None,
+        wrap: [Wrap::Repeat; 2],
         alpha_factor: 1.0,
         alpha: Alpha::Opaque,
         emission: Vec3::ZERO,
@@ -427,6 +428,63 @@ fn masked_texels_let_rays_pass_and_textures_are_filtered_in_linear_light() {
     }
 }
 
+#[test]
+fn textures_beyond_their_sides_and_vertex_colours_reflect_as_they_are_told_to() {
+    // Texture coordinates from −1 to 2 over the quad, of a texture that is black on its left and 1 on its right.
+    let mut scene = Scene::default();
+    scene.textures.push(Texture { width: 2, height: 1, srgba: vec![[0, 0, 0, 255], [255, 255, 255, 255]] });
+    scene.materials.push(material(Vec3::ONE));
+    quad(&mut scene, 1.0, 0.0, 0);
+    scene.uvs.iter_mut().for_each(|uv| *uv = *uv * 3.0 - 1.0);
+    // A texel's centre is at 0.25, the other's at 0.75; between them it is a straight line.
+    let within = |u: f32| (2.0 * u - 0.5).clamp(0.0, 1.0);
+    let expected = |wrap: Wrap, u: f32| match wrap {
+        Wrap::Clamp => within(u.clamp(0.0, 1.0)),
+        Wrap::Mirror => within(if u < 0.0 {
+            -u
+        } else if u > 1.0 {
+            2.0 - u
+        } else {
+            u
+        }),
+        Wrap::Repeat => {
+            let u = u - u.floor();
+            if u < 0.25 {
+                0.5 - 2.0 * u
+            } else if u > 0.75 {
+                2.5 - 2.0 * u
+            } else {
+                within(u)
+            }
+        }
+    };
+    let mut numbers = Numbers::new(5);
+    for wrap in [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror] {
+        scene.materials[0] = Material { texture: Some(0), wrap: [wrap, Wrap::Clamp], ..material(Vec3::ONE) };
+        let packed = PackedScene::new(&scene);
+        for _ in 0..2000 {
+            let (x, y) = (numbers.unit() * 1.98 - 0.99, numbers.unit() * 1.98 - 0.99);
+            let ray = Ray::new(Vec3::new(x, y, 3.0), -Vec3::Z);
+            let albedo = surface(&packed.view(), &ray, &closest_hit(&packed.view(), &ray)).albedo;
+            let u = (x + 1.0) * 1.5 - 1.0;
+            assert!((albedo[0] - expected(wrap, u)).abs() < 1e-4, "{wrap:?} at {u}: {albedo:?}");
+        }
+    }
+    // Colours grow from the left to the right in every channel, in linear light.
+    scene.materials[0] = material(Vec3::new(1.0, 0.5, 1.0));
+    let (left, right) = (Vec3::new(0.0, 1.0, 0.02), Vec3::new(1.0, 0.2, 0.06));
+    scene.colours = scene.positions.iter().map(|p| if p.x < 0.0 { left } else { right }).collect();
+    let packed = PackedScene::new(&scene);
+    for _ in 0..2000 {
+        let (x, y) = (numbers.unit() * 1.98 - 0.99, numbers.unit() * 1.98 - 0.99);
+        let ray = Ray::new(Vec3::new(x, y, 3.0), -Vec3::Z);
+        let albedo = Vec3::from(surface(&packed.view(), &ray, &closest_hit(&packed.view(), &ray)).albedo);
+        let expected = left.lerp(right, (x + 1.0) * 0.5) * Vec3::new(1.0, 0.5, 1.0);
+        let off = (albedo - expected).abs();
+        assert!(off.max_element() < 1e-3 && off.z < 3e-4, "{albedo} is not {expected}");
+    }
+}
+
 fn facing_up(position: Vec3) -> Receiver {
     Receiver { position, normal: Vec3::Z, geometric_normal: Vec3::Z, error: 0.0 }
 }
@@ -557,7 +615,14 @@ fn scenes_without_triangles_or_lights_are_legal() {
     let scene = Scene { environment: Vec3::new(1.0, 2.0, 3.0), ..Scene::default() };
     let buffers = SceneBuffers::upload(&mut exec, &scene).expect("an empty scene uploads");
     assert_eq!((buffers.triangle_count, buffers.light_count), (0, 0));
-    let camera = Camera { name: "c".into(), position: Vec3::ZERO, forward: -Vec3::Z, up: Vec3::Y, fovy_rad: 1.0 };
+    let camera = Camera {
+        name: "c".into(),
+        node: String::new(),
+        position: Vec3::ZERO,
+        forward: -Vec3::Z,
+        up: Vec3::Y,
+        fovy_rad: 1.0,
+    };
     let surfels = shading::gbuffer(&mut exec, &buffers, &camera, 5, 3, scene.environment).expect("runs");
     let settings = DirectSettings::default();
     let direct = shading::direct(&mut exec, &buffers, surfels, 15, scene.environment, &settings).expect("runs");
@@ -574,6 +639,7 @@ fn scenes_without_triangles_or_lights_are_legal() {
 fn primary_rays_are_the_cameras() {
     let camera = Camera {
         name: "c".into(),
+        node: String::new(),
         position: Vec3::new(1.0, 2.0, 3.0),
         forward: Vec3::new(0.6, 0.0, -0.8),
         up: Vec3::Y,

@@ -239,7 +239,7 @@ type Mesh = Vec<(Corners, [f32; 3])>;
 fn buffers(exec: &mut dyn Executor, mesh: &Mesh) -> SceneBuffers {
     let triangles: Vec<SceneTriangle> =
         mesh.iter().enumerate().map(|(k, (c, _))| SceneTriangle { material: k as u32, ..scene_triangle(*c) }).collect();
-    let attributes = vec![TriangleAttributes { uv: [0.0; 6], normals: [0; 3], _pad: [0; 3] }; mesh.len()];
+    let attributes = vec![TriangleAttributes { uv: [0.0; 6], normals: [0; 3], tints: [0; 3] }; mesh.len()];
     let mut surfaces = vec![0u32; SRGB_TABLE_WORDS as usize];
     for (_, albedo) in mesh {
         surfaces.extend_from_slice(bytemuck::cast_slice(&[material(*albedo)]));

@@ -1,7 +1,7 @@
 //! What a ray finds: position, normals, reflectance, emission.
 
 use super::trace::Hit;
-use crate::scene::{Alpha, Scene, Texture, Triangle};
+use crate::scene::{Alpha, Scene, Texture, Triangle, Wrap};
 use glam::{Vec2, Vec3, Vec4};
 use std::sync::LazyLock;
 
@@ -90,9 +90,10 @@ impl<'a> Surfaces<'a> {
         let ([a, b, c], w) = (face.corners, hit.barycentric);
         let shading = if face.smooth { self.shading_normal(hit).unwrap_or(face.normal) } else { face.normal };
         let albedo = match material.texture {
-            Some(texture) => material.albedo * self.texel(texture, hit).truncate(),
+            Some(texture) => material.albedo * self.texel(texture, material.wrap, hit).truncate(),
             None => material.albedo,
         };
+        let albedo = if self.scene.colours.is_empty() { albedo } else { albedo * self.vertex_colour(hit) };
         let vertex = Vertex {
             position: a * w.x + b * w.y + c * w.z,
             offset: face.offset,
@@ -112,8 +113,15 @@ impl<'a> Surfaces<'a> {
         (a * w.x + b * w.y + c * w.z).try_normalize()
     }
 
-    fn texel(&self, texture: u32, hit: &Hit) -> Vec4 {
-        sample(&self.scene.textures[texture as usize], uv(self.scene, hit))
+    fn texel(&self, texture: u32, wrap: [Wrap; 2], hit: &Hit) -> Vec4 {
+        sample(&self.scene.textures[texture as usize], wrap, uv(self.scene, hit))
+    }
+
+    /// The interpolated vertex colour.
+    fn vertex_colour(&self, hit: &Hit) -> Vec3 {
+        let vertices = self.scene.triangles[hit.triangle as usize].vertices;
+        let ([a, b, c], w) = (vertices.map(|v| self.scene.colours[v as usize]), hit.barycentric);
+        a * w.x + b * w.y + c * w.z
     }
 }
 
@@ -124,7 +132,7 @@ pub fn alpha_passes(scene: &Scene, triangle: u32, barycentric: Vec3) -> bool {
     let alpha = match material.texture {
         Some(texture) => {
             let hit = Hit { t: 0.0, triangle, barycentric };
-            sample_alpha(&scene.textures[texture as usize], uv(scene, &hit))
+            sample_alpha(&scene.textures[texture as usize], material.wrap, uv(scene, &hit))
         }
         None => 1.0,
     };
@@ -137,18 +145,18 @@ fn uv(scene: &Scene, hit: &Hit) -> Vec2 {
     a * hit.barycentric.x + b * hit.barycentric.y + c * hit.barycentric.z
 }
 
-/// Bilinear sample of a repeating texture: linear RGB and alpha. `uv` = (0, 0) is the upper left corner of the upper
+/// Bilinear sample of a texture: linear RGB and alpha. `uv` = (0, 0) is the upper left corner of the upper
 /// left texel; texels are filtered after the sRGB curve was undone.
 #[inline(always)]
-pub fn sample(texture: &Texture, uv: Vec2) -> Vec4 {
-    let (texels, f) = around(texture, uv);
+pub fn sample(texture: &Texture, wrap: [Wrap; 2], uv: Vec2) -> Vec4 {
+    let (texels, f) = around(texture, wrap, uv);
     let [top, bottom] = texels.map(|[left, right]| linear(left).lerp(linear(right), f.x));
     top.lerp(bottom, f.y)
 }
 
 /// Alpha of [`sample`]: the same bits without the colours.
-fn sample_alpha(texture: &Texture, uv: Vec2) -> f32 {
-    let (texels, f) = around(texture, uv);
+fn sample_alpha(texture: &Texture, wrap: [Wrap; 2], uv: Vec2) -> f32 {
+    let (texels, f) = around(texture, wrap, uv);
     let lerp = |a: f32, b: f32, s: f32| a * (1.0 - s) + b * s;
     let [top, bottom] = texels.map(|[left, right]| lerp(unit(left[3]), unit(right[3]), f.x));
     lerp(top, bottom, f.y)
@@ -156,17 +164,36 @@ fn sample_alpha(texture: &Texture, uv: Vec2) -> f32 {
 
 /// The four texels around a point, `[row][column]`, and where it lies between them.
 #[inline(always)]
-fn around(texture: &Texture, uv: Vec2) -> ([[[u8; 4]; 2]; 2], Vec2) {
-    let size = Vec2::new(texture.width as f32, texture.height as f32);
+fn around(texture: &Texture, wrap: [Wrap; 2], uv: Vec2) -> ([[[u8; 4]; 2]; 2], Vec2) {
     // A coordinate that is not finite reads the corner.
-    let wrapped = if uv.is_finite() { uv - uv.floor() } else { Vec2::ZERO };
-    let p = wrapped * size - 0.5;
+    let uv = if uv.is_finite() { uv } else { Vec2::ZERO };
+    let (columns, x) = along(uv.x, texture.width, wrap[0]);
+    let (rows, y) = along(uv.y, texture.height, wrap[1]);
+    let texel = |row: usize, column: usize| texture.srgba[row * texture.width as usize + column];
+    (rows.map(|row| columns.map(|column| texel(row, column))), Vec2::new(x, y))
+}
+
+/// The two texels of a row around a coordinate, and where it lies between them.
+#[inline(always)]
+fn along(coordinate: f32, size: u32, wrap: Wrap) -> ([usize; 2], f32) {
+    let inside = match wrap {
+        Wrap::Repeat => coordinate - coordinate.floor(),
+        Wrap::Clamp => coordinate.clamp(0.0, 1.0),
+        // A triangle wave: up from 0 to 1, and down again from 1 to 2.
+        Wrap::Mirror => 1.0 - (coordinate.rem_euclid(2.0) - 1.0).abs(),
+    };
+    let p = inside * size as f32 - 0.5;
     let base = p.floor();
     // From −1 to the size: one step beyond either end.
-    let wrap = |i: i32, size: u32| (if i < 0 { size - 1 } else { i as u32 % size }) as usize;
-    let columns = [0, 1].map(|k| wrap(base.x as i32 + k, texture.width));
-    let rows = [0, 1].map(|k| wrap(base.y as i32 + k, texture.height) * texture.width as usize);
-    (rows.map(|row| columns.map(|column| texture.srgba[row + column])), p - base)
+    let step = |k: i32| {
+        let i = base as i32 + k;
+        match wrap {
+            Wrap::Repeat if i < 0 => size as usize - 1,
+            Wrap::Repeat => i as usize % size as usize,
+            Wrap::Clamp | Wrap::Mirror => i.clamp(0, size as i32 - 1) as usize,
+        }
+    };
+    ([step(0), step(1)], p - base)
 }
 
 /// Linear values of the 256 sRGB codes (IEC 61966-2-1).
@@ -192,6 +219,8 @@ fn unit(code: u8) -> f32 {
 mod tests {
     use super::*;
 
+    const REPEAT: [Wrap; 2] = [Wrap::Repeat; 2];
+
     fn checker() -> Texture {
         Texture {
             width: 2,
@@ -203,26 +232,48 @@ mod tests {
     #[test]
     fn texel_centres_read_their_texel_with_v_downwards() {
         let t = checker();
-        assert_eq!(sample(&t, Vec2::new(0.25, 0.25)), Vec4::new(1.0, 0.0, 0.0, 1.0));
-        assert_eq!(sample(&t, Vec2::new(0.75, 0.25)), Vec4::new(0.0, 1.0, 0.0, 0.0));
-        assert_eq!(sample(&t, Vec2::new(0.25, 0.75)), Vec4::new(0.0, 0.0, 1.0, 1.0));
+        assert_eq!(sample(&t, REPEAT, Vec2::new(0.25, 0.25)), Vec4::new(1.0, 0.0, 0.0, 1.0));
+        assert_eq!(sample(&t, REPEAT, Vec2::new(0.75, 0.25)), Vec4::new(0.0, 1.0, 0.0, 0.0));
+        assert_eq!(sample(&t, REPEAT, Vec2::new(0.25, 0.75)), Vec4::new(0.0, 0.0, 1.0, 1.0));
         // sRGB 188 is a linear 0.5029 (IEC 61966-2-1).
-        assert!((sample(&t, Vec2::new(0.75, 0.75)).x - 0.5029).abs() < 1e-4);
+        assert!((sample(&t, REPEAT, Vec2::new(0.75, 0.75)).x - 0.5029).abs() < 1e-4);
     }
 
     #[test]
     fn texels_blend_linearly_and_repeat() {
         let t = checker();
-        let half = sample(&t, Vec2::new(0.5, 0.25));
+        let half = sample(&t, REPEAT, Vec2::new(0.5, 0.25));
         assert!((half - Vec4::new(0.5, 0.5, 0.0, 0.5)).abs().max_element() < 1e-6);
-        let across_the_border = sample(&t, Vec2::new(0.0, 0.25));
+        let across_the_border = sample(&t, REPEAT, Vec2::new(0.0, 0.25));
         assert!((across_the_border - half).abs().max_element() < 1e-6);
         for k in 0..100 {
             let uv = Vec2::new(0.037 * k as f32 - 1.0, 2.0 - 0.051 * k as f32);
-            assert_eq!(sample_alpha(&t, uv), sample(&t, uv).w, "{uv}");
+            assert_eq!(sample_alpha(&t, REPEAT, uv), sample(&t, REPEAT, uv).w, "{uv}");
         }
-        let far = sample(&t, Vec2::new(-2.75, 5.25));
-        assert!((far - sample(&t, Vec2::new(0.25, 0.25))).abs().max_element() < 1e-5);
-        assert!(sample(&t, Vec2::new(f32::NAN, 0.0)).is_finite());
+        let far = sample(&t, REPEAT, Vec2::new(-2.75, 5.25));
+        assert!((far - sample(&t, REPEAT, Vec2::new(0.25, 0.25))).abs().max_element() < 1e-5);
+        assert!(sample(&t, REPEAT, Vec2::new(f32::NAN, 0.0)).is_finite());
+    }
+
+    #[test]
+    fn textures_stop_or_turn_back_at_their_sides_where_they_are_told_to() {
+        let t = checker();
+        let at = |wrap: Wrap, x: f32| sample(&t, [wrap, Wrap::Repeat], Vec2::new(x, 0.25)).x;
+        // Red on the left, none on the right.
+        for x in [0.0, 0.1, 0.25, -0.2, -7.0] {
+            assert_eq!(at(Wrap::Clamp, x), 1.0, "{x}");
+        }
+        for x in [1.0, 0.8, 3.0] {
+            assert_eq!(at(Wrap::Clamp, x), 0.0, "{x}");
+        }
+        for k in 0..40 {
+            let x = 0.05 * k as f32;
+            for turned in [2.0 - x, -x, x + 2.0, x - 4.0] {
+                assert!((at(Wrap::Mirror, x) - at(Wrap::Mirror, turned)).abs() < 1e-5, "{x} {turned}");
+            }
+            if x <= 1.0 {
+                assert_eq!(at(Wrap::Mirror, x), at(Wrap::Clamp, x), "{x}");
+            }
+        }
     }
 }

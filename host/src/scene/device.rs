@@ -5,10 +5,11 @@ use super::{Alpha, Light, Material, Scene};
 use crate::exec::{BufferId, ExecError, Executor, ExecutorExt};
 use glam::Vec3;
 use interreflect_kernels::math::octahedral;
-use interreflect_kernels::trace::surface::srgb_table;
+use interreflect_kernels::trace::surface::{srgb_table, tint};
 use interreflect_shared::scene::{
     BvhNode, LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT, LIGHT_TRIANGLE, MATERIAL_WORDS, NO_TEXTURE, SRGB_TABLE_WORDS,
-    SceneLight, SceneMaterial, SceneTriangle, TRIANGLE_EMITS, TRIANGLE_MASKED, TriangleAttributes,
+    SceneLight, SceneMaterial, SceneTriangle, TRIANGLE_EMITS, TRIANGLE_MASKED, TriangleAttributes, WRAP_U_SHIFT,
+    WRAP_V_SHIFT,
 };
 
 /// Buffers of one scene in one executor.
@@ -116,7 +117,8 @@ fn pack_attributes(scene: &Scene, source: u32) -> TriangleAttributes {
     let vertices = scene.triangles[source as usize].vertices;
     let [a, b, c] = vertices.map(|v| scene.uvs.get(v as usize).copied().unwrap_or_default());
     let normals = vertices.map(|v| octahedral::pack(scene.normals.get(v as usize).copied().unwrap_or(Vec3::Y)));
-    TriangleAttributes { uv: [a.x, a.y, b.x, b.y, c.x, c.y], normals, _pad: [0; 3] }
+    let tints = vertices.map(|v| scene.colours.get(v as usize).map_or(0, |colour| tint(*colour)));
+    TriangleAttributes { uv: [a.x, a.y, b.x, b.y, c.x, c.y], normals, tints }
 }
 
 /// The sRGB table, the materials, then each texture once.
@@ -142,7 +144,8 @@ fn pack_surfaces(scene: &Scene) -> Vec<u32> {
 
 fn pack_material(scene: &Scene, material: &Material, texture_first: &[u32]) -> SceneMaterial {
     let texture = material.texture.map(|t| (&scene.textures[t as usize], texture_first[t as usize]));
-    let (first, size) = texture.map_or((NO_TEXTURE, 0), |(t, first)| (first, t.width | (t.height << 16)));
+    let wrap = (material.wrap[0] as u32) << WRAP_U_SHIFT | (material.wrap[1] as u32) << WRAP_V_SHIFT;
+    let (first, size) = texture.map_or((NO_TEXTURE, 0), |(t, first)| (first | wrap, t.width | (t.height << 16)));
     SceneMaterial {
         albedo: material.albedo.to_array(),
         texture_first: first,

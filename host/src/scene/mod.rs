@@ -13,6 +13,7 @@ pub use built_in::{BUILT_IN, BuiltIn};
 pub use error::{FileError, SceneError};
 
 use glam::{DVec3, Vec2, Vec3};
+use interreflect_shared::scene::{WRAP_CLAMP, WRAP_MIRROR, WRAP_REPEAT};
 use sha2::{Digest, Sha256};
 use std::path::Path;
 
@@ -36,6 +37,19 @@ pub struct Texture {
     pub srgba: Vec<[u8; 4]>,
 }
 
+/// How a texture goes on beyond its sides.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[repr(u32)]
+pub enum Wrap {
+    /// It repeats.
+    #[default]
+    Repeat = WRAP_REPEAT,
+    /// The texels at its side go on.
+    Clamp = WRAP_CLAMP,
+    /// It repeats, mirrored every other time.
+    Mirror = WRAP_MIRROR,
+}
+
 /// How a material's alpha is used.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Alpha {
@@ -56,6 +70,8 @@ pub struct Material {
     pub albedo: Vec3,
     /// Index into [`Scene::textures`].
     pub texture: Option<u32>,
+    /// How the texture goes on beyond its sides, along u and v.
+    pub wrap: [Wrap; 2],
     /// Alpha of the base-colour factor, multiplied with the texture's.
     pub alpha_factor: f32,
     /// Use of alpha.
@@ -105,6 +121,8 @@ pub enum Light {
 pub struct Camera {
     /// Name.
     pub name: String,
+    /// Name of the file's node that holds it, by which it is known too; empty for other cameras.
+    pub node: String,
     /// Position.
     pub position: Vec3,
     /// Unit view direction.
@@ -128,6 +146,8 @@ pub struct Scene {
     pub normals: Vec<Vec3>,
     /// Texture coordinates, one per position (zero where there are none); v downwards as in glTF.
     pub uvs: Vec<Vec2>,
+    /// Vertex colours, linear factors of reflectance, empty (white) or one per position.
+    pub colours: Vec<Vec3>,
     /// Second UV set (lightmaps), empty or one per position.
     pub lightmap_uvs: Vec<Vec2>,
     /// Triangles of non-zero area.
@@ -242,7 +262,8 @@ impl Scene {
         let Some(spec) = spec else {
             return self.cameras.first().cloned().ok_or_else(|| fail("default", "the scene has none", None));
         };
-        if let Some(camera) = self.cameras.iter().find(|c| c.name == spec) {
+        let by_node = || self.cameras.iter().find(|c| !c.node.is_empty() && c.node == spec);
+        if let Some(camera) = self.cameras.iter().find(|c| c.name == spec).or_else(by_node) {
             return Ok(camera.clone());
         }
         if spec.contains(',') {
@@ -307,10 +328,11 @@ impl Scene {
         section(b"posi", bytemuck::cast_slice(&self.positions));
         section(b"norm", bytemuck::cast_slice(&self.normals));
         section(b"uv 0", bytemuck::cast_slice(&self.uvs));
+        section(b"colo", bytemuck::cast_slice(&self.colours));
         section(b"uv 1", bytemuck::cast_slice(&self.lightmap_uvs));
         let indices: Vec<[u32; 4]> = self.triangles.iter().map(Triangle::words).collect();
         section(b"tris", bytemuck::cast_slice(&indices));
-        let materials: Vec<[u32; 13]> = self.materials.iter().map(Material::words).collect();
+        let materials: Vec<[u32; 14]> = self.materials.iter().map(Material::words).collect();
         section(b"mate", bytemuck::cast_slice(&materials));
         for texture in &self.textures {
             section(b"size", bytemuck::cast_slice(&[texture.width, texture.height]));
@@ -349,6 +371,7 @@ impl Material {
             name: name.to_owned(),
             albedo,
             texture: None,
+            wrap: [Wrap::Repeat; 2],
             alpha_factor: 1.0,
             alpha: Alpha::Opaque,
             emission: Vec3::ZERO,
@@ -358,7 +381,7 @@ impl Material {
     }
 
     /// Everything but the name.
-    fn words(&self) -> [u32; 13] {
+    fn words(&self) -> [u32; 14] {
         let (mode, cutoff) = match self.alpha {
             Alpha::Opaque => (0, 0.0),
             Alpha::Mask(cutoff) => (1, cutoff),
@@ -366,13 +389,14 @@ impl Material {
         };
         let (a, e) = (self.albedo, self.emission);
         let floats = [a.x, a.y, a.z, e.x, e.y, e.z, self.alpha_factor, cutoff, self.metallic, self.roughness];
-        let mut words = [0; 13];
+        let mut words = [0; 14];
         for (word, float) in words.iter_mut().zip(floats) {
             *word = float.to_bits();
         }
         words[10] = mode;
         words[11] = u32::from(self.texture.is_some());
         words[12] = self.texture.unwrap_or(0);
+        words[13] = self.wrap[0] as u32 | (self.wrap[1] as u32) << 2;
         words
     }
 }
@@ -406,7 +430,7 @@ impl Camera {
         let forward = (target - position).normalize();
         let world_up = if forward.y.abs() > 0.9999 { Vec3::Z } else { Vec3::Y };
         let right = forward.cross(world_up).normalize();
-        Camera { name: name.to_owned(), position, forward, up: right.cross(forward), fovy_rad }
+        Camera { name: name.to_owned(), node: String::new(), position, forward, up: right.cross(forward), fovy_rad }
     }
 
     /// Primary ray through a point of the picture: origin and unit direction. `x_px`, `y_px` count from the top left

@@ -20,7 +20,7 @@ use crate::kernel::AtomicWords;
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, min};
 use crate::math::vector::normalize;
-use glam::Vec3;
+use glam::{IVec3, Vec3};
 #[cfg(not(target_arch = "spirv"))]
 use interreflect_shared::lpv::OPACITY_PLANES;
 use interreflect_shared::lpv::{AREA_MOST, AREA_UNITS, LpvLayout, LpvParams, RsmTexel};
@@ -30,19 +30,20 @@ use interreflect_shared::voxel::VoxelFacet;
 #[inline(always)]
 fn add_area(p: &LpvParams, position: Vec3, area: Vec3, words: &mut impl AtomicWords) {
     let q = cells_from_world(p.anchor_size, position) - normalize(area) * TIE;
-    add_axis(p, q - Vec3::new(0.5, 0.0, 0.0), 0, abs(area.x), words);
-    add_axis(p, q - Vec3::new(0.0, 0.5, 0.0), 1, abs(area.y), words);
-    add_axis(p, q - Vec3::new(0.0, 0.0, 0.5), 2, abs(area.z), words);
+    // Along each axis in turn the cell whose centre lies before the surface.
+    let (cell, before) = (cell_of(p.first_cell, q), cell_of(p.first_cell, q - 0.5));
+    add_axis(p, IVec3::new(before.x, cell.y, cell.z), 0, abs(area.x), words);
+    add_axis(p, IVec3::new(cell.x, before.y, cell.z), 1, abs(area.y), words);
+    add_axis(p, IVec3::new(cell.x, cell.y, before.z), 2, abs(area.z), words);
 }
 
 /// The face above a cell: between its centre and the next one's.
 #[inline(always)]
-fn add_axis(p: &LpvParams, q: Vec3, axis: u32, area: f32, words: &mut impl AtomicWords) {
-    let cell = cell_of(p.first_cell, q);
+fn add_axis(p: &LpvParams, cell: IVec3, axis: u32, area: f32, words: &mut impl AtomicWords) {
     let units = floor(min(area, AREA_MOST) * AREA_UNITS + 0.5) as u32;
     if inside(p.dims, cell) && units > 0 {
         let layout = LpvLayout::new(p.dims);
-        words.add(axis * layout.plane + element(&layout, cell), units);
+        words.accumulate(axis * layout.plane + element(&layout, cell), units);
     }
 }
 

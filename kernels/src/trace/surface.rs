@@ -1,17 +1,18 @@
 //! What a ray finds: position, normals, reflectance and emission at a hit.
 //!
-//! Materials and texels are words of one buffer (`interreflect_shared::scene::SceneMaterial`). Textures repeat and are
-//! filtered bilinearly, each texel decoded from sRGB before it is weighted; texel centres lie at half-integers and row 0
+//! Materials and texels are words of one buffer (`interreflect_shared::scene::SceneMaterial`). Textures go on beyond their sides
+//! as glTF's samplers say and are filtered bilinearly, each texel decoded from sRGB before it is weighted; texel centres lie at half-integers and row 0
 //! is at v = 0, as in glTF.
 
 use super::SceneRef;
 use super::ray::{Hit, Ray};
-use crate::math::float::{abs, floor, max};
+use crate::math::float::{abs, floor, max, min};
 use crate::math::octahedral;
 use crate::math::vector::length;
 use glam::{Vec2, Vec3};
 use interreflect_shared::scene::{
-    MATERIAL_WORDS, NO_SURFACE, NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, Surfel, TriangleAttributes,
+    MATERIAL_WORDS, NO_SURFACE, NO_TEXTURE, SRGB_TABLE_WORDS, SceneMaterial, Surfel, TEXTURE_FIRST_MASK,
+    TriangleAttributes, WRAP_CLAMP, WRAP_MIRROR, WRAP_REPEAT, WRAP_U_SHIFT, WRAP_V_SHIFT,
 };
 
 /// Reflectance and alpha at a point of a surface.
@@ -44,8 +45,41 @@ fn float(surfaces: &[u32], word: usize) -> f32 {
     f32::from_bits(surfaces[word])
 }
 
+/// Reflectance and alpha of a material at a point of a triangle.
+#[inline(always)]
+pub fn base_colour(surfaces: &[u32], m: &SceneMaterial, t: &TriangleAttributes, u: f32, v: f32) -> BaseColour {
+    let colour = textured(surfaces, m, texture_coordinate(t, u, v));
+    BaseColour { albedo: colour.albedo * vertex_colour(t, u, v), alpha: colour.alpha }
+}
+
+/// The factor of the vertex colours at a point of a triangle; they are interpolated in linear light.
+#[inline(always)]
+fn vertex_colour(t: &TriangleAttributes, u: f32, v: f32) -> Vec3 {
+    if t.tints[0] | t.tints[1] | t.tints[2] == 0 {
+        return Vec3::ONE;
+    }
+    untinted(t.tints[0]) * (1.0 - u - v) + untinted(t.tints[1]) * u + untinted(t.tints[2]) * v
+}
+
+/// The colour of a corner from what it takes away.
+#[inline(always)]
+fn untinted(tint: u32) -> Vec3 {
+    let taken = Vec3::new((tint & 1023) as f32, ((tint >> 10) & 1023) as f32, ((tint >> 20) & 1023) as f32);
+    let root = Vec3::ONE - taken * (1.0 / 1023.0);
+    root * root
+}
+
+/// Word of [`TriangleAttributes::tints`] of a colour; what is outside 0…1 is brought there.
+#[cfg(not(target_arch = "spirv"))]
+pub fn tint(colour: Vec3) -> u32 {
+    #[cfg(not(feature = "std"))]
+    use spirv_std::num_traits::Float;
+    let taken = colour.to_array().map(|c| ((1.0 - c.clamp(0.0, 1.0).sqrt()) * 1023.0 + 0.5) as u32);
+    taken[0] | taken[1] << 10 | taken[2] << 20
+}
+
 /// Reflectance and alpha of a material at a texture coordinate.
-pub fn base_colour(surfaces: &[u32], m: &SceneMaterial, uv: Vec2) -> BaseColour {
+fn textured(surfaces: &[u32], m: &SceneMaterial, uv: Vec2) -> BaseColour {
     let factor = Vec3::from_array(m.albedo);
     if m.texture_first == NO_TEXTURE {
         return BaseColour { albedo: factor, alpha: m.alpha_factor };
@@ -95,9 +129,10 @@ impl Taps {
     #[inline(always)]
     fn new(m: &SceneMaterial, uv: Vec2) -> Self {
         let (width, height) = (m.texture_size & 0xFFFF, m.texture_size >> 16);
-        let (x0, x1, fx) = repeat(uv.x, width);
-        let (y0, y1, fy) = repeat(uv.y, height);
-        let (row0, row1) = (m.texture_first + y0 * width, m.texture_first + y1 * width);
+        let (x0, x1, fx) = neighbours(uv.x, width, (m.texture_first >> WRAP_U_SHIFT) & 3);
+        let (y0, y1, fy) = neighbours(uv.y, height, (m.texture_first >> WRAP_V_SHIFT) & 3);
+        let first = m.texture_first & TEXTURE_FIRST_MASK;
+        let (row0, row1) = (first + y0 * width, first + y1 * width);
         Self { i00: row0 + x0, i10: row0 + x1, i01: row1 + x0, i11: row1 + x1, fx, fy }
     }
     #[inline(always)]
@@ -108,19 +143,31 @@ impl Taps {
     }
 }
 
-/// Two neighbouring texels of a repeating row around a coordinate, and the weight of the second. A coordinate that is no
-/// number counts as 0.
+/// Two neighbouring texels of a row around a coordinate, and the weight of the second. A coordinate that is no number counts
+/// as 0.
 #[inline(always)]
-fn repeat(coordinate: f32, size: u32) -> (u32, u32, f32) {
-    let wrapped = coordinate - floor(coordinate);
-    let wrapped = if wrapped <= 1.0 { wrapped } else { 0.0 };
-    let x = wrapped * size as f32 - 0.5;
-    let below = floor(x);
-    let weight = x - below;
+fn neighbours(coordinate: f32, size: u32, wrap: u32) -> (u32, u32, f32) {
     let last = size - 1;
-    let first = if below < 0.0 { last } else { (below as u32).min(last) };
-    let second = if first == last { 0 } else { first + 1 };
-    (first, second, weight)
+    let x = inside(coordinate, wrap) * size as f32 - 0.5;
+    let below = floor(x);
+    let before_first = below < 0.0;
+    let first = if before_first { 0 } else { (below as u32).min(last) };
+    let second = if before_first { 0 } else { (first + 1).min(last) };
+    // Beyond the first and the last texel a row that repeats goes on at its other end.
+    let repeats = wrap == WRAP_REPEAT;
+    let first = if repeats && before_first { last } else { first };
+    let second = if repeats && !before_first && first == last { 0 } else { second };
+    (first, second, x - below)
+}
+
+/// The coordinate in 0…1 that stands for another.
+#[inline(always)]
+fn inside(coordinate: f32, wrap: u32) -> f32 {
+    let period = if wrap == WRAP_MIRROR { 2.0 } else { 1.0 };
+    let turned = coordinate - floor(coordinate / period) * period;
+    let folded = if turned > 1.0 { period - turned } else { turned };
+    let coordinate = if wrap == WRAP_CLAMP { min(max(coordinate, 0.0), 1.0) } else { folded };
+    if coordinate >= 0.0 && coordinate <= 1.0 { coordinate } else { 0.0 }
 }
 
 #[inline(always)]
@@ -153,7 +200,7 @@ pub fn surface(scene: &SceneRef<'_>, ray: &Ray, hit: &Hit) -> Surfel {
     let geometric_normal = if front { outward } else { -outward };
     let attributes = &scene.attributes[hit.triangle as usize];
     let m = material(scene.surfaces, triangle.material);
-    let colour = base_colour(scene.surfaces, &m, texture_coordinate(attributes, hit.u, hit.v));
+    let colour = base_colour(scene.surfaces, &m, attributes, hit.u, hit.v);
     Surfel {
         position: position.to_array(),
         triangle: hit.triangle,

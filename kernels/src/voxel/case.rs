@@ -78,7 +78,7 @@ impl CasePyramid {
         params.direction_count = if input.bits() & 1 == 0 { 6 } else { 1 };
         let triangles: Vec<SceneTriangle> = (0..input.count).map(|k| triangle(input, &params, k as u32)).collect();
         let attributes = (0..input.count)
-            .map(|_| TriangleAttributes { uv: [(); 6].map(|()| input.unit()), normals: [0; 3], _pad: [0; 3] })
+            .map(|_| TriangleAttributes { uv: [(); 6].map(|()| input.unit()), normals: [0; 3], tints: [0; 3] })
             .collect();
         let empty = Vec::new;
         Self {

@@ -26,7 +26,7 @@ use crate::kernel::{AtomicWords, fetch};
 use crate::kernel::{Case, CaseInput, Tolerance};
 use crate::math::float::{abs, floor, max, min};
 use crate::math::vector::{length, normalize};
-use crate::trace::surface::{base_colour, material, texture_coordinate};
+use crate::trace::surface::{base_colour, material};
 use glam::{UVec3, Vec3};
 use interreflect_shared::scene::{SceneMaterial, SceneTriangle, TriangleAttributes};
 use interreflect_shared::voxel::{AREA_LIMIT, FACET_KINDS, FACET_WORDS, VoxelFacet, VoxelParams};
@@ -139,7 +139,7 @@ fn colour(
     let scale = if abs(area) > 0.0 { 1.0 / area } else { 0.0 };
     let u = min(max((ap.x * ac.y - ap.y * ac.x) * scale, 0.0), 1.0);
     let v = min(max((ab.x * ap.y - ab.y * ap.x) * scale, 0.0), 1.0);
-    let base = base_colour(surfaces, m, texture_coordinate(attributes, u, v));
+    let base = base_colour(surfaces, m, attributes, u, v);
     let albedo = Vec3::new(min(base.albedo.x, 1.0), min(base.albedo.y, 1.0), min(base.albedo.z, 1.0));
     (albedo, if base.alpha < m.alpha_cutoff { 0.0 } else { 1.0 })
 }

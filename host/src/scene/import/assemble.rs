@@ -16,6 +16,8 @@ pub struct Part<'a> {
     /// One per position.
     pub uvs: Option<Vec<Vec2>>,
     /// One per position.
+    pub colours: Option<Vec<Vec3>>,
+    /// One per position.
     pub lightmap_uvs: Option<Vec<Vec2>>,
     /// Index into [`Scene::materials`].
     pub material: u32,
@@ -123,6 +125,9 @@ impl Assembler {
         self.positions.push(part.positions[v]);
         scene.normals.push(part.normals.as_ref().and_then(|n| n[v].try_normalize()).unwrap_or(flat));
         scene.uvs.push(part.uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
+        let colour = part.colours.as_ref().map_or(Vec3::ONE, |colours| colours[v]);
+        // Rounding is not to make a surface that reflects more than arrives, nor is a number that is none.
+        scene.colours.push(if colour.is_finite() { colour.clamp(Vec3::ZERO, Vec3::ONE) } else { Vec3::ONE });
         scene.lightmap_uvs.push(part.lightmap_uvs.as_ref().map_or(Vec2::ZERO, |uvs| finite_uv(uvs[v])));
         self.has_all_lightmap_uvs &= part.lightmap_uvs.is_some();
         self.positions.len() as u32 - 1
@@ -134,6 +139,9 @@ impl Assembler {
         self.drop_degenerate();
         if self.scene.triangles.is_empty() {
             return Err(FileError::NoTriangles(self.dropped()));
+        }
+        if self.scene.colours.iter().all(|colour| *colour == Vec3::ONE) {
+            self.scene.colours = Vec::new();
         }
         if !self.has_all_lightmap_uvs {
             self.scene.lightmap_uvs = Vec::new();

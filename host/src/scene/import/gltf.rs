@@ -175,8 +175,17 @@ impl<'a> Importer<'a> {
         };
         let normals = self.attribute::<3>(mesh, primitive, Semantic::Normals, "NORMAL")?;
         let uvs = self.attribute::<2>(mesh, primitive, Semantic::TexCoords(uv_source.set), "TEXCOORD")?;
+        let colours = self.attribute::<4>(mesh, primitive, Semantic::Colors(0), "COLOR_0")?;
         let lightmap_uvs = self.attribute::<2>(mesh, primitive, Semantic::TexCoords(1), "TEXCOORD_1")?;
-        let lengths = [normals.as_ref().map(Vec::len), uvs.as_ref().map(Vec::len), lightmap_uvs.as_ref().map(Vec::len)];
+        let lengths = [
+            normals.as_ref().map(Vec::len),
+            uvs.as_ref().map(Vec::len),
+            colours.as_ref().map(Vec::len),
+            lightmap_uvs.as_ref().map(Vec::len),
+        ];
+        if colours.as_ref().is_some_and(|colours| colours.iter().any(|c| c[3] != 1.0)) {
+            self.out.note("the alpha of vertex colours is ignored");
+        }
         if lengths.into_iter().flatten().any(|length| length != positions.len()) {
             return Err(FileError::Malformed(format!("mesh `{mesh}`: the vertex attributes differ in number")));
         }
@@ -185,6 +194,7 @@ impl<'a> Importer<'a> {
             positions: transform_points(world_from_mesh, &positions),
             normals: normals.map(|normals| transform_normals(world_from_mesh, &normals)),
             uvs: uvs.map(|uvs| uvs.into_iter().map(|uv| uv_source.transform(uv)).collect()),
+            colours: colours.map(|colours| colours.iter().map(|c| Vec3::new(c[0], c[1], c[2])).collect()),
             lightmap_uvs: lightmap_uvs.map(|uvs| uvs.into_iter().map(Vec2::from_array).collect()),
             material,
         }))
@@ -202,9 +212,6 @@ impl<'a> Importer<'a> {
     }
 
     fn note_ignored(&mut self, primitive: &Primitive) {
-        if primitive.attributes.contains_key(&Checked::Valid(Semantic::Colors(0))) {
-            self.out.note("vertex colours are ignored");
-        }
         if primitive.targets.as_ref().is_some_and(|t| !t.is_empty()) {
             self.out.note("morph targets are ignored");
         }
@@ -231,7 +238,8 @@ impl<'a> Importer<'a> {
         let position = point(world_from_node).ok_or_else(|| malformed("is absurdly far away"))?;
         let up = up.ok_or_else(|| malformed("has a singular transform"))?.as_vec3();
         let name = unique_name(source.name.as_deref().unwrap_or(node), &self.out.scene.cameras);
-        self.out.add_camera(Camera { name, position: Vec3::ZERO, forward, up, fovy_rad: perspective.yfov }, position);
+        let (node, fovy_rad) = (node.to_owned(), perspective.yfov);
+        self.out.add_camera(Camera { name, node, position: Vec3::ZERO, forward, up, fovy_rad }, position);
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! glTF materials and textures as Lambert surfaces.
 
-use super::super::{Alpha, FileError, Material};
+use super::super::{Alpha, FileError, Material, Wrap};
 use super::MAX_FILE_BYTES;
 use super::accessor::{Buffers, index_of, look_up};
 use super::assemble::Assembler;
@@ -94,6 +94,7 @@ impl<'a> Materials<'a> {
         let mut material = Material {
             albedo: Vec3::new(factor[0], factor[1], factor[2]),
             texture,
+            wrap: pbr.base_color_texture.as_ref().map_or(Ok([Wrap::Repeat; 2]), |info| self.wrap(&name, info))?,
             alpha_factor: factor[3],
             alpha: alpha(&name, source)?,
             emission: self.emission(&name, source, buffers, out)?,
@@ -137,7 +138,6 @@ impl<'a> Materials<'a> {
         out: &mut Assembler,
     ) -> Result<u32, FileError> {
         let image = self.image_of(name, info)?;
-        self.note_wrap(name, info, out)?;
         if let Some(&texture) = self.textures.get(&image) {
             return Ok(texture);
         }
@@ -150,18 +150,24 @@ impl<'a> Materials<'a> {
     fn image_of(&self, material: &str, info: &Info) -> Result<usize, FileError> {
         let what = || format!("material `{material}`: texture");
         let texture = look_up(&self.root.textures, info.index.value(), what)?;
+        // The library gives a texture without a source this one.
+        if texture.source.value() == u32::MAX as usize {
+            let reason = "its texture has no source that is known: extensions of pictures are not read".to_owned();
+            return Err(FileError::Image { image: material.to_owned(), reason });
+        }
         Ok(texture.source.value())
     }
 
-    fn note_wrap(&self, material: &str, info: &Info, out: &mut Assembler) -> Result<(), FileError> {
+    /// How a texture goes on beyond its sides, along u and v.
+    fn wrap(&self, material: &str, info: &Info) -> Result<[Wrap; 2], FileError> {
         let texture = &self.root.textures[info.index.value()];
-        let Some(sampler_idx) = index_of(texture.sampler) else { return Ok(()) };
+        let Some(sampler_idx) = index_of(texture.sampler) else { return Ok([Wrap::Repeat; 2]) };
         let sampler = look_up(&self.root.samplers, sampler_idx, || format!("material `{material}`: sampler"))?;
-        let repeats = Checked::Valid(WrappingMode::Repeat);
-        if sampler.wrap_s != repeats || sampler.wrap_t != repeats {
-            out.note("textures repeat: other wrap modes are not followed outside the texture");
-        }
-        Ok(())
+        Ok([sampler.wrap_s, sampler.wrap_t].map(|mode| match mode {
+            Checked::Valid(WrappingMode::ClampToEdge) => Wrap::Clamp,
+            Checked::Valid(WrappingMode::MirroredRepeat) => Wrap::Mirror,
+            Checked::Valid(WrappingMode::Repeat) | Checked::Invalid => Wrap::Repeat,
+        }))
     }
 
     fn decode(&mut self, image_idx: usize, buffers: &Buffers) -> Result<super::super::Texture, FileError> {

@@ -158,7 +158,7 @@ impl Importer<'_> {
                 self.flush()?;
                 self.material = Some(self.library.find(&words[1..].join(" "), &mut self.out));
             }
-            "mtllib" => self.library.load(statement["mtllib".len()..].trim(), &mut self.out)?,
+            "mtllib" => self.library.load_all(statement["mtllib".len()..].trim(), &mut self.out)?,
             "l" | "p" | "curv" | "curv2" | "surf" => {
                 self.out.note("points, lines, curves and free-form surfaces dropped")
             }
@@ -240,6 +240,7 @@ impl Importer<'_> {
                 run.corners.iter().map(|c| c.2.map_or(Vec3::ZERO, |n| vertices.normals[n as usize])).collect()
             }),
             uvs: Some(run.corners.iter().map(|c| c.1.map_or(Vec2::ZERO, |uv| vertices.uvs[uv as usize])).collect()),
+            colours: None,
             lightmap_uvs: None,
             material,
         };

@@ -1,6 +1,6 @@
 //! MTL material libraries as Lambert surfaces.
 
-use super::super::super::{Alpha, FileError, Material, Texture};
+use super::super::super::{Alpha, FileError, Material, Texture, Wrap};
 use super::super::assemble::Assembler;
 use super::super::material::make_legal;
 use super::super::picture::Pictures;
@@ -60,8 +60,20 @@ impl<'a> Library<'a> {
         *self.default.get_or_insert_with(|| out.add_material(default))
     }
 
+    /// Reads one library, or several whose names stand side by side; a name may hold blanks.
+    pub fn load_all(&mut self, names: &str, out: &mut Assembler) -> Result<(), FileError> {
+        if self.file(names).exists() {
+            return self.load(names, out);
+        }
+        let words: Vec<&str> = names.split_whitespace().collect();
+        if words.iter().any(|word| self.file(word).exists()) {
+            return words.into_iter().try_for_each(|word| self.load(word, out));
+        }
+        self.load(names, out)
+    }
+
     /// Reads a library; one that is missing is noted.
-    pub fn load(&mut self, name: &str, out: &mut Assembler) -> Result<(), FileError> {
+    fn load(&mut self, name: &str, out: &mut Assembler) -> Result<(), FileError> {
         let bytes = match external::read(&self.file(name), MAX_FILE_BYTES) {
             Ok(bytes) => bytes,
             Err(reason) => {
@@ -100,9 +112,12 @@ impl<'a> Library<'a> {
             (false, false) => Alpha::Mask(MASK_CUTOFF),
         };
         let texture = self.texture(&entry, out)?;
+        // A picture without a colour beside it is the colour.
+        let albedo = if texture.is_some() && !entry.colour_file.is_empty() { 1.0 } else { DEFAULT_ALBEDO };
         let mut material = Material {
-            albedo: entry.diffuse.map_or(Vec3::splat(DEFAULT_ALBEDO), Vec3::from_array),
+            albedo: entry.diffuse.map_or(Vec3::splat(albedo), Vec3::from_array),
             texture,
+            wrap: [Wrap::Repeat; 2],
             alpha_factor: opacity,
             alpha,
             emission: Vec3::from_array(entry.emission),
