@@ -2,6 +2,7 @@
 
 pub mod ambient;
 pub mod direct;
+pub mod gaps;
 pub mod lpv;
 pub mod reference;
 pub mod settings;

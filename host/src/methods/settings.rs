@@ -64,6 +64,20 @@ pub fn parse<T: FromStr>(
     })
 }
 
+/// The same for a setting that may be `auto`: `None`.
+///
+/// # Errors
+/// As [`parse`].
+pub fn auto_or<T: FromStr>(
+    row: &MethodRow,
+    settings: &Settings,
+    key: &'static str,
+    valid: impl Fn(&T) -> bool,
+) -> Result<Option<T>, MethodError> {
+    let text: String = parse(row, settings, key, |_| true)?;
+    if text == "auto" { Ok(None) } else { parse(row, settings, key, valid).map(Some) }
+}
+
 #[cfg(test)]
 mod tests {
     use crate::methods::{METHODS, method};

@@ -79,7 +79,7 @@ pub struct VoxelScene {
     pub odd: BufferId,
     /// Values of the even levels.
     pub even: BufferId,
-    /// Bytes of all buffers together.
+    /// Bytes of all buffers together while they are made: what is only needed for that is given back.
     pub memory_bytes: u64,
     /// Occupied voxels of level 0.
     pub voxel_count: u32,
@@ -265,7 +265,7 @@ impl VoxelScene {
             "occupied_voxels": self.voxel_count,
             "facets": self.params.facet_count,
             "triangle_tiles": self.params.tile_count,
-            "memory_bytes": self.memory_bytes,
+            "peak_memory_bytes": self.memory_bytes,
         })
     }
 }

@@ -311,7 +311,7 @@ impl Method for Srp {
         let feedback = runtime.keep_below_one(exec, GAIN_ITERATIONS)?;
         if feedback.alarm {
             let gain = feedback.spectral_radius;
-            eprintln!("warning: srp: bounces would gain light ({gain:.3} per bounce); the loop is damped");
+            tell!("warning: srp: bounces would gain light ({gain:.3} per bounce); the loop is damped");
         }
         let texel_m = lookup.atlas().texel_size;
         let coefficient_count = bake.coefficient_count();

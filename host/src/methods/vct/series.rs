@@ -4,7 +4,9 @@
 //! reflected light. A step computes K(d + x) from what is known of x. What comes out is then scaled until it is in balance: the
 //! flux that it reflects is that of the first bounce, and what K keeps, λ, of its own. So one step already holds the whole
 //! geometric series where all light spreads alike (two bounces in a plain room), and where it does not (light that turns
-//! around corners) every further step mends the distribution, and not the sum. Steps end when they change little, or no less
+//! around corners) every further step mends the distribution, and not the sum. No step may make light: where more flux arrives
+//! than was sent out (cones that see the lit backs of walls, small bright things that few cones meet too often), it is scaled to
+//! what was. Steps end when they change little, or no less
 //! than the one before: what is left then is the noise of few cones.
 
 use glam::{DVec3, Vec3, Vec4};
@@ -23,7 +25,7 @@ const FALLING: f64 = 0.7;
 /// What a step says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Factor on the step's irradiance that balances flux; 1 where no more than the bounces made is wanted.
+    /// Factor on the step's irradiance that balances flux, and that keeps it from making light.
     pub gain: Vec3,
     /// Mean share of the light on a surface that the step changed; of the first step, λ.
     pub change: f64,
@@ -35,6 +37,8 @@ pub struct Step {
 pub struct Series {
     /// Flux that each facet reflects per irradiance of either side, over the voxel's face.
     reflecting: Arc<[Vec3]>,
+    /// Area of each facet, over the voxel's face.
+    areas: Arc<[f32]>,
     /// Whether the bounces after the last are wanted too.
     balanced: bool,
     /// Change that a step may leave.
@@ -53,16 +57,18 @@ pub struct Series {
 
 impl Series {
     /// A series that starts from direct irradiance, two sides per facet.
-    pub fn new(reflecting: Arc<[Vec3]>, direct: &[Vec4], balanced: bool, converged: f64) -> Self {
+    pub fn new(reflecting: Arc<[Vec3]>, areas: Arc<[f32]>, direct: &[Vec4], balanced: bool, converged: f64) -> Self {
         let direct = fluxes(&reflecting, direct).into_iter().sum();
         let (before, ratio) = (DVec3::ZERO, DVec3::ZERO);
         let (first, groups, change) = (None, Vec::new(), f64::INFINITY);
-        Self { reflecting, balanced, converged, direct, first, before, groups, change, ratio }
+        Self { reflecting, areas, balanced, converged, direct, first, before, groups, change, ratio }
     }
 
     /// Takes what cones gathered from direct light and the last step's irradiance times its gain.
     pub fn step(&mut self, irradiance: &[Vec4]) -> Step {
-        let fluxes = fluxes(&self.reflecting, irradiance);
+        let sent = self.direct + self.before;
+        let conserving = divided(sent, arriving(&self.areas, irradiance), 1.0).min(DVec3::ONE);
+        let fluxes: Vec<DVec3> = fluxes(&self.reflecting, irradiance).into_iter().map(|f| f * conserving).collect();
         let flux: DVec3 = fluxes.iter().sum();
         self.ratio = match self.first {
             None => divided(flux, self.direct, 0.0),
@@ -81,7 +87,7 @@ impl Series {
         let may_end = self.balanced && self.converged > 0.0 && !is_first;
         let settled = may_end && (change < self.converged || falls_no_more);
         (self.groups, self.change) = (groups, if is_first { f64::INFINITY } else { change });
-        Step { gain: gain.as_vec3(), change, settled }
+        Step { gain: (gain * conserving).as_vec3(), change, settled }
     }
 
     /// λ, the share of reflected flux that comes back, in the channel that keeps most; `None` where none does.
@@ -105,6 +111,11 @@ fn fluxes(reflecting: &[Vec3], sides: &[Vec4]) -> Vec<DVec3> {
     sides.chunks(GROUP).zip(reflecting.chunks(GROUP / 2)).map(group).collect()
 }
 
+/// Flux that arrives at all facets, up to the same factor.
+fn arriving(areas: &[f32], sides: &[Vec4]) -> DVec3 {
+    sides.chunks_exact(2).zip(areas).map(|(e, area)| ((e[0] + e[1]).truncate() * *area).as_dvec3()).sum()
+}
+
 /// Mean over the groups of how much of their light is new: dark walls count as much as bright ones, because somebody may look at
 /// either, but for what is all but black.
 fn change(before: &[f64], after: &[f64]) -> f64 {
@@ -123,8 +134,9 @@ mod tests {
         let per_group = |values: &[f32]| -> Vec<Vec4> {
             values.iter().flat_map(|v| std::iter::repeat_n(Vec3::splat(*v).extend(0.0), GROUP)).collect()
         };
-        let reflecting = vec![Vec3::ONE; direct.len() * GROUP / 2].into();
-        let mut series = Series::new(reflecting, &per_group(direct), balanced, 0.01);
+        let facets = direct.len() * GROUP / 2;
+        let (reflecting, areas) = (vec![Vec3::ONE; facets].into(), vec![1.0; facets].into());
+        let mut series = Series::new(reflecting, areas, &per_group(direct), balanced, 0.01);
         let (mut x, mut made) = (vec![0.0; direct.len()], Vec::new());
         for _ in 0..count {
             let from: Vec<f32> = direct.iter().zip(&x).map(|(d, x)| d + x).collect();
@@ -173,11 +185,23 @@ mod tests {
     }
 
     #[test]
+    fn a_step_that_makes_light_is_held_back() {
+        let grey = |value: f32| vec![Vec4::new(value, value, value, 0.0); 2];
+        for balanced in [false, true] {
+            let mut series = Series::new([Vec3::splat(0.5)].into(), [1.0].into(), &grey(8.0), balanced, 0.01);
+            // 8 is reflected of 16, and 40 arrive: a fifth of it is what can be there, and half of that is reflected again.
+            let step = series.step(&grey(20.0));
+            assert!((step.gain.x - if balanced { 0.4 } else { 0.2 }).abs() < 1e-6, "{step:?}");
+            assert!((series.ratio().unwrap() - 0.5).abs() < 1e-9);
+        }
+    }
+
+    #[test]
     fn darkness_stays_dark() {
         let (x, made) = steps(&[&[0.5]], &[0.0], true, 3);
         assert_eq!(x, [0.0]);
         assert!(made[1].change == 0.0 && made[1].settled, "{made:?}");
-        let mut series = Series::new([].into(), &[], true, 0.0);
+        let mut series = Series::new([].into(), [].into(), &[], true, 0.0);
         assert_eq!(series.step(&[]).gain, Vec3::ONE);
         assert_eq!(series.ratio(), None);
     }
@@ -185,7 +209,7 @@ mod tests {
     #[test]
     fn a_red_lamp_says_nothing_of_green() {
         let red = |value: f32| vec![Vec4::new(value, 0.0, 0.0, 0.0); 2];
-        let mut series = Series::new([Vec3::splat(0.5)].into(), &red(8.0), true, 0.01);
+        let mut series = Series::new([Vec3::splat(0.5)].into(), [1.0].into(), &red(8.0), true, 0.01);
         assert_eq!(series.step(&red(4.0)).gain, Vec3::new(2.0, 1.0, 1.0));
         assert_eq!(series.ratio(), Some(0.5));
     }
