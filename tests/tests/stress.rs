@@ -117,7 +117,16 @@ fn measure_with(row: &'static MethodRow, families: &[&str], effort: Effort) -> V
     let cache = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("stress-truths");
     let changes = row.ladder[0].1.iter().copied().chain(Known::changes(row.name));
     let settings = row.with(changes).expect("a ladder's settings");
-    let mut lab = Lab { row, settings, seed: 1, cache, exec: Box::new(CpuExecutor::new()), effort, not_finite: false };
+    let mut lab = Lab {
+        row,
+        settings,
+        seed: 1,
+        cache,
+        exec: Box::new(CpuExecutor::new()),
+        effort,
+        not_finite: false,
+        last: None,
+    };
     let chosen: Vec<_> = FAMILIES.iter().filter(|f| families.contains(&f.key)).collect();
     assert_eq!(chosen.len(), families.len());
     let entries = stress::run(&mut lab, &chosen, &mut |e| println!("{}", e.sentence));
@@ -222,6 +231,7 @@ fn a_method_that_panics_is_an_entry() {
         exec: Box::new(CpuExecutor::new()),
         effort: Effort::Full,
         not_finite: false,
+        last: None,
     };
     let families: Vec<_> = FAMILIES.iter().filter(|f| f.key == "leak").collect();
     let entries = stress::run(&mut lab, &families, &mut |_| {});

@@ -13,7 +13,7 @@ use crate::stress::{self, Atlas, Effort, Entry, FAMILIES, Family, Lab, State};
 pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
     let methods = super::chart::methods(&args.methods)?;
     let families = families(&args.families)?;
-    setup::output_folder(&args.out)?;
+    let _folder = setup::output_folder(&args.out)?;
     let mut entries: Vec<Entry> = Vec::new();
     let mut device = None;
     for row in methods.into_iter().filter(|m| !m.control || args.methods != "all") {
@@ -27,8 +27,9 @@ pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
             exec,
             effort: if args.quick { Effort::Ends } else { Effort::Full },
             not_finite: false,
+            last: None,
         };
-        entries.extend(stress::run(&mut lab, &families, &mut |entry| eprintln!("{}", line(entry))));
+        entries.extend(stress::run(&mut lab, &families, &mut |entry| tell!("{}", line(entry))));
     }
     entries.sort_by_key(|e| FAMILIES.iter().position(|f| f.key == e.family));
     let device = device.ok_or_else(|| Error::Usage("--methods names no method".into()))?;
@@ -40,8 +41,8 @@ pub fn run(args: &StressArgs, as_json: bool) -> Result<(), Error> {
     if as_json {
         print_json(&atlas);
     } else {
-        print!("{table}");
-        println!("{}", args.out.join("index.html").display());
+        say!("{}", table.trim_end());
+        say!("{}", args.out.join("index.html").display());
     }
     Ok(())
 }

@@ -45,6 +45,8 @@ pub struct Lab {
     /// Whether the method gave a number that is not finite since this was last set to false: whatever a family makes of
     /// such numbers, they are a failure.
     pub not_finite: bool,
+    /// The last scene and settings that the method ran with: what there is to show for an answer without a picture.
+    pub last: Option<(Settings, Scene)>,
 }
 
 /// What a method made of a scene.
@@ -93,6 +95,9 @@ impl Lab {
         surfels: &[Surfel],
         work: impl FnOnce(&mut Session<'_>) -> Result<T, Error>,
     ) -> Result<T, Error> {
+        if self.effort == Effort::Full {
+            self.last = Some((settings.clone(), scene.clone()));
+        }
         let exec = self.exec.as_mut();
         let mark = exec.mark();
         let not_finite = &mut self.not_finite;
@@ -108,6 +113,13 @@ impl Lab {
         })();
         self.exec.free_since(mark);
         result
+    }
+
+    /// The method's indirect light as the first camera of a scene sees it, as PNG; `None` where it shows nothing.
+    pub fn snapshot(&mut self, (settings, scene): &(Settings, Scene)) -> Option<Vec<u8>> {
+        let surfels = self.seen(scene, scene.cameras.first()?, SIDE_PX).ok()?;
+        let values = self.measure_with(settings, scene, &surfels).ok()?.values;
+        picture(&values, &values)
     }
 
     /// The surface points that a camera sees.

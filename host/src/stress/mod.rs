@@ -15,6 +15,7 @@ pub use page::page;
 
 use crate::error::Error;
 use crate::methods::Settings;
+use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
 
 /// Stands for a value that is not finite.
@@ -173,6 +174,36 @@ impl From<f64> for Answer {
     }
 }
 
+/// What to show for an entry: the picture of the worst answer that has one; else, where everything is measured, the scene in
+/// which the method did worst.
+#[derive(Default)]
+struct Worst {
+    shown: Option<(f64, (Vec<u8>, String))>,
+    scene: Option<(f64, (Settings, Scene), String)>,
+}
+
+impl Worst {
+    fn see(&mut self, lab: &Lab, value: f64, picture: Option<(Vec<u8>, String)>, at: impl Fn() -> String) {
+        match (picture, &lab.last) {
+            (Some(picture), _) if self.shown.as_ref().is_none_or(|s| value > s.0) => {
+                self.shown = Some((value, picture))
+            }
+            (None, Some(last)) if self.scene.as_ref().is_none_or(|s| value > s.0) => {
+                self.scene = Some((value, last.clone(), at()));
+            }
+            _ => {}
+        }
+    }
+
+    fn picture(self, lab: &mut Lab) -> Option<(Vec<u8>, String)> {
+        if let Some((_, picture)) = self.shown {
+            return Some(picture);
+        }
+        let (_, last, at) = self.scene?;
+        Some((lab.snapshot(&last)?, format!("Indirect light of the scene, as it is shown at {}.", at.trim_end())))
+    }
+}
+
 impl Question {
     /// Measures at `grid` (ascending), then halves the interval in which the method begins to fail `halvings` times.
     ///
@@ -186,15 +217,12 @@ impl Question {
         halvings: u32,
         mut measure: impl FnMut(&mut Lab, f64) -> Result<Answer, Error>,
     ) -> Result<Entry, Error> {
-        let (mut samples, mut picture) = (Vec::new(), None);
-        let mut worst = f64::NEG_INFINITY;
+        let (mut samples, mut worst) = (Vec::new(), Worst::default());
         let mut ask = |lab: &mut Lab, parameter: f64| -> Result<f64, Error> {
             lab.not_finite = false;
             let answer = measure(lab, parameter)?;
             let value = answer.value_of(lab);
-            if value > worst && answer.picture.is_some() {
-                (worst, picture) = (value, answer.picture);
-            }
+            worst.see(lab, value, answer.picture, || format!("{} {} {}", self.parameter, short(parameter), self.unit));
             samples.push(Sample { parameter, case: None, value });
             Ok(value)
         };
@@ -229,6 +257,7 @@ impl Question {
             (Some(at), _) if self.danger == Danger::Low => Safe::From { at },
             (Some(at), _) => Safe::UpTo { at },
         };
+        let picture = worst.picture(lab);
         Ok(self.entry(lab, family, samples, safe, picture))
     }
 
@@ -240,16 +269,14 @@ impl Question {
         names: &[&str],
         mut measure: impl FnMut(&mut Lab, usize) -> Result<Answer, Error>,
     ) -> Entry {
-        let (mut samples, mut picture, mut worst) = (Vec::new(), None, f64::NEG_INFINITY);
+        let (mut samples, mut worst) = (Vec::new(), Worst::default());
         for (k, name) in names.iter().enumerate() {
             lab.not_finite = false;
             let answer = unwound(|| measure(lab, k)).unwrap_or_else(|words| Err(Error::Panic(words)));
             let said = answer.as_ref().err().map(|e| format!(" ({e})")).unwrap_or_default();
             let answer = answer.unwrap_or(Answer { value: NOT_FINITE, picture: None });
             let value = answer.value_of(lab);
-            if value > worst && answer.picture.is_some() {
-                (worst, picture) = (value, answer.picture);
-            }
+            worst.see(lab, value, answer.picture, || (*name).to_string());
             samples.push(Sample { parameter: k as f64, case: Some(format!("{name}{said}")), value });
         }
         let good = samples.iter().filter(|s| s.value <= self.bound).count();
@@ -258,6 +285,7 @@ impl Question {
             0 => Safe::Nowhere,
             safe => Safe::Partly { safe, of: samples.len() },
         };
+        let picture = worst.picture(lab);
         self.entry(lab, family, samples, safe, picture)
     }
 
@@ -374,6 +402,7 @@ fn short(value: f64) -> String {
 pub fn run(lab: &mut Lab, families: &[&Family], news: &mut dyn FnMut(&Entry)) -> Vec<Entry> {
     let mut all = Vec::new();
     for family in families {
+        lab.last = None;
         let entries = match unwound(|| (family.run)(lab)) {
             Ok(Ok(entries)) => entries,
             Ok(Err(error)) => vec![broken(lab, family, error.to_string())],
