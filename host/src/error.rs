@@ -41,6 +41,12 @@ pub enum Error {
         /// The system's words.
         source: std::io::Error,
     },
+    /// Standard output takes no more.
+    #[error("cannot write to standard output: {source}")]
+    Output {
+        /// The system's words.
+        source: std::io::Error,
+    },
     /// No settings of any method keep the limits that were asked for.
     #[error("nothing fits: {0}")]
     NothingFits(String),

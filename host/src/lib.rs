@@ -4,6 +4,9 @@
 //! lighting method, [`mod@reference`] the truth, `metrics` and `report` what is said of them; [`chart`] runs ladders of
 //! settings, [`stress`] looks for failures, [`fit`] for the least that is good enough.
 
+#[macro_use]
+pub mod output;
+
 pub mod chart;
 pub mod cli;
 pub mod error;

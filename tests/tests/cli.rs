@@ -311,3 +311,70 @@ fn a_moving_light_costs_its_own_map_and_a_moving_object_a_new_grid() {
     // A wall that stands further in keeps its size; the room's does not change.
     assert_eq!(frames[0]["needs"]["dims"], frames[2]["needs"]["dims"]);
 }
+
+#[test]
+fn render_finds_the_truth_that_an_earlier_run_left_in_the_cache() {
+    let (cache, out) = (folder(), folder());
+    let common = ["cornell-box", "--size", "16x16", "--json", "--cache", text(cache.path()), "--out", text(out.path())];
+    let render = || json(&[&["render", "--method", "ambient", "--backend", "cpu"], &common[..]].concat());
+    assert!(render().get("error").is_none_or(serde_json::Value::is_null), "there is no truth yet");
+    json(&[&["reference", "--spp", "16"], &common[..]].concat());
+    json(&[&["reference", "--spp", "64", "--seed", "5"], &common[..]].concat());
+    let report = render();
+    assert_eq!(report["truth"]["spp"], 64, "the better one, whatever its seed");
+    assert!(report["error"]["nrmse"].as_f64().unwrap() > 0.0 && report["error"]["flip"].as_f64().unwrap() > 0.0);
+    assert!(report["truth"]["noise_floor"]["nrmse"].as_f64().unwrap() > 0.0);
+    // Another view has another truth.
+    let elsewhere =
+        json(&[&["render", "--method", "ambient", "--camera", "0.3,0.3,-0.8,0.3,0.3,0,39"], &common[..]].concat());
+    assert!(elsewhere.get("error").is_none_or(serde_json::Value::is_null));
+}
+
+#[test]
+fn a_reader_who_leaves_is_no_error_and_a_full_disk_is() {
+    let program = env!("CARGO_BIN_EXE_interreflect-under-test");
+    for args in [&["methods"][..], &["methods", "--json"], &["scenes"], &["nonsense", "--json"], &["--help"]] {
+        let mut child = Command::new(program)
+            .args(args)
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        let expected = if args[0] == "nonsense" { 2 } else { 0 };
+        assert_eq!(output.status.code(), Some(expected), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    let full = Path::new("/dev/full");
+    if full.exists() {
+        let stdout = std::fs::OpenOptions::new().write(true).open(full).unwrap();
+        let output = Command::new(program).arg("methods").stdout(stdout).output().unwrap();
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{error}");
+        assert!(error.contains("standard output") && !error.contains("panicked"), "{error}");
+    }
+}
+
+#[test]
+fn wrong_use_is_said_in_json_too() {
+    for args in [&["nonsense", "--json"][..], &["render", "cornell-box", "--method", "vct", "--json", "--size", "0x0"]]
+    {
+        let output = interreflect(args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        let said: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let words = said["error"].as_str().unwrap();
+        assert!(words.contains(if args[0] == "nonsense" { "nonsense" } else { "0x0" }), "{words}");
+    }
+}
+
+#[test]
+fn a_command_that_fails_leaves_no_folder_that_it_made() {
+    let at = folder();
+    let new = at.path().join("new/deeper");
+    fails(&["render", "gone.glb", "--method", "vct", "--out", text(&new)], 1, &["gone.glb"]);
+    assert_eq!(files(at.path()), Vec::<PathBuf>::new());
+    // One that was there stays, with what is in it.
+    std::fs::create_dir_all(&new).unwrap();
+    fails(&["render", "gone.glb", "--method", "vct", "--out", text(&new)], 1, &["gone.glb"]);
+    assert!(new.is_dir());
+}

@@ -1,11 +1,11 @@
 //! The path tracer against closed forms: if one of these fails, the truth is not the truth.
 
 use glam::{DVec3, Vec2, Vec3};
-use interreflect::reference::trace::{Hit, NO_TRIANGLE, Tracer};
+use interreflect::reference::trace::{Hit, KeptTree, NO_TRIANGLE, Tracer};
 use interreflect::reference::{
     Irradiance, Receiver, ReferenceError, ReferenceSettings, Truth, cached, irradiance, render,
 };
-use interreflect::scene::{Alpha, Camera, Light, Material, Scene, Texture, Triangle};
+use interreflect::scene::{Alpha, Camera, Light, Material, Scene, Texture, Triangle, Wrap};
 use rayon::prelude::*;
 use std::f32::consts::PI;
 
@@ -24,6 +24,7 @@ impl Build {
             name: format!("material {}", self.0.materials.len()),
             albedo: Vec3::splat(albedo),
             texture: None,
+            wrap: [Wrap::Repeat; 2],
             alpha_factor: 1.0,
             alpha: Alpha::Opaque,
             emission: Vec3::splat(emission),
@@ -95,7 +96,7 @@ impl Build {
 fn camera(position: Vec3, target: Vec3, fovy_rad: f32) -> Camera {
     let forward = (target - position).normalize();
     let right = forward.cross(if forward.y.abs() > 0.99 { Vec3::X } else { Vec3::Y }).normalize();
-    Camera { name: "test".into(), position, forward, up: right.cross(forward), fovy_rad }
+    Camera { name: "test".into(), node: String::new(), position, forward, up: right.cross(forward), fovy_rad }
 }
 
 fn spp(spp: u32) -> ReferenceSettings {
@@ -563,7 +564,7 @@ fn cache_returns_the_same_bits_and_survives_damage() {
     let dir = tempfile::tempdir().unwrap();
     let get = |scene: &Scene, seed: u32| {
         let settings = ReferenceSettings { seed, ..spp(8) };
-        cached(dir.path(), scene, &room_view(), 8, 6, &settings, &mut |_| ()).unwrap()
+        cached(dir.path(), &KeptTree::default(), scene, &room_view(), (8, 6), &settings, &mut |_| ()).unwrap()
     };
     let first = get(&scene, 1);
     assert!(!first.from_cache && first.path.is_file());
@@ -587,7 +588,7 @@ fn cache_returns_the_same_bits_and_survives_damage() {
     assert_eq!(names, 3, "no temporary file stays");
     let blocked = dir.path().join("file");
     std::fs::write(&blocked, "not a directory").unwrap();
-    let failure = cached(&blocked, &scene, &room_view(), 8, 6, &spp(8), &mut |_| ());
+    let failure = cached(&blocked, &KeptTree::default(), &scene, &room_view(), (8, 6), &spp(8), &mut |_| ());
     assert!(matches!(failure, Err(ReferenceError::Cache { .. })));
 }
 

@@ -99,14 +99,14 @@ impl Judge {
         let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
 
         let pilot = ReferenceSettings { spp: Some(PILOT_SPP), noise: None, ..plan.settings };
-        let pilot = reference::irradiance(&scene, &receivers, &pilot, &mut |_| {})?;
+        let tree = KeptTree::default();
+        let pilot = reference::irradiance_by(&tree, &scene, &receivers, &pilot, &mut |_| {})?;
         let ms_per_sample = pilot.ms / f64::from(pilot.spp.max(1));
         let note = format!("{}-{}x{}-{seed}", &scene_hash[..16], size[0], size[1]);
         let settings = plan.affordable(ms_per_sample, pilot.noise, &note)?;
         let irradiance =
-            reference::cached_irradiance(&plan.cache, &KeptTree::default(), &scene, &receivers, &settings, progress)?
-                .truth;
-        let picture = reference::cached(&plan.cache, &scene, &camera, size[0], size[1], &settings, progress)?.truth;
+            reference::cached_irradiance(&plan.cache, &tree, &scene, &receivers, &settings, progress)?.truth;
+        let picture = reference::cached(&plan.cache, &tree, &scene, &camera, size.into(), &settings, progress)?.truth;
 
         let image = |pixels: &[Vec3]| Image::new(size[0], size[1], pixels.to_vec());
         let truth = Frame {

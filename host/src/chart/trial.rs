@@ -295,7 +295,7 @@ pub fn execute(folder: &Path) -> Result<(), Error> {
     let (scene, camera) = job.scene.load()?;
     let row = method(&job.method)?;
     let backend: Backend = job.backend.parse()?;
-    let mut exec = exec::open_adapter(backend, job.adapter.as_deref(), &mut |warning| eprintln!("warning: {warning}"))?;
+    let mut exec = exec::open_adapter(backend, job.adapter.as_deref(), &mut |warning| tell!("warning: {warning}"))?;
     let exec = exec.as_mut();
     let buffers = SceneBuffers::upload(exec, &scene)?;
     let view = View::new(exec, &scene, &buffers, &camera, job.size.into(), job.seed)?;

@@ -113,7 +113,7 @@ struct FrameTimes {
 /// Renders the frames: `frame-0000.png` and so on, and `frames.json` with the times of each.
 pub fn run(args: &RenderArgs, row: &'static MethodRow, settings: &Settings, as_json: bool) -> Result<(), Error> {
     let out = &args.scene.out;
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let (first, camera) = setup::load(&args.scene)?;
     args.animate.iter().try_for_each(|motion| motion.check(&first))?;
     let moves_geometry = args.animate.iter().any(Motion::moves_geometry);
@@ -231,7 +231,7 @@ fn finish(
         print_json(&all);
     } else {
         let [precompute, light, frame] = medians;
-        println!(
+        say!(
             "{} frames of {} by {}: after the first, precompute {precompute:.1} ms, light change {light:.1} ms, frame \
              {frame:.1} ms -> {}",
             args.frames,

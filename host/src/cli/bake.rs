@@ -25,7 +25,7 @@ pub fn run(args: &BakeArgs, as_json: bool) -> Result<(), Error> {
     }
     let (journal, found) = srp::file::Journal::open(&args.output, &scene, &options).map_err(MethodError::from)?;
     if !found.is_empty() && !as_json {
-        println!("going on: {} clusters are done", found.len());
+        say!("going on: {} clusters are done", found.len());
     }
     let started = std::time::Instant::now();
     let plan = srp::Plan::new(&scene, &options)?;
@@ -50,9 +50,9 @@ pub fn run(args: &BakeArgs, as_json: bool) -> Result<(), Error> {
         print_json(&report);
         return Ok(());
     }
-    println!("{}: {} by {}", args.output.display(), scene.name, row.name);
+    say!("{}: {} by {}", args.output.display(), scene.name, row.name);
     for (key, value) in report.as_object().into_iter().flatten() {
-        println!("  {key}: {value}");
+        say!("  {key}: {value}");
     }
     Ok(())
 }

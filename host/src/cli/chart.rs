@@ -24,7 +24,7 @@ pub fn run(args: &ChartArgs, threads: Option<u16>, as_json: bool) -> Result<(), 
         spec.load()?;
     }
     let out = &args.scenes.out;
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let options = Options {
         scenes,
         methods,
@@ -42,11 +42,11 @@ pub fn run(args: &ChartArgs, threads: Option<u16>, as_json: bool) -> Result<(), 
     };
     let mut bar = None;
     let mut news = |news: News<'_>| match news {
-        News::Scene(name) => eprintln!("{name}"),
+        News::Scene(name) => tell!("{name}"),
         News::Truth(progress) => bar.get_or_insert_with(|| TruthBar::new("truth")).update(progress),
         News::Row(row) => {
             bar = None;
-            eprintln!("  {}", line(row));
+            tell!("  {}", line(row));
         }
     };
     let report = chart::run(&options, &mut news, &mut |report, charted| chart::write(out, report, charted))?;
@@ -54,7 +54,7 @@ pub fn run(args: &ChartArgs, threads: Option<u16>, as_json: bool) -> Result<(), 
         print_json(&report);
     } else {
         print(&report);
-        println!("{}", out.join("index.html").display());
+        say!("{}", out.join("index.html").display());
     }
     Ok(())
 }
@@ -91,12 +91,12 @@ fn line(row: &Row) -> String {
 
 fn print(report: &ChartReport) {
     for scene in &report.scenes {
-        println!("{}: block NRMSE against the time of a frame with moving lights", scene.scene);
+        say!("{}: block NRMSE against the time of a frame with moving lights", scene.scene);
         for row in &scene.rows {
-            println!("  {}", line(row));
+            say!("  {}", line(row));
         }
         if let Some(floor) = scene.truth.noise_floor {
-            println!("  the truth's own noise: {} ({} spp)", number(floor.nrmse_block), scene.truth.spp);
+            say!("  the truth's own noise: {} ({} spp)", number(floor.nrmse_block), scene.truth.spp);
         }
     }
 }

@@ -17,12 +17,14 @@ use glam::Vec3;
 /// Noise of a comparison's truth where the user names none: a tenth in a pixel is a hundredth in a block of 8×8, well
 /// under the error of the methods; the noise floor is printed beside them.
 const TRUTH_NOISE: f64 = 0.1;
+/// Paths per pixel at which that truth ends all the same: scenes whose light comes through a chink would take hours.
+const MOST_PATHS: u32 = 4096;
 
 /// Compares methods and writes the comparison's folder.
 pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     let chosen = chosen(args)?;
     let out = &args.scene.out;
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let (scene, camera) = setup::load(&args.scene)?;
     let mut exec = setup::executor(&args.device)?;
     let exec: &mut dyn Executor = exec.as_mut();
@@ -31,10 +33,18 @@ pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     let view = View::new(exec, &scene, &buffers, &camera, args.scene.size, args.scene.seed)?;
     let visible = view.visible();
 
-    let settings = setup::truth_settings(&args.truth, args.scene.seed, TRUTH_NOISE);
-    let picture = setup::truth_picture(&args.scene, &scene, &camera, &settings)?;
+    let mut settings = setup::truth_settings(&args.truth, args.scene.seed, TRUTH_NOISE);
+    if settings.spp.is_none() && args.truth.noise.is_none() {
+        settings.spp = Some(MOST_PATHS);
+    }
+    let truths = setup::Truths::new(&args.scene, &scene, settings);
+    let picture = truths.picture(&camera)?;
     let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
-    let irradiance = setup::truth_irradiance(&args.scene, &scene, &receivers, &settings)?;
+    let irradiance = truths.irradiance(&receivers)?;
+    if settings.spp == Some(MOST_PATHS) && irradiance.noise > TRUTH_NOISE {
+        let noise = 100.0 * irradiance.noise;
+        tell!("note: the truth ends at {MOST_PATHS} paths per pixel, with {noise:.0} % of noise: `--noise` goes on");
+    }
     let image = |pixels: &[Vec3]| Image::new(view.width, view.height, pixels.to_vec());
     let truth = Frame {
         direct: image(&picture.direct)?,
@@ -81,8 +91,8 @@ pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     if as_json {
         print_json(&comparison);
     } else {
-        print!("{}", report::Table(&comparison));
-        println!("{}", out.join("index.html").display());
+        say!("{}", report::Table(&comparison).to_string().trim_end());
+        say!("{}", out.join("index.html").display());
     }
     Ok(())
 }
@@ -131,7 +141,7 @@ fn judge(
             Ok(())
         }
         Err(error @ (MetricsError::ZeroTruth | MetricsError::NoVisiblePoint)) => {
-            eprintln!("note: {}: no error can be given: {error}", result.method);
+            tell!("note: {}: no error can be given: {error}", result.method);
             Ok(())
         }
         Err(error) => Err(error.into()),

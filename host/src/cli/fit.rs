@@ -28,7 +28,7 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     }
     let out = &args.scenes.out;
     if args.evaluate {
-        setup::output_folder(out)?;
+        let _folder = setup::output_folder(out)?;
         return evaluate(args, &scenes, &methods, as_json);
     }
     let [spec] = scenes.as_slice() else {
@@ -37,10 +37,10 @@ pub fn run(args: &FitArgs, as_json: bool) -> Result<(), Error> {
     let cache = args.scenes.cache.clone().unwrap_or_else(reference::default_dir);
     let exec = setup::executor(&args.device)?;
     let mut evidence = Evidence::new(Live::new(spec, args.scenes.size.into(), args.scenes.seed, cache, exec)?);
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let mut news = |c: &fit::Candidate| {
         let (name, took) = (fit::changed_settings(c.row, &c.settings), milliseconds(1e3 * c.wall_s));
-        eprintln!("  {name}: error {}, {} (asked in {took})", number(c.error), milliseconds(goal.cost(c)));
+        tell!("  {name}: error {}, {} (asked in {took})", number(c.error), milliseconds(goal.cost(c)));
     };
     let mut report = fit::fit(
         &mut evidence,
@@ -87,16 +87,16 @@ fn candidates(list: &str) -> Result<Vec<&'static MethodRow>, Error> {
 
 fn print(report: &FitReport, args: &FitArgs) {
     if report.dark {
-        println!("{}: {}", report.scene, fit::NOTHING_NEEDED);
+        say!("{}: {}", report.scene, fit::NOTHING_NEEDED);
     }
     if let Some(c) = &report.choice {
         let settings: Vec<String> = c.settings.iter().map(|(k, v)| format!("{k}={v}")).collect();
         let [low, high] = report.error_bounds;
         if report.found && report.goal.error.is_some_and(|limit| high > limit) {
-            println!("{}: nothing is sure to keep the limit; this is likeliest to", report.scene);
+            say!("{}: nothing is sure to keep the limit; this is likeliest to", report.scene);
         }
-        println!("{}: {} {}", report.scene, c.method, settings.join(" "));
-        println!(
+        say!("{}: {} {}", report.scene, c.method, settings.join(" "));
+        say!(
             "  error {} ({} to {}, from {} blocks), {} with moving lights, {} with still ones, {}",
             number(c.error),
             number(low),
@@ -108,22 +108,26 @@ fn print(report: &FitReport, args: &FitArgs) {
         );
     }
     for reason in &report.why {
-        println!("  {}", reason.words);
+        say!("  {}", reason.words);
     }
     for line in &report.spared {
-        println!("  {line}");
+        say!("  {line}");
     }
     for other in &report.rejected {
-        println!("  not {}: {}", other.method, other.reason);
+        say!("  not {}: {}", other.method, other.reason);
     }
-    println!(
+    say!(
         "  {} trials in {:.1} s (truth {:.1} s), and {:.1} s for the neighbours; shared precomputation spared {:.1} s",
-        report.trials, report.search_s, report.truth_s, report.why_s, report.shared_s
+        report.trials,
+        report.search_s,
+        report.truth_s,
+        report.why_s,
+        report.shared_s
     );
     if report.found {
-        println!("{}", args.scenes.out.join("settings.json").display());
+        say!("{}", args.scenes.out.join("settings.json").display());
     }
-    println!("{}", args.scenes.out.join("index.html").display());
+    say!("{}", args.scenes.out.join("index.html").display());
 }
 
 /// The search beside an exhaustive sweep.
@@ -146,7 +150,7 @@ fn evaluate(
     let open = || setup::executor(&args.device);
     let (mut cases, mut left_out) = (Vec::new(), Vec::new());
     for spec in scenes {
-        let mut news = |line: &str| eprintln!("{line}");
+        let mut news = |line: &str| tell!("{line}");
         let size = args.scenes.size.into();
         match evaluate_scene(spec, size, truth, limits, &folder, &open, methods, &mut news) {
             Ok(found) if found.is_empty() => {
@@ -169,12 +173,12 @@ fn evaluate(
         return Ok(());
     }
     for case in &verdict.cases {
-        println!("{case}");
+        say!("{case}");
     }
     for left in &verdict.left_out {
-        println!("{}: no cases: {}", left.scene, left.reason);
+        say!("{}: no cases: {}", left.scene, left.reason);
     }
-    println!(
+    say!(
         "{} cases: {:.0} % within the limit (90 % wanted), {:.0} % at no more than 1.3 times the best cost, {:.0} % in no more \
          than a fifth of the sweep's time: {}",
         verdict.cases.len(),

@@ -23,11 +23,11 @@ pub fn methods(as_json: bool) -> Result<(), Error> {
         return Ok(());
     }
     for m in METHODS {
-        println!("{}\n  {}\n  good when:  {}\n  fails when: {}", m.name, m.summary, m.good_when, m.fails_when);
+        say!("{}\n  {}\n  good when:  {}\n  fails when: {}", m.name, m.summary, m.good_when, m.fails_when);
         for s in m.settings {
-            println!("  --set {}={}  ({})\n      {}", s.key, s.default, s.allowed, s.help);
+            say!("  --set {}={}  ({})\n      {}", s.key, s.default, s.allowed, s.help);
         }
-        println!();
+        say!("");
     }
     Ok(())
 }
@@ -42,10 +42,7 @@ pub fn scenes(as_json: bool) -> Result<(), Error> {
         return Ok(());
     }
     for (b, stats) in rows {
-        println!(
-            "{:<16} {:>7} triangles, {:>3} lights  {}",
-            b.name, stats.triangle_count, stats.light_count, b.summary
-        );
+        say!("{:<16} {:>7} triangles, {:>3} lights  {}", b.name, stats.triangle_count, stats.light_count, b.summary);
     }
     Ok(())
 }
@@ -57,12 +54,12 @@ pub fn devices(as_json: bool) -> Result<(), Error> {
         print_json(&json!({ "cpu": cpu, "adapters": adapters }));
         return Ok(());
     }
-    println!("cpu  {} ({})", cpu.cpu, cpu.driver);
+    say!("cpu  {} ({})", cpu.cpu, cpu.driver);
     if adapters.is_empty() {
-        println!("gpu  none: no Vulkan, Metal or DirectX 12 adapter was found");
+        say!("gpu  none: no Vulkan, Metal or DirectX 12 adapter was found");
     }
     for a in adapters {
-        println!(
+        say!(
             "gpu  {} ({:?}, {}, {}): SPIR-V {}, {} timestamps, bindings up to {} MiB",
             a.name,
             a.kind,

@@ -23,7 +23,7 @@ use crate::error::Error;
 /// What the verb returns; [`Error::exit_code`] is the program's exit code.
 pub fn run(cli: Cli) -> Result<(), Error> {
     crate::exec::start_threads(cli.threads.map_or(0, usize::from));
-    match cli.verb {
+    let done = match cli.verb {
         Verb::Compare(args) => compare::run(&args, cli.json),
         Verb::Render(args) => render::run(&args, cli.json),
         Verb::Reference(args) => reference::run(&args, cli.json),
@@ -35,10 +35,11 @@ pub fn run(cli: Cli) -> Result<(), Error> {
         Verb::Scenes => list::scenes(cli.json),
         Verb::Devices => list::devices(cli.json),
         Verb::Trial { folder } => crate::chart::trial::execute(&folder),
-    }
+    };
+    done.and(crate::output::finish())
 }
 
 /// Prints a value as JSON on standard output.
 fn print_json(value: &impl serde::Serialize) {
-    println!("{}", serde_json::to_string_pretty(value).expect("reports hold finite numbers and text keys"));
+    say!("{}", serde_json::to_string_pretty(value).expect("reports hold finite numbers and text keys"));
 }

@@ -14,16 +14,17 @@ use serde_json::json;
 /// Traces the truth and writes `direct.exr`, `indirect.exr`, `full.exr`, `irradiance.exr`, `full.png`, `report.json`.
 pub fn run(args: &ReferenceArgs, as_json: bool) -> Result<(), Error> {
     let out = &args.scene.out;
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let (scene, camera) = setup::load(&args.scene)?;
     let settings = setup::truth_settings(&args.truth, args.scene.seed, DEFAULT_NOISE);
-    let truth = setup::truth_picture(&args.scene, &scene, &camera, &settings)?;
+    let truths = setup::Truths::new(&args.scene, &scene, settings);
+    let truth = truths.picture(&camera)?;
     // Irradiance belongs to surface points, not to pixel areas: the points that every method is judged at.
     let mut exec = CpuExecutor::new();
     let buffers = SceneBuffers::upload(&mut exec, &scene)?;
     let view = View::new(&mut exec, &scene, &buffers, &camera, args.scene.size, args.scene.seed)?;
     let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
-    let irradiance = setup::truth_irradiance(&args.scene, &scene, &receivers, &settings)?;
+    let irradiance = truths.irradiance(&receivers)?;
 
     let image = |pixels: &[glam::Vec3]| Image::new(truth.width, truth.height, pixels.to_vec());
     let full = image(&truth.full)?;
@@ -49,7 +50,7 @@ pub fn run(args: &ReferenceArgs, as_json: bool) -> Result<(), Error> {
     if as_json {
         print_json(&report);
     } else {
-        println!(
+        say!(
             "{}: {}x{}, {} paths per pixel, noise {:.2} %, {:.1} s, {:.2} Mrays/s -> {}",
             scene.name,
             truth.width,

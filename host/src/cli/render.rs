@@ -9,8 +9,10 @@ use crate::fit::SettingsFile;
 use crate::image_io::{ToneMap, read_exr};
 use crate::methods::{Input, MethodRow, Settings, method};
 use crate::metrics::{self, ErrorMetrics};
+use crate::reference::{self, Receiver};
 use crate::report::{self, Frame, RenderReport};
 use crate::scene::device::SceneBuffers;
+use crate::scene::{Camera, Scene};
 
 /// Lights the scene and writes `direct.exr`, `indirect.exr`, `full.exr`, `irradiance.exr`, `full.png`, `report.json`.
 pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
@@ -19,7 +21,7 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
         return super::animate::run(args, row, &settings, as_json);
     }
     let out = &args.scene.out;
-    setup::output_folder(out)?;
+    let _folder = setup::output_folder(out)?;
     let (scene, camera) = setup::load(&args.scene)?;
     let mut exec = setup::executor(&args.device)?;
     let exec: &mut dyn Executor = exec.as_mut();
@@ -29,7 +31,10 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
     let run = evaluate::run(exec, &input, row, &settings, view.gbuffer, view.surfels.len(), Repeats::MEDIAN)?;
 
     let frame = view.frame(&run.irradiance);
-    let error = args.truth.as_deref().map(|path| error_against(path, &view, &frame)).transpose()?;
+    let (error, truth) = match &args.truth {
+        Some(path) => (Some(error_against(path, &view, &frame)?), None),
+        None => error_at_hand(args, &scene, &camera, &view, &frame)?,
+    };
     let tone_map = report::tone_map(&frame, &view.visible());
     let device = exec.device();
     let report = RenderReport {
@@ -38,7 +43,7 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
         size: [view.width, view.height],
         device: (&device).into(),
         result: evaluate::describe(row, &settings, &run, &device, error),
-        truth: None,
+        truth,
         notes: scene.notes.clone(),
         tone_map: tone_map.describe(),
         peak_memory_bytes: evaluate::peak_memory_bytes(),
@@ -49,7 +54,7 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
         print_json(&report);
     } else {
         let times = &report.result.time_ms;
-        println!(
+        say!(
             "{} by {} on {} ({}): precompute {:.1} ms, light change {:.1} ms, frame {:.1} ms -> {}",
             report.scene,
             row.name,
@@ -61,9 +66,12 @@ pub fn run(args: &RenderArgs, as_json: bool) -> Result<(), Error> {
             out.display()
         );
         if let Some(error) = &report.result.error {
-            println!(
+            say!(
                 "nrmse {:.4}, on blocks {:.4}, bias {:.4}, p95 {:.4}",
-                error.nrmse, error.nrmse_block, error.bias, error.p95
+                error.nrmse,
+                error.nrmse_block,
+                error.bias,
+                error.p95
             );
         }
     }
@@ -88,6 +96,33 @@ pub fn key_value(text: &str) -> Result<(&str, &str), Error> {
         .filter(|(key, _)| !key.trim().is_empty())
         .map(|(key, value)| (key.trim(), value.trim()))
         .ok_or_else(|| Error::Usage(format!("--set `{text}`: not of the form key=value")))
+}
+
+/// Error against the truth that an earlier run left in the cache, if one did, and how good that is.
+fn error_at_hand(
+    args: &RenderArgs,
+    scene: &Scene,
+    camera: &Camera,
+    view: &View,
+    frame: &Frame,
+) -> Result<(Option<ErrorMetrics>, Option<report::Truth>), Error> {
+    let folder = setup::cache_folder(&args.scene);
+    let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
+    let Some(truth) = reference::best_irradiance(&folder, scene, &receivers) else { return Ok((None, None)) };
+    let visible = view.visible();
+    let irradiance = view.image(|k| truth.values[k].indirect);
+    // A black truth has no relative error.
+    let Ok(mut error) = metrics::compare_irradiance(&irradiance, &frame.irradiance, &visible) else {
+        return Ok((None, None));
+    };
+    if let Some(picture) = reference::best_picture(&folder, scene, camera, args.scene.size) {
+        let picture = view.image(|k| picture.full[k]);
+        let tone_map = ToneMap::from_truth(&picture, &visible);
+        error.flip = Some(report::flip_error(&picture, &frame.full, &tone_map)?);
+    }
+    let variance = view.image(|k| truth.values[k].variance);
+    let noise_floor = metrics::noise_floor(&irradiance, &variance, &visible).ok();
+    Ok((Some(error), Some(report::Truth { noise: truth.noise, spp: u64::from(truth.spp), ms: truth.ms, noise_floor })))
 }
 
 /// Error of the irradiance against a truth's file; FLIP needs the truth's picture, `full.exr` beside it.

@@ -7,7 +7,7 @@ use crate::exec::{self, Executor};
 use crate::reference::trace::KeptTree;
 use crate::reference::{self, IrradianceTruth, Receiver, ReferenceSettings, Truth};
 use crate::scene::{self, Camera, LoadOptions, Scene};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The scene and the camera of a command; says on standard error what was simplified at import.
 pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
@@ -15,7 +15,7 @@ pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
         LoadOptions { camera: args.camera.clone(), environment: args.env, sun: args.sun, ..LoadOptions::default() };
     let scene = scene::load(&args.scene, &options)?;
     for note in &scene.notes {
-        eprintln!("note: {note}");
+        tell!("note: {note}");
     }
     let camera = scene.camera(args.camera.as_deref())?;
     Ok((scene, camera))
@@ -23,15 +23,30 @@ pub fn load(args: &SceneArgs) -> Result<(Scene, Camera), Error> {
 
 /// The executor of a command; warnings go to standard error.
 pub fn executor(args: &DeviceArgs) -> Result<Box<dyn Executor>, Error> {
-    Ok(exec::open_adapter(args.backend, args.adapter.as_deref(), &mut |warning| eprintln!("warning: {warning}"))?)
+    Ok(exec::open_adapter(args.backend, args.adapter.as_deref(), &mut |warning| tell!("warning: {warning}"))?)
+}
+
+/// Folders that a command made: a command that fails before it writes anything leaves none of them behind.
+pub struct OutputFolder(Vec<PathBuf>);
+
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        for made in &self.0 {
+            // Refused where something is in it, which is then to stay.
+            let _ = std::fs::remove_dir(made);
+        }
+    }
 }
 
 /// Makes the output folder before anything is computed, so that a wrong one is noticed at once.
-pub fn output_folder(path: &Path) -> Result<(), Error> {
+pub fn output_folder(path: &Path) -> Result<OutputFolder, Error> {
     let fail = |source| Error::OutputFolder { path: path.to_path_buf(), source };
+    let missing = path.ancestors().take_while(|p| !p.as_os_str().is_empty() && !p.exists()).map(Path::to_owned);
+    let made = OutputFolder(missing.collect());
     std::fs::create_dir_all(path).map_err(fail)?;
     // A folder can exist and refuse files.
-    tempfile::tempfile_in(path).map_err(fail).map(drop)
+    tempfile::tempfile_in(path).map_err(fail)?;
+    Ok(made)
 }
 
 /// Settings of a truth, with this noise where the user names neither noise nor samples.
@@ -40,33 +55,43 @@ pub fn truth_settings(args: &TruthArgs, seed: u32, default_noise: f64) -> Refere
     ReferenceSettings { noise, spp: args.spp, seed, max_bounces: args.max_bounces }
 }
 
-/// The truth's picture, from the cache where it is there.
-pub fn truth_picture(
-    args: &SceneArgs,
-    scene: &Scene,
-    camera: &Camera,
-    settings: &ReferenceSettings,
-) -> Result<Truth, Error> {
-    let bar = TruthBar::new("truth");
-    let (width, height) = args.size;
-    let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
-    Ok(reference::cached(&folder, scene, camera, width, height, settings, &mut |p| bar.update(p))?.truth)
+/// The truth of a command's scene, from the cache where it is there. Its tree is built once.
+pub struct Truths<'a> {
+    args: &'a SceneArgs,
+    scene: &'a Scene,
+    settings: ReferenceSettings,
+    tree: KeptTree,
 }
 
-/// The truth's irradiance at receivers, from the cache where it is there.
-pub fn truth_irradiance(
-    args: &SceneArgs,
-    scene: &Scene,
-    receivers: &[Receiver],
-    settings: &ReferenceSettings,
-) -> Result<IrradianceTruth, Error> {
-    let bar = TruthBar::new("irradiance");
-    let tree = KeptTree::default();
-    let folder = args.cache.clone().unwrap_or_else(reference::default_dir);
-    Ok(reference::cached_irradiance(&folder, &tree, scene, receivers, settings, &mut |p| bar.update(p))?.truth)
+impl<'a> Truths<'a> {
+    /// Of a scene, by these settings; nothing is traced yet.
+    pub fn new(args: &'a SceneArgs, scene: &'a Scene, settings: ReferenceSettings) -> Self {
+        Self { args, scene, settings, tree: KeptTree::default() }
+    }
+
+    /// The picture of a camera.
+    pub fn picture(&self, camera: &Camera) -> Result<Truth, Error> {
+        let (bar, args) = (TruthBar::new("truth"), self.args);
+        let progress = &mut |p| bar.update(p);
+        let folder = cache_folder(self.args);
+        Ok(reference::cached(&folder, &self.tree, self.scene, camera, args.size, &self.settings, progress)?.truth)
+    }
+
+    /// Irradiance at receivers.
+    pub fn irradiance(&self, receivers: &[Receiver]) -> Result<IrradianceTruth, Error> {
+        let bar = TruthBar::new("irradiance");
+        let progress = &mut |p| bar.update(p);
+        let folder = cache_folder(self.args);
+        Ok(reference::cached_irradiance(&folder, &self.tree, self.scene, receivers, &self.settings, progress)?.truth)
+    }
+}
+
+/// Where truths are kept.
+pub fn cache_folder(args: &SceneArgs) -> PathBuf {
+    args.cache.clone().unwrap_or_else(reference::default_dir)
 }
 
 /// The path of this program, to start it again.
-pub fn program() -> Result<std::path::PathBuf, Error> {
+pub fn program() -> Result<PathBuf, Error> {
     std::env::current_exe().map_err(|e| Error::Usage(format!("cannot find this program's own file: {e}")))
 }

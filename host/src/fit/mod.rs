@@ -324,7 +324,8 @@ pub fn fit<S: Source>(
         chosen = search.closest();
     }
     let choice = chosen;
-    let why = match (&choice, care.explain) {
+    // Why a value and not its neighbour is worth no trial where none of them is good enough.
+    let why = match (&choice, care.explain && found) {
         (Some(c), true) => search.why(c),
         _ => Vec::new(),
     };

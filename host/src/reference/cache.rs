@@ -1,12 +1,12 @@
 //! Truths on disk, so that the same picture is not traced twice.
 //!
-//! A file is named by the SHA-256 of all that its content depends on: this module's version, the scene's content, the
-//! camera and the size (or the receivers), and the settings. It holds a magic number, the payload's length, its SHA-256, and the payload:
+//! A file is named by two hashes of all that its content depends on: what it is the truth of (this module's version, the scene's
+//! content, the camera and the size, or the receivers), and how well (noise, samples, seed). It holds a magic number, the payload's length, its SHA-256, and the payload:
 //! numbers little-endian, then the pictures (or the values at the receivers). A file that does not hold what it says is ignored and written anew.
 
 use super::trace::KeptTree;
 use super::{
-    Irradiance, IrradianceTruth, Progress, Receiver, ReferenceError, ReferenceSettings, Truth, irradiance_by, render,
+    Irradiance, IrradianceTruth, Progress, Receiver, ReferenceError, ReferenceSettings, Truth, irradiance_by, render_by,
 };
 use crate::scene::{Camera, Scene};
 use glam::Vec3;
@@ -60,34 +60,35 @@ pub fn default_dir() -> PathBuf {
 }
 
 /// [`render`], or the same picture from `dir`, where an earlier run left it. A missing or damaged file is made anew;
-/// it appears whole or not at all, so that runs side by side may share a directory.
+/// it appears whole or not at all, so that runs side by side may share a directory. `tree` is the scene's, and built only where
+/// something is to be traced; `size` in pixels, width first.
 ///
 /// # Errors
 /// As [`render`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
 pub fn cached(
     dir: &Path,
+    tree: &KeptTree,
     scene: &Scene,
     camera: &Camera,
-    width: u32,
-    height: u32,
+    size: (u32, u32),
     settings: &ReferenceSettings,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Cached, ReferenceError> {
-    let path = dir.join(format!("{}.truth", key(scene, camera, width, height, settings)));
+    let path =
+        dir.join(format!("{}-{}.truth", picture_of(scene, camera, size, settings.max_bounces), quality(settings)));
     if let Some(truth) = std::fs::read(&path).ok().and_then(|bytes| decode(&bytes))
-        && (truth.width, truth.height) == (width, height)
+        && (truth.width, truth.height) == size
     {
         progress(Progress { fraction: 1.0, remaining_s: 0.0, spp: truth.spp, noise: truth.noise });
         return Ok(Cached { truth, from_cache: true, path });
     }
     let file = writable(dir)?;
-    let truth = render(scene, camera, width, height, settings, progress)?;
+    let truth = render_by(tree, scene, camera, size, settings, progress)?;
     keep(file, &path, &encode(&truth))?;
     Ok(Cached { truth, from_cache: false, path })
 }
 
-/// [`super::irradiance()`], or the same values from `dir`, where an earlier run left them; as careful as [`cached`]. `tree` is the
-/// scene's, and built only where something is to be traced.
+/// [`super::irradiance()`], or the same values from `dir`, where an earlier run left them; as careful as [`cached`].
 ///
 /// # Errors
 /// As [`super::irradiance()`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
@@ -99,7 +100,8 @@ pub fn cached_irradiance(
     settings: &ReferenceSettings,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<CachedIrradiance, ReferenceError> {
-    let path = dir.join(format!("{}.irradiance", irradiance_key(scene, receivers, settings)));
+    let path =
+        dir.join(format!("{}-{}.irradiance", irradiance_of(scene, receivers, settings.max_bounces), quality(settings)));
     if let Some(truth) = std::fs::read(&path).ok().and_then(|bytes| decode_irradiance(&bytes))
         && truth.values.len() == receivers.len()
     {
@@ -110,6 +112,34 @@ pub fn cached_irradiance(
     let truth = irradiance_by(tree, scene, receivers, settings, progress)?;
     keep(file, &path, &encode_irradiance(&truth))?;
     Ok(CachedIrradiance { truth, from_cache: false, path })
+}
+
+/// The picture by the most samples that earlier runs left in `dir`, whatever noise and seed they asked for; `None` where there is
+/// none with all bounces.
+pub fn best_picture(dir: &Path, scene: &Scene, camera: &Camera, size: (u32, u32)) -> Option<Truth> {
+    let what = picture_of(scene, camera, size, None);
+    let found = left_behind(dir, &what, "truth", |bytes| decode(bytes).filter(|t| (t.width, t.height) == size));
+    found.into_iter().max_by_key(|truth| truth.spp)
+}
+
+/// [`best_picture`] of irradiance at receivers.
+pub fn best_irradiance(dir: &Path, scene: &Scene, receivers: &[Receiver]) -> Option<IrradianceTruth> {
+    let what = irradiance_of(scene, receivers, None);
+    let found = left_behind(dir, &what, "irradiance", |bytes| {
+        decode_irradiance(bytes).filter(|t| t.values.len() == receivers.len())
+    });
+    found.into_iter().max_by_key(|truth| truth.spp)
+}
+
+/// Every truth of `what` in a directory that may not be there.
+fn left_behind<T>(dir: &Path, what: &str, ending: &str, decode: impl Fn(&[u8]) -> Option<T>) -> Vec<T> {
+    let Ok(entries) = std::fs::read_dir(dir) else { return Vec::new() };
+    let is_meant = |path: &PathBuf| {
+        path.extension().is_some_and(|e| e == ending)
+            && path.file_name().and_then(|n| n.to_str()).is_some_and(|n| n.starts_with(what))
+    };
+    let paths = entries.flatten().map(|entry| entry.path()).filter(is_meant);
+    paths.filter_map(|path| decode(&std::fs::read(path).ok()?)).collect()
 }
 
 /// A file in `dir`, made before the work rather than after it: so one finds out early that its result cannot be kept.
@@ -126,22 +156,19 @@ fn keep(mut file: tempfile::NamedTempFile, path: &Path, bytes: &[u8]) -> Result<
     Ok(())
 }
 
-/// SHA-256, in hexadecimal, of everything that the picture depends on.
-fn key(scene: &Scene, camera: &Camera, width: u32, height: u32, settings: &ReferenceSettings) -> String {
+/// Hash of what a picture shows.
+fn picture_of(scene: &Scene, camera: &Camera, (width, height): (u32, u32), max_bounces: Option<u32>) -> String {
     let mut hash = Sha256::new();
     hash.update(MAGIC);
     hash.update(scene.content_hash());
     for v in [camera.position, camera.forward, camera.up, Vec3::new(camera.fovy_rad, 0.0, 0.0)] {
         hash.update(bytemuck::bytes_of(&v));
     }
-    for n in [u64::from(width), u64::from(height)] {
-        hash.update(n.to_le_bytes());
-    }
-    finish(hash, settings)
+    finish(hash, &[Some(u64::from(width)), Some(u64::from(height)), max_bounces.map(u64::from)])
 }
 
-/// SHA-256, in hexadecimal, of everything that irradiance at receivers depends on.
-fn irradiance_key(scene: &Scene, receivers: &[Receiver], settings: &ReferenceSettings) -> String {
+/// Hash of where irradiance is asked for.
+fn irradiance_of(scene: &Scene, receivers: &[Receiver], max_bounces: Option<u32>) -> String {
     let mut hash = Sha256::new();
     hash.update(MAGIC_IRRADIANCE);
     hash.update(scene.content_hash());
@@ -149,21 +176,23 @@ fn irradiance_key(scene: &Scene, receivers: &[Receiver], settings: &ReferenceSet
     for receiver in receivers {
         hash.update(bytemuck::bytes_of(&[receiver.position, receiver.normal, receiver.geometric_normal]));
     }
-    finish(hash, settings)
+    finish(hash, &[max_bounces.map(u64::from)])
 }
 
-/// Adds the settings and gives the sum.
-fn finish(mut hash: Sha256, settings: &ReferenceSettings) -> String {
-    // Absent settings must differ from every value: a flag goes before each.
-    let optional = |value: Option<u64>| [u64::from(value.is_some()), value.unwrap_or(0)];
-    let noise = optional(settings.noise.map(f64::to_bits));
-    let spp = optional(settings.spp.map(u64::from));
-    let max_bounces = optional(settings.max_bounces.map(u64::from));
-    for n in [noise, spp, max_bounces, [u64::from(settings.seed), 0]] {
-        hash.update(n[0].to_le_bytes());
-        hash.update(n[1].to_le_bytes());
+/// Hash of how well a truth is known.
+fn quality(settings: &ReferenceSettings) -> String {
+    let (noise, spp) = (settings.noise.map(f64::to_bits), settings.spp.map(u64::from));
+    finish(Sha256::new(), &[noise, spp, Some(u64::from(settings.seed))])
+}
+
+/// Adds numbers and gives the first half of the sum, in hexadecimal.
+fn finish(mut hash: Sha256, numbers: &[Option<u64>]) -> String {
+    // Absent numbers must differ from every value: a flag goes before each.
+    for number in numbers {
+        hash.update(u64::from(number.is_some()).to_le_bytes());
+        hash.update(number.unwrap_or(0).to_le_bytes());
     }
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    hash.finalize()[..16].iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn encode(truth: &Truth) -> Vec<u8> {
@@ -279,6 +308,12 @@ mod tests {
         let again = ask(&scene, &receivers, &settings);
         assert!(!first.from_cache && again.from_cache && first.truth == again.truth);
         assert!(!ask(&scene, &receivers, &ReferenceSettings { seed: 1, ..settings }).from_cache);
+        // The best that is there, with all bounces, is found without knowing how it was made.
+        let better = ask(&scene, &receivers, &ReferenceSettings { spp: Some(16), ..settings }).truth;
+        ask(&scene, &receivers, &ReferenceSettings { spp: Some(64), max_bounces: Some(2), ..settings });
+        let best = |receivers: &[Receiver]| best_irradiance(dir.path(), &scene, receivers);
+        assert_eq!(best(&receivers), Some(better));
+        assert_eq!(best(&receivers[..1]), None);
         receivers[1].position.x += 1e-6;
         assert!(!ask(&scene, &receivers, &settings).from_cache);
         scene.materials[0].albedo.x += 1e-6;

@@ -36,7 +36,7 @@ pub mod trace;
 mod tree;
 mod walk;
 
-pub use cache::{Cached, CachedIrradiance, cached, cached_irradiance, default_dir};
+pub use cache::{Cached, CachedIrradiance, best_irradiance, best_picture, cached, cached_irradiance, default_dir};
 pub use light::spot_falloff;
 
 use crate::scene::{Camera, Light, Scene};
@@ -232,6 +232,18 @@ pub fn render(
     settings: &ReferenceSettings,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Truth, ReferenceError> {
+    render_by(&KeptTree::default(), scene, camera, (width, height), settings, progress)
+}
+
+/// The same with the scene's tree, which is built unless it is there.
+fn render_by(
+    tree: &KeptTree,
+    scene: &Scene,
+    camera: &Camera,
+    (width, height): (u32, u32),
+    settings: &ReferenceSettings,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Truth, ReferenceError> {
     for (key, size) in [("width", width), ("height", height)] {
         if !(1..=MAX_SIZE).contains(&size) {
             let expected = format!("from 1 to {MAX_SIZE}");
@@ -239,7 +251,7 @@ pub fn render(
         }
     }
     check_lights(scene)?;
-    let paths = Paths::new(trace::Tracer::new(scene)?, settings.max_bounces);
+    let paths = Paths::new(tree.tracer(scene)?, settings.max_bounces);
     let sample = |pixel: u32, batch: u32, count: u32| {
         let (x, y) = ((pixel % width) as f32, (pixel / width) as f32);
         batch_mean(&paths, settings.seed, pixel, batch, count, 1.0, &|sampler| {
@@ -266,7 +278,7 @@ pub fn irradiance(
 }
 
 /// The same with the scene's tree, which is built unless it is there.
-fn irradiance_by(
+pub(crate) fn irradiance_by(
     tree: &KeptTree,
     scene: &Scene,
     receivers: &[Receiver],
