@@ -42,6 +42,10 @@ const PREPARED: f64 = 20.0;
 const FILLED: f64 = 0.65;
 /// Probes that support any receiver of a cluster, over those that support one.
 const REACHED: f64 = 2.2;
+/// Part of the columns that probes keep where they have orders of their own.
+const KEPT: f64 = 0.5;
+/// Products of a number of a cluster's matrix by which these are found: with all lights, twice.
+const CHOSEN: f64 = 512.0;
 /// Products of a number of a cluster's matrix in its compression.
 const COMPRESSED: f64 = 1500.0;
 /// Side of the matrices whose product is timed.
@@ -106,17 +110,18 @@ impl Parts {
     }
 }
 
-/// Multiply-adds of the correction and the compression of all clusters; those in double precision count twice.
+/// Multiply-adds of the probes' orders, the correction and the compression of all clusters; those in double precision count twice.
 fn algebra(o: &BakeOptions, receivers: f64) -> f64 {
     let in_cluster = (FILLED * f64::from(o.cluster_size)).min(receivers).max(1.0);
     let height = in_cluster * f64::from(o.rows);
     let width = f64::from(o.probes).min(REACHED * f64::from(o.overlap)) * sh::count(o.order) as f64;
+    let (chosen, width) = if o.order_error > 0.0 { (CHOSEN * height * width, KEPT * width) } else { (0.0, width) };
     let kinds = KINDS_FITTED as f64;
     // The normal matrix, its factors, a solution per row; before that, what each row is to be corrected by.
     let correction = width * (width * (kinds + width * 2.0 / 3.0 + 4.0 * height) + 2.0 * height * kinds);
     let correction = if o.ridge > 0.0 { correction } else { 0.0 };
     let compression = if o.compression == Compression::None { 0.0 } else { COMPRESSED * height * width };
-    receivers / in_cluster * (correction + compression)
+    receivers / in_cluster * (chosen + correction + compression)
 }
 
 /// Seconds of a multiply-add in a product of matrices, on all threads together.
@@ -193,14 +198,14 @@ mod tests {
         let input = Input { scene: &scene, buffers: &buffers, seed: 1, true_mean: None };
         let row = methods::method("srp").expect("a method");
         let mut parts = None;
-        let mut made = |receivers: &'static str, rays: &'static str, order: &'static str| {
-            let set = [("receivers", receivers), ("rays", rays), ("order", order)];
+        let mut made = |receivers: &'static str, rays: &'static str, order: &'static str, error: &'static str| {
+            let set = [("receivers", receivers), ("rays", rays), ("order", order), ("order_error", error)];
             let mut method = (row.new)(&row.with(set).expect("settings")).expect("a method");
             method.share(&mut parts);
             method
         };
         // All by one timing of a ray and of a product: what other work does to the clock does not matter.
-        let mut first = made("2048", "128", "1");
+        let mut first = made("2048", "128", "1", "0.01");
         let told = |method: &dyn Method, exec: &mut CpuExecutor| {
             method.set_up(exec, &input).expect("it reads").expect("it knows")
         };
@@ -211,13 +216,14 @@ mod tests {
         // Then trees, ground, probes and what they see are, and what rays bring is not.
         let after = told(first.as_ref(), &mut exec);
         assert!(after.whole_s == before.whole_s && after.left_s < 0.6 * after.whole_s, "{before:?} {after:?}");
-        let rays = told(made("2048", "512", "1").as_ref(), &mut exec);
+        let rays = told(made("2048", "512", "1", "0.01").as_ref(), &mut exec);
         assert!(rays.whole_s > before.whole_s && rays.left_s > 3.0 * after.left_s, "{after:?} {rays:?}");
-        let receivers = told(made("8192", "512", "1").as_ref(), &mut exec);
+        let receivers = told(made("8192", "512", "1", "0.01").as_ref(), &mut exec);
         assert!(receivers.left_s > 3.0 * rays.left_s, "{rays:?} {receivers:?}");
-        // Sixteen times as many coefficients: the square of that in the matrices of the correction.
-        let order = told(made("2048", "128", "7").as_ref(), &mut exec);
-        assert!(order.whole_s > 1.5 * before.whole_s, "{before:?} {order:?}");
+        // Sixteen times as many coefficients: the square of that in the matrices of the correction. Less where probes keep fewer.
+        let mut order = |error| told(made("2048", "128", "7", error).as_ref(), &mut exec).whole_s;
+        let (all, own) = (order("0"), order("0.01"));
+        assert!(all > 1.5 * before.whole_s && own > before.whole_s && own < all, "{before:?} {own} {all}");
     }
 
     #[test]

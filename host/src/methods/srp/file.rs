@@ -10,6 +10,7 @@
 use super::atlas::{Atlas, Lookup, Texel};
 use super::charts::Charts;
 use super::model::{Blend, Cluster, FREE, Loss, NO_RECEIVER, RAY_INVALID, Receiver, SrpBake};
+use super::orders::LeftOut;
 use super::plan::{BakeOptions, ClusterOutput};
 use super::round_trip::Verdict;
 use super::transport::Rays;
@@ -503,6 +504,8 @@ fn words_of(index: usize, output: &ClusterOutput) -> Vec<u32> {
     words.extend(output.rays.iter().flat_map(|r| [r.sky, r.unseen, r.inside].map(f32::to_bits)));
     let v = output.verdict;
     words.extend([v.receivers, v.followed, v.light, v.before, v.after].map(f32::to_bits));
+    let left = output.left_out;
+    words.extend([left.light.to_bits(), left.left_out.to_bits(), left.columns, left.columns_left_out, left.bytes]);
     words.push(output.parts.len() as u32);
     let mut list = |items: &mut dyn Iterator<Item = u32>| {
         let at = words.len();
@@ -551,6 +554,13 @@ impl Words<'_> {
         }
         let [receivers, followed, light, before, after] = verdict;
         let verdict = Verdict { receivers, followed, light, before, after };
+        let left_out = LeftOut {
+            light: f32::from_bits(self.next()?),
+            left_out: f32::from_bits(self.next()?),
+            columns: self.next()?,
+            columns_left_out: self.next()?,
+            bytes: self.next()?,
+        };
         let mut parts = Vec::new();
         for _ in 0..self.next()? {
             let &[rank, transport, light, noise] = self.list()?.as_slice() else { return None };
@@ -568,7 +578,7 @@ impl Words<'_> {
             };
             parts.push((members, cluster));
         }
-        Some((index, ClusterOutput { parts, rays, verdict }))
+        Some((index, ClusterOutput { parts, rays, verdict, left_out }))
     }
 }
 
@@ -678,6 +688,8 @@ mod tests {
         std::fs::write(&part, &written[..written.len() - 3]).unwrap();
         let (journal, found) = Journal::open(&target, &scene, &options).unwrap();
         assert_eq!(found.keys().copied().collect::<Vec<_>>(), [1]);
+        assert_eq!(found[&1], plan.cluster(1));
+        assert!(found[&1].left_out.light > 0.0 && found[&1].left_out.columns > 0);
         let (bake, lookup) = plan.resume(found, &|index, output| journal.add(index, output), &|_| ()).unwrap();
         assert_eq!(bytes(&bake, &lookup), uninterrupted);
         drop(journal);

@@ -53,6 +53,13 @@ pub const ROW: MethodRow = MethodRow {
             help: "Order of the probes' spherical harmonics, (order + 1)² coefficients. Higher: sharper light from far probes.",
         },
         Setting {
+            key: "order_error",
+            default: "0.01",
+            allowed: "from 0 to 1",
+            help: "Share of what reaches a cluster's receivers that may be lost with the highest bands of its probes: each has the order \
+                   that this takes. 0: all have the whole `order`. Higher: less memory, less contrast.",
+        },
+        Setting {
             key: "window",
             default: "none",
             allowed: "`none`, `hanning` or `lanczos`",
@@ -240,6 +247,7 @@ impl Options {
                 receivers: parse(&ROW, settings, "receivers", |n| (64..=1 << 24).contains(n))?,
                 probes: parse(&ROW, settings, "probes", |n| (1..=1 << 16).contains(n))?,
                 order: parse(&ROW, settings, "order", |n| *n <= 9)?,
+                order_error: parse(&ROW, settings, "order_error", |x| (0.0..=1.0).contains(x))?,
                 window: match window.as_str() {
                     "hanning" => Window::Hanning,
                     "lanczos" => Window::Lanczos,
@@ -363,6 +371,8 @@ impl Method for Srp {
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
         let (most, tail, params) = (self.options.bounces, self.options.tail, self.direct_params(input));
+        // A file has an order of its own.
+        let asked = if self.options.file.is_empty() { self.options.bake.order } else { 0 };
         let state = self.state()?;
         // As many bounces as the slowest mode needs to fall below what is seen.
         let gain = state.feedback.spectral_radius.clamp(1e-3, 0.999);
@@ -379,8 +389,8 @@ impl Method for Srp {
         state.report["bounces"] = json!(bounces.min(most));
         state.report["handed_on_by_later_bounces"] = json!(handed_on);
         let coefs: Vec<f32> = exec.read_slice(state.runtime.coefficients_buffer())?;
-        state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count));
-        state.beyond_order = beyond_order(&coefs, state.coefficient_count);
+        state.report["probes_by_order"] = json!(probes_by_order(&coefs, state.coefficient_count, asked));
+        state.beyond_order = beyond_order(&coefs, state.coefficient_count, asked);
         state.changed = true;
         Ok(())
     }
@@ -519,10 +529,11 @@ impl Srp {
 }
 
 /// Number of probes by the lowest order that holds [`ENERGY`] of their light's energy: what an order per probe would need.
-/// `coefs` in planes `[channel][probe][k]`; probes without light are left out.
-fn probes_by_order(coefs: &[f32], k: usize) -> Vec<u32> {
+/// `coefs` in planes `[channel][probe][k]`; probes without light are left out. Up to the `asked` order, though no more than `k`
+/// coefficients are projected to.
+fn probes_by_order(coefs: &[f32], k: usize, asked: u32) -> Vec<u32> {
     let plane = coefs.len() / 3;
-    let mut counts = vec![0; sh::band(k.max(1) - 1) as usize + 1];
+    let mut counts = vec![0; sh::band(k.max(1) - 1).max(asked) as usize + 1];
     for probe in (0..plane / k.max(1)).map(|p| p * k) {
         let energy =
             |c: usize| (0..3).map(|channel| f64::from(coefs[channel * plane + probe + c]).powi(2)).sum::<f64>();
@@ -539,9 +550,9 @@ fn probes_by_order(coefs: &[f32], k: usize) -> Vec<u32> {
     counts
 }
 
-/// By order: the part of the probes' light, as amplitude over all probes, that the bands beyond it carry. Of what lies
-/// beyond the last band nothing is known; bands fall, so that the last one's share stands for the next.
-fn beyond_order(coefs: &[f32], k: usize) -> Vec<(u32, f64)> {
+/// By order, up to the `asked` one: the part of the probes' light, as amplitude over all probes, that the bands beyond it carry.
+/// Of what lies beyond the last band nothing is known; bands fall, so that the last one's share stands for the next.
+fn beyond_order(coefs: &[f32], k: usize, asked: u32) -> Vec<(u32, f64)> {
     let order = sh::band(k.max(1) - 1);
     let mut energies = vec![0.0; order as usize + 1];
     for (c, value) in coefs.iter().enumerate() {
@@ -553,7 +564,7 @@ fn beyond_order(coefs: &[f32], k: usize) -> Vec<(u32, f64)> {
     }
     let beyond = |l: u32| energies.iter().skip(l as usize + 1).sum::<f64>();
     let last = energies[order as usize];
-    (0..=order).map(|l| (l, (if l < order { beyond(l) } else { last } / total).sqrt())).collect()
+    (0..=order.max(asked)).map(|l| (l, (if l < order { beyond(l) } else { last } / total).sqrt())).collect()
 }
 
 impl State {
@@ -582,7 +593,8 @@ mod tests {
         let mut coefs = vec![0.0; 3 * 3 * 9];
         coefs[0] = 2.0;
         coefs[27 + 9 + 5] = 1.0;
-        assert_eq!(probes_by_order(&coefs, 9), [1, 0, 1]);
+        assert_eq!(probes_by_order(&coefs, 9, 2), [1, 0, 1]);
+        assert_eq!(probes_by_order(&coefs, 9, 3), [1, 0, 1, 0]);
     }
 
     #[test]
@@ -590,11 +602,13 @@ mod tests {
         // One probe, one channel: band 0 carries 16 parts, band 1 8, band 2 1.
         let mut coefs = vec![0.0; 27];
         (coefs[0], coefs[2], coefs[5]) = (4.0, 8f32.sqrt(), 1.0);
-        let beyond = beyond_order(&coefs, 9);
+        let beyond = beyond_order(&coefs, 9, 2);
         for ((order, got), expected) in beyond.iter().zip([9.0 / 25.0_f64, 1.0 / 25.0, 1.0 / 25.0]) {
             assert!((got - expected.sqrt()).abs() < 1e-6, "{order}: {got}");
         }
-        assert!(beyond_order(&[0.0; 27], 9).is_empty());
+        assert!(beyond_order(&[0.0; 27], 9, 2).is_empty());
+        // Bands that were not projected to are as the last one.
+        assert_eq!(beyond_order(&coefs, 9, 4)[3..], [(3, beyond[2].1), (4, beyond[2].1)]);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! desktops in the engine LlamaEngine, below: LE.
 //!
 //! Precomputation, in order: [`charts`] and [`reach`] (the second UV set, and which sides of it light can reach), [`atlas`]
-//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`round_trip`] (which corrects it, with [`states`] and [`stand_in`]),
+//! (lightmap texels as receivers), [`probes`], [`transport`] (with [`visibility`]), [`orders`], [`round_trip`] (which corrects it, with [`states`] and [`stand_in`]),
 //! [`compress`]; [`plan`] runs them, [`mod@file`] keeps the result.
 //! [`model`] is what it hands to run time. [`error_map`] shows where probes do not suffice, [`dictionary`] is another
 //! way to compress.
@@ -13,7 +13,8 @@
 //! reached are receivers too; probes are spread over all open space by default (Lloyd's relaxation), SL17's thinning of what lies
 //! beside surfaces is a setting; nothing is decided by rounding, so that a scene's unit and place do not change the bake;
 //! the environment and emitters are direct light and never pass through the probes; receivers are points, not texel areas;
-//! transport is corrected by least squares, and components are chosen for the light that they carry.
+//! transport is corrected by least squares, and components are chosen for the light that they carry; each probe has an order of
+//! its own in each cluster.
 
 pub mod atlas;
 pub mod charts;
@@ -26,6 +27,7 @@ pub mod file;
 pub mod memo;
 pub mod model;
 pub mod occluders;
+pub mod orders;
 pub mod packed;
 pub mod plan;
 pub mod probes;

@@ -7,6 +7,7 @@ use super::charts::Patches;
 use super::compress::{Block, Compression};
 use super::memo::Memo;
 use super::model::{Cluster, FREE, NO_RECEIVER, RAY_INVALID, RAY_MISS, Receiver, SrpBake};
+use super::orders::{self, LeftOut, Whole};
 use super::probes::{self, Coverage, Placement, Wish};
 use super::reach::Reach;
 use super::round_trip::{self, RoundTrip, Verdict};
@@ -28,6 +29,8 @@ pub(super) const VALIDITY_RAYS: u32 = 64;
 const INSIDE_ALLOWED: f32 = 0.5;
 /// Surfaces nearer than this many texels count as the inside of solids there.
 const GAP: f32 = 0.2;
+/// Probes have this order at least, where they are asked for it, for what else they light (`srp_probe_light`).
+const LEAST_ORDER: u32 = 2;
 /// One receiver in so many of a cluster says how much of its transport is noise.
 const WITNESSES: usize = 8;
 /// Sides this much shorter than the longest are as long.
@@ -52,6 +55,9 @@ pub struct BakeOptions {
     pub placement: Placement,
     /// Order of the probes' spherical harmonics, 0 to 9.
     pub order: u32,
+    /// Share of what reaches a cluster's receivers, as amplitude, that may be lost with the highest bands of its probes
+    /// ([`super::orders`]); 0: all have the whole order. Higher: smaller matrices, quicker bakes, less contrast.
+    pub order_error: f32,
     /// Window on the bands of what probes see, applied to the transport's columns: run time does not know of it.
     pub window: Window,
     /// Rays per receiver.
@@ -94,6 +100,7 @@ impl Default for BakeOptions {
             probe_positions: None,
             placement: Placement::default(),
             order: 7,
+            order_error: 0.01,
             window: Window::None,
             rays: 512,
             relight_rays: 2048,
@@ -166,8 +173,8 @@ pub struct Plan<'a> {
     pub clusters: Vec<Vec<u32>>,
     /// What transport is corrected and compression judged by.
     round_trip: Arc<RoundTrip>,
-    /// What was said of the correction of all clusters, once they are put together.
-    verdict: OnceLock<Verdict>,
+    /// What was said of the correction of all clusters, and what is left out of them, once they are put together.
+    verdict: OnceLock<(Verdict, LeftOut)>,
     /// What is known of mutual visibility; `None` where every ray asks for itself.
     visibility: Option<Visibility>,
     /// Rays of local transport so far.
@@ -205,6 +212,8 @@ pub struct ClusterOutput {
     pub rays: Vec<Rays>,
     /// What is said of the correction of its transport.
     pub verdict: Verdict,
+    /// What its probes' orders leave out.
+    pub left_out: LeftOut,
 }
 
 /// What may be chance in the rows and in the form factors of a receiver.
@@ -305,11 +314,21 @@ impl<'a> Plan<'a> {
     pub fn cluster(&self, index: usize) -> ClusterOutput {
         let (o, members) = (&self.options, &self.clusters[index]);
         let Local { probes, mut matrix, factors, witnesses, rays } = self.local(index);
+        let lights = self.round_trip.lights(&probes, o.light_metric);
+        let mut whole = Whole {
+            matrix: &mut matrix,
+            receivers: members.len(),
+            each: o.rows as usize,
+            probes: probes.len(),
+            order: o.order,
+        };
+        let support = whole.support();
+        // Before the correction, which makes up for most of it.
+        let left_out = whole.truncate(&lights, o.order_error);
         let verdict = self.round_trip.correct(&mut matrix, &probes, &factors, o.rows as usize, &witnesses);
         // After the correction, which would otherwise undo it.
         o.window.apply(&mut matrix, o.order);
         let points: Vec<Vec3> = members.iter().map(|r| self.receivers[*r as usize].0.position).collect();
-        let lights = self.round_trip.lights(&probes, o.light_metric);
         let (rows, k) = (o.rows as usize, sh::count(o.order));
         let block = Block {
             matrix: &matrix,
@@ -322,7 +341,9 @@ impl<'a> Plan<'a> {
         };
         let local = block.compressed(&o.compression);
         let named = |own: Vec<u32>| own.iter().map(|i| members[*i as usize]).collect();
-        ClusterOutput { parts: local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect(), rays, verdict }
+        let left_out = local.iter().fold(left_out, |sum, (own, c)| sum + LeftOut::count(&support, own, k, c));
+        let parts = local.into_iter().map(|(own, cluster)| (named(own), cluster)).collect();
+        ClusterOutput { parts, rays, verdict, left_out }
     }
 
     /// Local transport of all clusters, thrown away, for benchmarks: gives the number of rays that it traced, from receivers
@@ -415,7 +436,8 @@ impl<'a> Plan<'a> {
             ..SrpBake::default()
         };
         // The same on every call: clusters depend on the plan alone.
-        self.verdict.get_or_init(|| outputs.iter().fold(Verdict::default(), |sum, o| sum + o.verdict));
+        let none = (Verdict::default(), LeftOut::default());
+        self.verdict.get_or_init(|| outputs.iter().fold(none, |sum, o| (sum.0 + o.verdict, sum.1 + o.left_out)));
         let mut sky = vec![0.0; self.receivers.len()];
         let mut order = Vec::with_capacity(self.receivers.len());
         for (members, output) in self.clusters.iter().zip(outputs) {
@@ -427,6 +449,8 @@ impl<'a> Plan<'a> {
                 bake.clusters.push(cluster);
             }
         }
+        // Bands that no cluster makes anything of are not projected to.
+        bake.order = orders::highest(&bake, self.options.order.min(LEAST_ORDER));
         let texels: Vec<u32> = order.iter().map(|r| self.receivers[*r as usize].1).collect();
         let place = |t: &u32| self.atlas.texels.get(*t as usize).map_or([u32::MAX; 2], |t| t.at);
         bake.receivers = order.iter().map(|r| self.receivers[*r as usize].0).collect();
@@ -640,7 +664,9 @@ pub fn cluster_report(bake: &SrpBake) -> serde_json::Value {
 impl Plan<'_> {
     /// How far the correction is followed, and relative errors in lighting states that it was not fitted to; null without one.
     fn correction_report(&self) -> serde_json::Value {
-        let Some(v) = self.verdict.get().filter(|v| v.receivers > 0.0) else { return serde_json::Value::Null };
+        let Some(v) = self.verdict.get().map(|v| v.0).filter(|v| v.receivers > 0.0) else {
+            return serde_json::Value::Null;
+        };
         let error = |square: f32| (square / v.light.max(f32::MIN_POSITIVE)).sqrt();
         serde_json::json!({
             "ridge": self.options.ridge,
@@ -648,6 +674,11 @@ impl Plan<'_> {
             "light_error_before": error(v.before),
             "light_error_after": error(v.after),
         })
+    }
+
+    fn orders_report(&self, bake: &SrpBake) -> serde_json::Value {
+        let left = self.verdict.get().map(|v| v.1).unwrap_or_default();
+        orders::report(bake, self.options.order, self.options.order_error, &left)
     }
 
     /// What was decided and what it takes, for reports.
@@ -689,6 +720,7 @@ impl Plan<'_> {
             "clusters_limited_by_noise": limited / count,
             "light_error": mean_square(&|c| c.loss.light).sqrt(),
             "visibility_known_by_texel": agreeing,
+            "probe_orders": self.orders_report(bake),
             "correction": self.correction_report(),
             "rank_histogram": histogram(bake.clusters.iter().map(|c| c.rank)),
         })

@@ -299,31 +299,42 @@ impl RoundTrip {
                 .unzip();
             receivers.extend(chance);
             let rows: Vec<usize> = receivers.iter().flat_map(|r| (0..each).map(move |n| r * each + n)).collect();
-            let own: Vec<u32> = slots.iter().map(|s| probes[*s]).collect();
-            let blocks = |row: usize| slots.iter().map(move |s| row * width + s * self.k);
-            let mut part = Vec::with_capacity(rows.len() * slots.len() * self.k);
-            rows.iter().flat_map(|r| blocks(*r)).for_each(|at| part.extend_from_slice(&matrix[at..at + self.k]));
+            let columns = self.filled(matrix, &rows[..judged * each], &slots, width);
+            let seen: Vec<usize> = columns.iter().map(|c| self.row(probes, *c)).collect();
+            let mut part: Vec<f32> =
+                rows.iter().flat_map(|r| columns.iter().map(move |c| r * width + c)).map(|at| matrix[at]).collect();
             let mut own_factors = Vec::with_capacity(rows.len() * count);
             rows.iter().for_each(|r| own_factors.extend_from_slice(&factors[r * count..(r + 1) * count]));
-            verdict = verdict + self.correct_connected(&mut part, &own, &own_factors, (each, judged), &of);
-            for (at, block) in rows.iter().flat_map(|r| blocks(*r)).zip(part.chunks_exact(self.k)) {
-                matrix[at..at + self.k].copy_from_slice(block);
+            verdict = verdict + self.correct_connected(&mut part, &seen, &own_factors, (each, judged), &of);
+            for (row, corrected) in rows.iter().zip(part.chunks_exact(columns.len())) {
+                columns.iter().zip(corrected).for_each(|(c, x)| matrix[row * width + c] = *x);
             }
         }
         verdict
     }
 
-    /// The same for rows that belong together: of `judged` receivers, then of chance in some of them, `of`.
+    /// Columns of some of the probes that are not zero in all of some rows: bands that were left out stay so.
+    fn filled(&self, matrix: &[f32], rows: &[usize], slots: &[usize], width: usize) -> Vec<usize> {
+        let mut filled = vec![false; width];
+        for row in rows {
+            let own = &matrix[row * width..(row + 1) * width];
+            filled.iter_mut().zip(own).for_each(|(f, x)| *f |= *x != 0.0);
+        }
+        slots.iter().flat_map(|s| s * self.k..(s + 1) * self.k).filter(|c| filled[*c]).collect()
+    }
+
+    /// The same for rows that belong together: of `judged` receivers, then of chance in some of them, `of`. `seen`: the row of
+    /// `Λ` of each column.
     fn correct_connected(
         &self,
         matrix: &mut [f32],
-        probes: &[u32],
+        seen: &[usize],
         factors: &[f32],
         (each, judged): (usize, usize),
         of: &[usize],
     ) -> Verdict {
-        let width = probes.len() * self.k;
-        let lambda = Mat::from_fn(width, self.lambda.ncols(), |j, q| self.lambda[(self.row(probes, j), q)]);
+        let width = seen.len();
+        let lambda = Mat::from_fn(width, self.lambda.ncols(), |j, q| self.lambda[(seen[j], q)]);
         let wanted = self.columns(factors);
         let rest = &wanted - MatRef::from_row_major_slice(matrix, wanted.nrows(), width) * &lambda;
         let fitted = self.fitted();
@@ -378,7 +389,7 @@ fn regression(lambda: MatRef<'_, f32>, rest: MatRef<'_, f32>, ridge: f64) -> Opt
 
 /// Receivers that share probes, directly or through others, each group with the places of its probes in a row. `each` rows per
 /// receiver of `probes` blocks of `k` numbers; a probe that a receiver does not use has blocks of zeros.
-fn connected(matrix: &[f32], probes: usize, k: usize, each: usize) -> Vec<(Vec<usize>, Vec<usize>)> {
+pub(super) fn connected(matrix: &[f32], probes: usize, k: usize, each: usize) -> Vec<(Vec<usize>, Vec<usize>)> {
     let width = probes * k;
     let uses =
         |own: &[f32], s: usize| own.chunks_exact(width).any(|row| row[s * k..(s + 1) * k].iter().any(|v| *v != 0.0));
