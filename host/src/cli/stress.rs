@@ -76,5 +76,6 @@ fn line(entry: &Entry) -> String {
         State::Measured => "fails ",
     };
     let variant = if entry.variant.is_empty() { String::new() } else { format!(" ({})", entry.variant) };
-    format!("{mark} {}{variant}: {}", entry.family, entry.sentence)
+    let numbers = Some(entry.numbers()).filter(|n| !n.is_empty()).map(|n| format!(" [{n}]")).unwrap_or_default();
+    format!("{mark} {}{variant}: {}{numbers}", entry.family, entry.sentence)
 }

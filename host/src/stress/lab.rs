@@ -95,9 +95,7 @@ impl Lab {
         surfels: &[Surfel],
         work: impl FnOnce(&mut Session<'_>) -> Result<T, Error>,
     ) -> Result<T, Error> {
-        if self.effort == Effort::Full {
-            self.last = Some((settings.clone(), scene.clone()));
-        }
+        self.last = Some((settings.clone(), scene.clone()));
         let exec = self.exec.as_mut();
         let mark = exec.mark();
         let not_finite = &mut self.not_finite;

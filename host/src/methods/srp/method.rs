@@ -54,7 +54,7 @@ pub const ROW: MethodRow = MethodRow {
         },
         Setting {
             key: "order_error",
-            default: "0.01",
+            default: "0.005",
             allowed: "from 0 to 1",
             help: "Share of what reaches a cluster's receivers that may be lost with the highest bands of its probes: each has the order \
                    that this takes. 0: all have the whole `order`. Higher: less memory, less contrast.",

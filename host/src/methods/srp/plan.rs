@@ -100,7 +100,7 @@ impl Default for BakeOptions {
             probe_positions: None,
             placement: Placement::default(),
             order: 7,
-            order_error: 0.01,
+            order_error: 0.005,
             window: Window::None,
             rays: 512,
             relight_rays: 2048,
