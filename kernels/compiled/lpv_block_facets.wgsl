@@ -46,7 +46,7 @@ struct type_24 {
     member: type_23,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<atomic<u32>>,
 }
 
@@ -56,259 +56,273 @@ var<uniform> params: type_24;
 @group(0) @binding(1) 
 var<storage> facets: type_17;
 @group(0) @binding(2) 
-var<storage, read_write> words: type_30;
+var<storage, read_write> words: type_31;
 
 fn function_() {
-    var phi_137_: vec3<f32>;
-    var phi_271_: bool;
-    var phi_273_: bool;
-    var phi_274_: bool;
-    var phi_275_: bool;
-    var phi_276_: bool;
-    var phi_277_: bool;
-    var phi_278_: bool;
-    var phi_279_: bool;
-    var phi_280_: bool;
-    var phi_366_: bool;
-    var phi_368_: bool;
-    var phi_369_: bool;
-    var phi_370_: bool;
-    var phi_371_: bool;
-    var phi_372_: bool;
-    var phi_373_: bool;
-    var phi_374_: bool;
-    var phi_375_: bool;
-    var phi_461_: bool;
-    var phi_463_: bool;
-    var phi_464_: bool;
-    var phi_465_: bool;
-    var phi_466_: bool;
-    var phi_467_: bool;
-    var phi_468_: bool;
-    var phi_469_: bool;
-    var phi_470_: bool;
+    var phi_183_: vec3<f32>;
+    var phi_317_: bool;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_321_: bool;
+    var phi_322_: bool;
+    var phi_323_: bool;
+    var phi_324_: bool;
+    var phi_325_: bool;
+    var phi_326_: bool;
+    var phi_412_: bool;
+    var phi_414_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_507_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_515_: bool;
+    var phi_516_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e30 = gid_1;
-            let _e34 = arrayLength((&words.member));
-            let _e38 = (_e30.x + (_e30.y * 2097152u));
-            let _e41 = params.member.member_5;
-            if (_e38 < _e41) {
-                if (_e38 < arrayLength((&facets.member))) {
+            let _e31 = gid_1;
+            let _e35 = arrayLength((&words.member));
+            let _e39 = (_e31.x + (_e31.y * 2097152u));
+            let _e42 = params.member.member_5;
+            if (_e39 < _e42) {
+                if (_e39 < arrayLength((&facets.member))) {
                 } else {
                     break;
                 }
-                let _e46 = params.member.member_13;
-                let _e50 = params.member.member[3u];
-                let _e51 = (_e46 / _e50);
-                let _e55 = facets.member[_e38].member;
-                let _e62 = facets.member[_e38].member_2;
-                let _e66 = (_e51 * _e51);
-                let _e67 = (_e62[0] * _e66);
-                let _e68 = (_e62[1] * _e66);
-                let _e69 = (_e62[2] * _e66);
-                let _e72 = params.member.member;
-                let _e87 = (((_e67 * _e67) + (_e68 * _e68)) + (_e69 * _e69));
-                if (_e87 >= 0.000000000000000000000000000000000000011754944f) {
-                    let _e90 = (1f / sqrt(_e87));
-                    phi_137_ = vec3<f32>((_e67 * _e90), (_e68 * _e90), (_e69 * _e90));
-                } else {
-                    phi_137_ = vec3<f32>(0f, 0f, 0f);
-                }
-                let _e96 = phi_137_;
-                let _e103 = (((_e55[0] - _e72.x) / _e72.w) - (_e96.x * 0.015625f));
-                let _e104 = (((_e55[1] - _e72.y) / _e72.w) - (_e96.y * 0.015625f));
-                let _e105 = (((_e55[2] - _e72.z) / _e72.w) - (_e96.z * 0.015625f));
-                let _e108 = params.member.member_1;
-                let _e109 = floor(_e103);
-                let _e117 = floor(_e104);
-                let _e125 = floor(_e105);
-                let _e136 = (select(0i, select(select(i32(_e109), i32(-2147483648), (_e109 < -2147483600f)), 2147483647i, (_e109 > 2147483500f)), (_e109 == _e109)) - _e108.x);
-                let _e137 = (select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < -2147483600f)), 2147483647i, (_e117 > 2147483500f)), (_e117 == _e117)) - _e108.y);
-                let _e138 = (select(0i, select(select(i32(_e125), i32(-2147483648), (_e125 < -2147483600f)), 2147483647i, (_e125 > 2147483500f)), (_e125 == _e125)) - _e108.z);
-                let _e142 = floor((_e103 - 0.5f));
-                let _e150 = floor((_e104 - 0.5f));
-                let _e158 = floor((_e105 - 0.5f));
-                let _e166 = (select(0i, select(select(i32(_e142), i32(-2147483648), (_e142 < -2147483600f)), 2147483647i, (_e142 > 2147483500f)), (_e142 == _e142)) - _e108.x);
-                let _e167 = (select(0i, select(select(i32(_e150), i32(-2147483648), (_e150 < -2147483600f)), 2147483647i, (_e150 > 2147483500f)), (_e150 == _e150)) - _e108.y);
-                let _e168 = (select(0i, select(select(i32(_e158), i32(-2147483648), (_e158 < -2147483600f)), 2147483647i, (_e158 > 2147483500f)), (_e158 == _e158)) - _e108.z);
-                let _e169 = abs(_e67);
-                let _e174 = floor(((select(16f, _e169, (_e169 < 16f)) * 65536f) + 0.5f));
-                let _e179 = select(select(u32(_e174), 0u, (_e174 < 0f)), 4294967295u, (_e174 > 4294967000f));
-                let _e182 = params.member.member_2;
-                if (_e166 >= 0i) {
-                    if (_e137 >= 0i) {
-                        if (_e138 >= 0i) {
-                            if (_e166 < bitcast<i32>(_e182.x)) {
-                                let _e191 = (_e137 < bitcast<i32>(_e182.y));
-                                if _e191 {
-                                    phi_271_ = (_e138 < bitcast<i32>(_e182.z));
-                                } else {
-                                    phi_271_ = bool();
-                                }
-                                let _e196 = phi_271_;
-                                phi_273_ = _e196;
-                                phi_274_ = select(true, false, _e191);
-                            } else {
-                                phi_273_ = bool();
-                                phi_274_ = true;
-                            }
-                            let _e199 = phi_273_;
-                            let _e201 = phi_274_;
-                            phi_275_ = _e199;
-                            phi_276_ = _e201;
-                        } else {
-                            phi_275_ = bool();
-                            phi_276_ = true;
-                        }
-                        let _e203 = phi_275_;
-                        let _e205 = phi_276_;
-                        phi_277_ = _e203;
-                        phi_278_ = _e205;
+                let _e47 = params.member.member_13;
+                let _e51 = params.member.member[3u];
+                let _e52 = (_e47 / _e51);
+                let _e56 = facets.member[_e39].member;
+                let _e63 = facets.member[_e39].member_2;
+                let _e67 = (_e52 * _e52);
+                let _e68 = (_e63[0] * _e67);
+                let _e69 = (_e63[1] * _e67);
+                let _e70 = (_e63[2] * _e67);
+                let _e73 = params.member.member;
+                let _e81 = ((_e56[0] - _e73.x) / _e73.w);
+                let _e82 = ((_e56[1] - _e73.y) / _e73.w);
+                let _e83 = ((_e56[2] - _e73.z) / _e73.w);
+                let _e89 = params.member.member_1[0u];
+                let _e91 = (_e81 - f32(_e89));
+                let _e95 = params.member.member_1[1u];
+                let _e97 = (_e82 - f32(_e95));
+                let _e101 = params.member.member_1[2u];
+                let _e103 = (_e83 - f32(_e101));
+                let _e109 = params.member.member_2[0u];
+                let _e114 = params.member.member_2[1u];
+                let _e119 = params.member.member_2[2u];
+                if ((((((_e91 > -1f) && (_e91 < (f32(_e109) + 1f))) && (_e97 > -1f)) && (_e97 < (f32(_e114) + 1f))) && (_e103 > -1f)) && (_e103 < (f32(_e119) + 1f))) {
+                    let _e139 = (((_e68 * _e68) + (_e69 * _e69)) + (_e70 * _e70));
+                    if (_e139 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e142 = (1f / sqrt(_e139));
+                        phi_183_ = vec3<f32>((_e68 * _e142), (_e69 * _e142), (_e70 * _e142));
                     } else {
-                        phi_277_ = bool();
-                        phi_278_ = true;
+                        phi_183_ = vec3<f32>(0f, 0f, 0f);
                     }
-                    let _e207 = phi_277_;
-                    let _e209 = phi_278_;
-                    phi_279_ = _e207;
-                    phi_280_ = _e209;
-                } else {
-                    phi_279_ = bool();
-                    phi_280_ = true;
-                }
-                let _e211 = phi_279_;
-                let _e213 = phi_280_;
-                if select(_e211, false, _e213) {
-                    if (_e179 > 0u) {
-                        let _e217 = (_e182.x + 1u);
-                        let _e220 = ((_e182.y + 1u) * _e217);
-                        let _e229 = ((((_e220 + _e217) + bitcast<u32>(_e166)) + (bitcast<u32>(_e137) * _e217)) + (bitcast<u32>(_e138) * _e220));
-                        if (_e229 < _e34) {
-                        } else {
-                            break;
-                        }
-                        let _e233 = atomicAdd((&words.member[_e229]), _e179);
-                    }
-                }
-                let _e234 = abs(_e68);
-                let _e239 = floor(((select(16f, _e234, (_e234 < 16f)) * 65536f) + 0.5f));
-                let _e244 = select(select(u32(_e239), 0u, (_e239 < 0f)), 4294967295u, (_e239 > 4294967000f));
-                let _e245 = (_e136 >= 0i);
-                if _e245 {
-                    if (_e167 >= 0i) {
-                        if (_e138 >= 0i) {
-                            if (_e136 < bitcast<i32>(_e182.x)) {
-                                let _e253 = (_e167 < bitcast<i32>(_e182.y));
-                                if _e253 {
-                                    phi_366_ = (_e138 < bitcast<i32>(_e182.z));
+                    let _e148 = phi_183_;
+                    let _e155 = (_e81 - (_e148.x * 0.015625f));
+                    let _e156 = (_e82 - (_e148.y * 0.015625f));
+                    let _e157 = (_e83 - (_e148.z * 0.015625f));
+                    let _e158 = params.member.member_1;
+                    let _e159 = floor(_e155);
+                    let _e167 = floor(_e156);
+                    let _e175 = floor(_e157);
+                    let _e186 = (select(0i, select(select(i32(_e159), i32(-2147483648), (_e159 < -2147483600f)), 2147483647i, (_e159 > 2147483500f)), (_e159 == _e159)) - _e158.x);
+                    let _e187 = (select(0i, select(select(i32(_e167), i32(-2147483648), (_e167 < -2147483600f)), 2147483647i, (_e167 > 2147483500f)), (_e167 == _e167)) - _e158.y);
+                    let _e188 = (select(0i, select(select(i32(_e175), i32(-2147483648), (_e175 < -2147483600f)), 2147483647i, (_e175 > 2147483500f)), (_e175 == _e175)) - _e158.z);
+                    let _e192 = floor((_e155 - 0.5f));
+                    let _e200 = floor((_e156 - 0.5f));
+                    let _e208 = floor((_e157 - 0.5f));
+                    let _e216 = (select(0i, select(select(i32(_e192), i32(-2147483648), (_e192 < -2147483600f)), 2147483647i, (_e192 > 2147483500f)), (_e192 == _e192)) - _e158.x);
+                    let _e217 = (select(0i, select(select(i32(_e200), i32(-2147483648), (_e200 < -2147483600f)), 2147483647i, (_e200 > 2147483500f)), (_e200 == _e200)) - _e158.y);
+                    let _e218 = (select(0i, select(select(i32(_e208), i32(-2147483648), (_e208 < -2147483600f)), 2147483647i, (_e208 > 2147483500f)), (_e208 == _e208)) - _e158.z);
+                    let _e219 = abs(_e68);
+                    let _e224 = floor(((select(16f, _e219, (_e219 < 16f)) * 65536f) + 0.5f));
+                    let _e229 = select(select(u32(_e224), 0u, (_e224 < 0f)), 4294967295u, (_e224 > 4294967000f));
+                    let _e230 = params.member.member_2;
+                    if (_e216 >= 0i) {
+                        if (_e187 >= 0i) {
+                            if (_e188 >= 0i) {
+                                if (_e216 < bitcast<i32>(_e230.x)) {
+                                    let _e239 = (_e187 < bitcast<i32>(_e230.y));
+                                    if _e239 {
+                                        phi_317_ = (_e188 < bitcast<i32>(_e230.z));
+                                    } else {
+                                        phi_317_ = bool();
+                                    }
+                                    let _e244 = phi_317_;
+                                    phi_319_ = _e244;
+                                    phi_320_ = select(true, false, _e239);
                                 } else {
-                                    phi_366_ = bool();
+                                    phi_319_ = bool();
+                                    phi_320_ = true;
                                 }
-                                let _e258 = phi_366_;
-                                phi_368_ = _e258;
-                                phi_369_ = select(true, false, _e253);
+                                let _e247 = phi_319_;
+                                let _e249 = phi_320_;
+                                phi_321_ = _e247;
+                                phi_322_ = _e249;
                             } else {
-                                phi_368_ = bool();
-                                phi_369_ = true;
+                                phi_321_ = bool();
+                                phi_322_ = true;
                             }
-                            let _e261 = phi_368_;
-                            let _e263 = phi_369_;
-                            phi_370_ = _e261;
-                            phi_371_ = _e263;
+                            let _e251 = phi_321_;
+                            let _e253 = phi_322_;
+                            phi_323_ = _e251;
+                            phi_324_ = _e253;
                         } else {
-                            phi_370_ = bool();
-                            phi_371_ = true;
+                            phi_323_ = bool();
+                            phi_324_ = true;
                         }
-                        let _e265 = phi_370_;
-                        let _e267 = phi_371_;
-                        phi_372_ = _e265;
-                        phi_373_ = _e267;
+                        let _e255 = phi_323_;
+                        let _e257 = phi_324_;
+                        phi_325_ = _e255;
+                        phi_326_ = _e257;
                     } else {
-                        phi_372_ = bool();
-                        phi_373_ = true;
+                        phi_325_ = bool();
+                        phi_326_ = true;
                     }
-                    let _e269 = phi_372_;
-                    let _e271 = phi_373_;
-                    phi_374_ = _e269;
-                    phi_375_ = _e271;
-                } else {
-                    phi_374_ = bool();
-                    phi_375_ = true;
-                }
-                let _e273 = phi_374_;
-                let _e275 = phi_375_;
-                if select(_e273, false, _e275) {
-                    if (_e244 > 0u) {
-                        let _e279 = (_e182.x + 1u);
-                        let _e282 = ((_e182.y + 1u) * _e279);
-                        let _e283 = (_e282 + _e279);
-                        let _e296 = ((_e283 + ((_e182.z + 1u) * _e282)) + (((_e283 + bitcast<u32>(_e136)) + (bitcast<u32>(_e167) * _e279)) + (bitcast<u32>(_e138) * _e282)));
-                        if (_e296 < _e34) {
-                        } else {
-                            break;
+                    let _e259 = phi_325_;
+                    let _e261 = phi_326_;
+                    if select(_e259, false, _e261) {
+                        if (_e229 > 0u) {
+                            let _e265 = (_e230.x + 1u);
+                            let _e268 = ((_e230.y + 1u) * _e265);
+                            let _e277 = ((((_e268 + _e265) + bitcast<u32>(_e216)) + (bitcast<u32>(_e187) * _e265)) + (bitcast<u32>(_e188) * _e268));
+                            if (_e277 < _e35) {
+                            } else {
+                                break;
+                            }
+                            let _e281 = atomicAdd((&words.member[_e277]), _e229);
                         }
-                        let _e300 = atomicAdd((&words.member[_e296]), _e244);
                     }
-                }
-                let _e301 = abs(_e69);
-                let _e306 = floor(((select(16f, _e301, (_e301 < 16f)) * 65536f) + 0.5f));
-                let _e311 = select(select(u32(_e306), 0u, (_e306 < 0f)), 4294967295u, (_e306 > 4294967000f));
-                if _e245 {
-                    if (_e137 >= 0i) {
-                        if (_e168 >= 0i) {
-                            if (_e136 < bitcast<i32>(_e182.x)) {
-                                let _e319 = (_e137 < bitcast<i32>(_e182.y));
-                                if _e319 {
-                                    phi_461_ = (_e168 < bitcast<i32>(_e182.z));
+                    let _e282 = abs(_e69);
+                    let _e287 = floor(((select(16f, _e282, (_e282 < 16f)) * 65536f) + 0.5f));
+                    let _e292 = select(select(u32(_e287), 0u, (_e287 < 0f)), 4294967295u, (_e287 > 4294967000f));
+                    let _e293 = (_e186 >= 0i);
+                    if _e293 {
+                        if (_e217 >= 0i) {
+                            if (_e188 >= 0i) {
+                                if (_e186 < bitcast<i32>(_e230.x)) {
+                                    let _e301 = (_e217 < bitcast<i32>(_e230.y));
+                                    if _e301 {
+                                        phi_412_ = (_e188 < bitcast<i32>(_e230.z));
+                                    } else {
+                                        phi_412_ = bool();
+                                    }
+                                    let _e306 = phi_412_;
+                                    phi_414_ = _e306;
+                                    phi_415_ = select(true, false, _e301);
                                 } else {
-                                    phi_461_ = bool();
+                                    phi_414_ = bool();
+                                    phi_415_ = true;
                                 }
-                                let _e324 = phi_461_;
-                                phi_463_ = _e324;
-                                phi_464_ = select(true, false, _e319);
+                                let _e309 = phi_414_;
+                                let _e311 = phi_415_;
+                                phi_416_ = _e309;
+                                phi_417_ = _e311;
                             } else {
-                                phi_463_ = bool();
-                                phi_464_ = true;
+                                phi_416_ = bool();
+                                phi_417_ = true;
                             }
-                            let _e327 = phi_463_;
-                            let _e329 = phi_464_;
-                            phi_465_ = _e327;
-                            phi_466_ = _e329;
+                            let _e313 = phi_416_;
+                            let _e315 = phi_417_;
+                            phi_418_ = _e313;
+                            phi_419_ = _e315;
                         } else {
-                            phi_465_ = bool();
-                            phi_466_ = true;
+                            phi_418_ = bool();
+                            phi_419_ = true;
                         }
-                        let _e331 = phi_465_;
-                        let _e333 = phi_466_;
-                        phi_467_ = _e331;
-                        phi_468_ = _e333;
+                        let _e317 = phi_418_;
+                        let _e319 = phi_419_;
+                        phi_420_ = _e317;
+                        phi_421_ = _e319;
                     } else {
-                        phi_467_ = bool();
-                        phi_468_ = true;
+                        phi_420_ = bool();
+                        phi_421_ = true;
                     }
-                    let _e335 = phi_467_;
-                    let _e337 = phi_468_;
-                    phi_469_ = _e335;
-                    phi_470_ = _e337;
-                } else {
-                    phi_469_ = bool();
-                    phi_470_ = true;
-                }
-                let _e339 = phi_469_;
-                let _e341 = phi_470_;
-                if select(_e339, false, _e341) {
-                    if (_e311 > 0u) {
-                        let _e345 = (_e182.x + 1u);
-                        let _e348 = ((_e182.y + 1u) * _e345);
-                        let _e349 = (_e348 + _e345);
-                        let _e363 = ((2u * (_e349 + ((_e182.z + 1u) * _e348))) + (((_e349 + bitcast<u32>(_e136)) + (bitcast<u32>(_e137) * _e345)) + (bitcast<u32>(_e168) * _e348)));
-                        if (_e363 < _e34) {
-                        } else {
-                            break;
+                    let _e321 = phi_420_;
+                    let _e323 = phi_421_;
+                    if select(_e321, false, _e323) {
+                        if (_e292 > 0u) {
+                            let _e327 = (_e230.x + 1u);
+                            let _e330 = ((_e230.y + 1u) * _e327);
+                            let _e331 = (_e330 + _e327);
+                            let _e344 = ((_e331 + ((_e230.z + 1u) * _e330)) + (((_e331 + bitcast<u32>(_e186)) + (bitcast<u32>(_e217) * _e327)) + (bitcast<u32>(_e188) * _e330)));
+                            if (_e344 < _e35) {
+                            } else {
+                                break;
+                            }
+                            let _e348 = atomicAdd((&words.member[_e344]), _e292);
                         }
-                        let _e367 = atomicAdd((&words.member[_e363]), _e311);
+                    }
+                    let _e349 = abs(_e70);
+                    let _e354 = floor(((select(16f, _e349, (_e349 < 16f)) * 65536f) + 0.5f));
+                    let _e359 = select(select(u32(_e354), 0u, (_e354 < 0f)), 4294967295u, (_e354 > 4294967000f));
+                    if _e293 {
+                        if (_e187 >= 0i) {
+                            if (_e218 >= 0i) {
+                                if (_e186 < bitcast<i32>(_e230.x)) {
+                                    let _e367 = (_e187 < bitcast<i32>(_e230.y));
+                                    if _e367 {
+                                        phi_507_ = (_e218 < bitcast<i32>(_e230.z));
+                                    } else {
+                                        phi_507_ = bool();
+                                    }
+                                    let _e372 = phi_507_;
+                                    phi_509_ = _e372;
+                                    phi_510_ = select(true, false, _e367);
+                                } else {
+                                    phi_509_ = bool();
+                                    phi_510_ = true;
+                                }
+                                let _e375 = phi_509_;
+                                let _e377 = phi_510_;
+                                phi_511_ = _e375;
+                                phi_512_ = _e377;
+                            } else {
+                                phi_511_ = bool();
+                                phi_512_ = true;
+                            }
+                            let _e379 = phi_511_;
+                            let _e381 = phi_512_;
+                            phi_513_ = _e379;
+                            phi_514_ = _e381;
+                        } else {
+                            phi_513_ = bool();
+                            phi_514_ = true;
+                        }
+                        let _e383 = phi_513_;
+                        let _e385 = phi_514_;
+                        phi_515_ = _e383;
+                        phi_516_ = _e385;
+                    } else {
+                        phi_515_ = bool();
+                        phi_516_ = true;
+                    }
+                    let _e387 = phi_515_;
+                    let _e389 = phi_516_;
+                    if select(_e387, false, _e389) {
+                        if (_e359 > 0u) {
+                            let _e393 = (_e230.x + 1u);
+                            let _e396 = ((_e230.y + 1u) * _e393);
+                            let _e397 = (_e396 + _e393);
+                            let _e411 = ((2u * (_e397 + ((_e230.z + 1u) * _e396))) + (((_e397 + bitcast<u32>(_e186)) + (bitcast<u32>(_e187) * _e393)) + (bitcast<u32>(_e218) * _e396)));
+                            if (_e411 < _e35) {
+                            } else {
+                                break;
+                            }
+                            let _e415 = atomicAdd((&words.member[_e411]), _e359);
+                        }
                     }
                 }
             }

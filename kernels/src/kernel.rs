@@ -187,9 +187,6 @@ pub fn store(buffer: &mut [f32], i: usize, value: f32) {
 pub trait AtomicWords {
     /// Adds to a word (wrapping) and returns what it was; do not let a result depend on what it was.
     fn add(&mut self, i: u32, value: u32) -> u32;
-    /// Adds to a word (wrapping), sooner or later: a CPU holds sums of one word back and adds them at once. Not for words whose
-    /// [`AtomicWords::add`] is to tell what they were.
-    fn accumulate(&mut self, i: u32, value: u32);
     /// Raises a word to a value if it is lower.
     fn max(&mut self, i: u32, value: u32);
     /// Sets bits of a word.
@@ -211,10 +208,6 @@ impl AtomicWords for DeviceWords<'_> {
     #[inline(always)]
     fn add(&mut self, i: u32, value: u32) -> u32 {
         unsafe { spirv_std::arch::atomic_i_add::<u32, QUEUE, RELAXED>(&mut self.0[i as usize], value) }
-    }
-    #[inline(always)]
-    fn accumulate(&mut self, i: u32, value: u32) {
-        self.add(i, value);
     }
     #[inline(always)]
     fn max(&mut self, i: u32, value: u32) {
@@ -262,62 +255,24 @@ mod host {
         Vectors::Baseline
     }
 
-    /// Sums that [`HostWords`] holds back: a power of two.
-    const HELD: usize = 64;
-
-    /// The CPU's side of [`AtomicWords`], of the invocations of one piece.
-    ///
-    /// An atomic addition takes as long as twenty others, and neighbours in a scene add to the same few words: sums wait
-    /// in a small table until another word needs their place.
-    pub struct HostWords<'a> {
-        words: &'a [AtomicU32],
-        /// Word and its sum; a sum of zero is none.
-        held: [(u32, u32); HELD],
-    }
-    impl<'a> HostWords<'a> {
-        /// Of a buffer's words.
-        #[inline(always)]
-        pub fn new(words: &'a [AtomicU32]) -> Self {
-            Self { words, held: [(0, 0); HELD] }
-        }
-    }
-    impl Drop for HostWords<'_> {
-        fn drop(&mut self) {
-            for (i, sum) in self.held.into_iter().filter(|(_, sum)| *sum > 0) {
-                self.words[i as usize].fetch_add(sum, Relaxed);
-            }
-        }
-    }
+    /// The CPU's side of [`AtomicWords`].
+    pub struct HostWords<'a>(pub &'a [AtomicU32]);
     impl AtomicWords for HostWords<'_> {
         #[inline(always)]
         fn add(&mut self, i: u32, value: u32) -> u32 {
-            self.words[i as usize].fetch_add(value, Relaxed)
-        }
-        #[inline(always)]
-        fn accumulate(&mut self, i: u32, value: u32) {
-            // Planes of a buffer lie a power of two apart as often as not: the highest bits of a product differ (Knuth).
-            let (word, sum) = &mut self.held[(i.wrapping_mul(0x9E37_79B9) >> (32 - HELD.ilog2())) as usize];
-            if *word == i {
-                *sum = sum.wrapping_add(value);
-            } else {
-                if *sum > 0 {
-                    self.words[*word as usize].fetch_add(*sum, Relaxed);
-                }
-                assert!((i as usize) < self.words.len(), "word {i} of {}", self.words.len());
-                (*word, *sum) = (i, value);
-            }
+            self.0[i as usize].fetch_add(value, Relaxed)
         }
         #[inline(always)]
         fn max(&mut self, i: u32, value: u32) {
             // Most calls of a maximum change nothing; a load does not take the cache line away from other threads.
-            if self.words[i as usize].load(Relaxed) < value {
-                self.words[i as usize].fetch_max(value, Relaxed);
+            if self.0[i as usize].load(Relaxed) < value {
+                self.0[i as usize].fetch_max(value, Relaxed);
             }
         }
         #[inline(always)]
         fn or(&mut self, i: u32, bits: u32) {
-            if self.words[i as usize].load(Relaxed) & bits != bits {
-                self.words[i as usize].fetch_or(bits, Relaxed);
+            if self.0[i as usize].load(Relaxed) & bits != bits {
+                self.0[i as usize].fetch_or(bits, Relaxed);
             }
         }
     }
@@ -762,9 +717,8 @@ macro_rules! scatter {
             #[cfg(not(target_arch = "spirv"))]
             #[inline(always)]
             fn piece_body(first: u32, count: u32, $p: &$P, $($i: &[$I],)* $($a: &[core::sync::atomic::AtomicU32],)+) {
-                $(let mut $a = $crate::kernel::HostWords::new($a);)+
                 for id in first..first + count {
-                    $body(id, $p, $($i,)* $(&mut $a,)+);
+                    $body(id, $p, $($i,)* $(&mut $crate::kernel::HostWords($a),)+);
                 }
             }
             $crate::kernel::widest_vectors!(piece = piece_body,

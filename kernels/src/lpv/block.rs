@@ -29,12 +29,27 @@ use interreflect_shared::voxel::VoxelFacet;
 /// Adds a surface element: `area` is its normal times its area, in cell faces.
 #[inline(always)]
 fn add_area(p: &LpvParams, position: Vec3, area: Vec3, words: &mut impl AtomicWords) {
-    let q = cells_from_world(p.anchor_size, position) - normalize(area) * TIE;
+    let q = cells_from_world(p.anchor_size, position);
+    if !is_near(p, q) {
+        return;
+    }
+    let q = q - normalize(area) * TIE;
     // Along each axis in turn the cell whose centre lies before the surface.
     let (cell, before) = (cell_of(p.first_cell, q), cell_of(p.first_cell, q - 0.5));
     add_axis(p, IVec3::new(before.x, cell.y, cell.z), 0, abs(area.x), words);
     add_axis(p, IVec3::new(cell.x, before.y, cell.z), 1, abs(area.y), words);
     add_axis(p, IVec3::new(cell.x, cell.y, before.z), 2, abs(area.z), words);
+}
+
+/// Whether a position, in cells from the anchor, can lie in the grid: half a cell and a tie more than it reaches. Cheaper to ask than to
+/// find its cells; most surfaces lie outside a cascade.
+#[inline(always)]
+fn is_near(p: &LpvParams, q: Vec3) -> bool {
+    let x = q.x - p.first_cell.x as f32;
+    let y = q.y - p.first_cell.y as f32;
+    let z = q.z - p.first_cell.z as f32;
+    let (dx, dy, dz) = (p.dims.x as f32, p.dims.y as f32, p.dims.z as f32);
+    (x > -1.0) & (x < dx + 1.0) & (y > -1.0) & (y < dy + 1.0) & (z > -1.0) & (z < dz + 1.0)
 }
 
 /// The face above a cell: between its centre and the next one's.
@@ -43,7 +58,7 @@ fn add_axis(p: &LpvParams, cell: IVec3, axis: u32, area: f32, words: &mut impl A
     let units = floor(min(area, AREA_MOST) * AREA_UNITS + 0.5) as u32;
     if inside(p.dims, cell) && units > 0 {
         let layout = LpvLayout::new(p.dims);
-        words.accumulate(axis * layout.plane + element(&layout, cell), units);
+        words.add(axis * layout.plane + element(&layout, cell), units);
     }
 }
 

@@ -88,9 +88,9 @@ fn add_channel(
         words.or(word_count(p), 1);
     }
     let moment = normal * (units * LOBE_MOMENT);
-    words.accumulate(first + value, floor(moment.x + 0.5) as i32 as u32);
-    words.accumulate(first + 2 * value, floor(moment.y + 0.5) as i32 as u32);
-    words.accumulate(first + 3 * value, floor(moment.z + 0.5) as i32 as u32);
+    words.add(first + value, floor(moment.x + 0.5) as i32 as u32);
+    words.add(first + 2 * value, floor(moment.y + 0.5) as i32 as u32);
+    words.add(first + 3 * value, floor(moment.z + 0.5) as i32 as u32);
 }
 
 /// Injects texel `i`.
