@@ -361,9 +361,26 @@ impl Entry {
         match self.safe {
             Safe::Everywhere => format!("{method}: {measure} stays within {bound} from {}{peak}.", span()),
             Safe::Nowhere => format!("{method}: {measure} exceeds {bound} everywhere from {}{peak}.", span()),
-            Safe::From { at } => format!("{method}: {measure} exceeds {bound} below {}{peak}.", place(at)),
-            Safe::UpTo { at } => format!("{method}: {measure} exceeds {bound} above {}{peak}.", place(at)),
+            Safe::From { at } => {
+                format!("{method}: {measure} exceeds {bound} below {}{}{peak}.", place(at), self.tried_next(at))
+            }
+            Safe::UpTo { at } => {
+                format!("{method}: {measure} exceeds {bound} above {}{}{peak}.", place(at), self.tried_next(at))
+            }
             Safe::Partly { safe, of } => format!("{method}: {measure} stays within {bound} in {safe} of {of} cases."),
+        }
+    }
+
+    /// The nearest parameter at which the method was seen to fail, where what lies between it and the safe one is not known.
+    fn tried_next(&self, safe: f64) -> String {
+        /// Ratio of two parameters between which a bisection stops asking.
+        const NEAR: f64 = 1.5;
+        let beyond = |s: &&Sample| s.value > self.bound && (s.parameter > safe) == (self.danger == Danger::High);
+        let distance = |s: &Sample| (s.parameter - safe).abs();
+        let failing = self.samples.iter().filter(beyond).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        match failing.map(|s| s.parameter) {
+            Some(next) if next.max(safe) > NEAR * next.min(safe) => format!(", tried next: {}", short(next)),
+            _ => String::new(),
         }
     }
 
