@@ -178,7 +178,7 @@ fn function_() {
     var phi_1264_: u32;
     var phi_1238_: u32;
     var phi_1241_: u32;
-    var phi_5664_: bool;
+    var phi_5636_: bool;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
@@ -190,8 +190,8 @@ fn function_() {
     var phi_1361_: vec3<f32>;
     var phi_1362_: bool;
     var phi_1413_: vec2<f32>;
-    var phi_4876_: f32;
-    var phi_4884_: f32;
+    var phi_4848_: f32;
+    var phi_4856_: f32;
     var phi_1494_: vec2<f32>;
     var phi_1495_: bool;
     var phi_1625_: f32;
@@ -201,42 +201,42 @@ fn function_() {
     var phi_1637_: vec2<f32>;
     var phi_1638_: vec2<f32>;
     var phi_1763_: f32;
-    var phi_5688_: bool;
+    var phi_5660_: bool;
     var phi_1794_: type_59;
     var phi_1029_: f32;
     var phi_1037_: f32;
-    var phi_5687_: bool;
+    var phi_5659_: bool;
     var phi_1795_: type_59;
     var phi_764_: vec3<f32>;
     var phi_808_: vec3<f32>;
     var phi_852_: vec3<f32>;
     var phi_896_: vec3<f32>;
-    var phi_4965_: f32;
-    var phi_4973_: f32;
-    var phi_4988_: f32;
-    var phi_4994_: f32;
-    var phi_5002_: f32;
-    var phi_5091_: f32;
-    var phi_5099_: f32;
-    var phi_5114_: f32;
-    var phi_5120_: f32;
-    var phi_5128_: f32;
-    var phi_5217_: f32;
-    var phi_5225_: f32;
-    var phi_5240_: f32;
-    var phi_5246_: f32;
-    var phi_5254_: f32;
-    var phi_5343_: f32;
-    var phi_5351_: f32;
-    var phi_5366_: f32;
-    var phi_5372_: f32;
-    var phi_5380_: f32;
+    var phi_4937_: f32;
+    var phi_4945_: f32;
+    var phi_4960_: f32;
+    var phi_4966_: f32;
+    var phi_4974_: f32;
+    var phi_5063_: f32;
+    var phi_5071_: f32;
+    var phi_5086_: f32;
+    var phi_5092_: f32;
+    var phi_5100_: f32;
+    var phi_5189_: f32;
+    var phi_5197_: f32;
+    var phi_5212_: f32;
+    var phi_5218_: f32;
+    var phi_5226_: f32;
+    var phi_5315_: f32;
+    var phi_5323_: f32;
+    var phi_5338_: f32;
+    var phi_5344_: f32;
+    var phi_5352_: f32;
     var phi_908_: f32;
     var phi_953_: vec3<f32>;
-    var phi_5686_: bool;
+    var phi_5658_: bool;
     var phi_1796_: type_59;
-    var phi_5396_: f32;
-    var phi_5404_: f32;
+    var phi_5368_: f32;
+    var phi_5376_: f32;
     var phi_413_: f32;
     var phi_421_: f32;
     var phi_482_: vec2<f32>;
@@ -247,7 +247,7 @@ fn function_() {
     var phi_555_: f32;
     var phi_625_: vec2<f32>;
     var phi_626_: vec2<f32>;
-    var phi_5685_: bool;
+    var phi_5657_: bool;
     var phi_1797_: type_59;
     var phi_1817_: bool;
     var phi_1827_: u32;
@@ -256,7 +256,7 @@ fn function_() {
     var phi_1994_: f32;
     var phi_2002_: f32;
     var phi_2010_: f32;
-    var phi_5673_: bool;
+    var phi_5645_: bool;
     var phi_2014_: u32;
     var phi_2017_: u32;
     var phi_2019_: type_64;
@@ -292,35 +292,33 @@ fn function_() {
     var phi_2828_: array<f32, 3>;
     var phi_3028_: f32;
     var phi_3043_: f32;
-    var phi_3053_: bool;
-    var phi_3078_: u32;
-    var phi_3088_: u32;
-    var phi_3097_: bool;
-    var phi_3113_: bool;
-    var phi_3114_: bool;
-    var phi_3137_: f32;
-    var phi_3152_: f32;
-    var phi_3162_: bool;
-    var phi_3187_: u32;
-    var phi_3197_: u32;
-    var phi_3206_: bool;
-    var phi_3222_: bool;
-    var phi_3223_: bool;
+    var phi_3071_: u32;
+    var phi_3081_: u32;
+    var phi_3090_: bool;
+    var phi_3106_: bool;
+    var phi_3107_: bool;
+    var phi_3130_: f32;
+    var phi_3145_: f32;
+    var phi_3173_: u32;
+    var phi_3183_: u32;
+    var phi_3192_: bool;
+    var phi_3208_: bool;
+    var phi_3209_: bool;
+    var phi_3290_: bool;
+    var phi_3295_: bool;
+    var phi_3300_: type_64;
+    var phi_3302_: type_64;
     var phi_3304_: bool;
-    var phi_3309_: bool;
-    var phi_3314_: type_64;
-    var phi_3316_: type_64;
-    var phi_3318_: bool;
-    var phi_3319_: type_64;
-    var phi_3321_: bool;
-    var phi_3322_: bool;
-    var phi_3323_: type_64;
-    var phi_3324_: bool;
-    var phi_3325_: bool;
-    var phi_3326_: bool;
-    var phi_3339_: type_64;
+    var phi_3305_: type_64;
+    var phi_3307_: bool;
+    var phi_3308_: bool;
+    var phi_3309_: type_64;
+    var phi_3310_: bool;
+    var phi_3311_: bool;
+    var phi_3312_: bool;
+    var phi_3325_: type_64;
     var phi_2516_: type_64;
-    var phi_5669_: bool;
+    var phi_5641_: bool;
     var phi_2401_: type_65;
     var phi_2412_: type_65;
     var phi_2423_: type_65;
@@ -329,58 +327,56 @@ fn function_() {
     var phi_2467_: u32;
     var phi_2485_: u32;
     var phi_2503_: u32;
-    var phi_5848_: bool;
-    var phi_3340_: u32;
-    var phi_3341_: u32;
+    var phi_5816_: bool;
+    var phi_3326_: u32;
+    var phi_3327_: u32;
     var phi_2020_: type_64;
     var phi_2015_: u32;
     var phi_2018_: u32;
-    var phi_3376_: u32;
-    var phi_3377_: u32;
-    var phi_3378_: u32;
-    var phi_3343_: u32;
-    var phi_3345_: u32;
-    var phi_3379_: bool;
-    var phi_5845_: bool;
+    var phi_3362_: u32;
+    var phi_3363_: u32;
+    var phi_3364_: u32;
+    var phi_3329_: u32;
+    var phi_3331_: u32;
+    var phi_3365_: bool;
+    var phi_5813_: bool;
     var local_11: bool;
-    var phi_5912_: bool;
-    var phi_4852_: type_64;
-    var phi_3486_: vec3<f32>;
-    var phi_3488_: vec3<f32>;
-    var phi_3489_: bool;
-    var phi_3511_: vec3<f32>;
-    var phi_3683_: f32;
-    var phi_3698_: f32;
-    var phi_3708_: bool;
-    var phi_3733_: u32;
-    var phi_3743_: u32;
-    var phi_3752_: bool;
-    var phi_3768_: bool;
-    var phi_3769_: bool;
-    var phi_3792_: f32;
-    var phi_3807_: f32;
-    var phi_3817_: bool;
-    var phi_3842_: u32;
-    var phi_3852_: u32;
-    var phi_3861_: bool;
-    var phi_3877_: bool;
-    var phi_3878_: bool;
-    var phi_4101_: type_67;
-    var phi_4208_: vec3<f32>;
-    var phi_4284_: vec3<f32>;
-    var phi_4358_: vec3<f32>;
-    var phi_4432_: vec3<f32>;
-    var phi_4477_: vec3<f32>;
-    var phi_4479_: vec3<f32>;
-    var phi_4480_: bool;
-    var phi_4501_: vec3<f32>;
-    var phi_4532_: array<f32, 3>;
-    var phi_4578_: type_68;
-    var phi_4580_: type_68;
-    var phi_4604_: bool;
-    var phi_4632_: f32;
-    var phi_4642_: array<f32, 3>;
-    var phi_4647_: array<f32, 3>;
+    var phi_5880_: bool;
+    var phi_4824_: type_64;
+    var phi_3472_: vec3<f32>;
+    var phi_3474_: vec3<f32>;
+    var phi_3475_: bool;
+    var phi_3497_: vec3<f32>;
+    var phi_3669_: f32;
+    var phi_3684_: f32;
+    var phi_3712_: u32;
+    var phi_3722_: u32;
+    var phi_3731_: bool;
+    var phi_3747_: bool;
+    var phi_3748_: bool;
+    var phi_3771_: f32;
+    var phi_3786_: f32;
+    var phi_3814_: u32;
+    var phi_3824_: u32;
+    var phi_3833_: bool;
+    var phi_3849_: bool;
+    var phi_3850_: bool;
+    var phi_4073_: type_67;
+    var phi_4180_: vec3<f32>;
+    var phi_4256_: vec3<f32>;
+    var phi_4330_: vec3<f32>;
+    var phi_4404_: vec3<f32>;
+    var phi_4449_: vec3<f32>;
+    var phi_4451_: vec3<f32>;
+    var phi_4452_: bool;
+    var phi_4473_: vec3<f32>;
+    var phi_4504_: array<f32, 3>;
+    var phi_4550_: type_68;
+    var phi_4552_: type_68;
+    var phi_4576_: bool;
+    var phi_4604_: f32;
+    var phi_4614_: array<f32, 3>;
+    var phi_4619_: array<f32, 3>;
     var local_12: u32;
     var local_13: u32;
     var local_14: type_64;
@@ -431,18 +427,18 @@ fn function_() {
                     let _e1444 = ((_e1440 ^ (_e1440 >> bitcast<u32>(15i))) * 2221713035u);
                     let _e1452 = (0.000000059604645f * (f32(((2147483648u + (_e1406 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e1429 ^ (_e1429 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                     if (_e1452 >= 1f) {
-                        phi_5396_ = (_e1452 - 1f);
+                        phi_5368_ = (_e1452 - 1f);
                     } else {
-                        phi_5396_ = _e1452;
+                        phi_5368_ = _e1452;
                     }
-                    let _e1456 = phi_5396_;
+                    let _e1456 = phi_5368_;
                     let _e1458 = (0.000000059604645f * (f32(((2147483648u + (_e1406 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e1444 ^ (_e1444 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                     if (_e1458 >= 1f) {
-                        phi_5404_ = (_e1458 - 1f);
+                        phi_5376_ = (_e1458 - 1f);
                     } else {
-                        phi_5404_ = _e1458;
+                        phi_5376_ = _e1458;
                     }
-                    let _e1462 = phi_5404_;
+                    let _e1462 = phi_5376_;
                     let _e1464 = (1f - (2f * _e1456));
                     let _e1468 = floor(((_e1462 * 4f) + 0.5f));
                     let _e1474 = ((((6.2831855f * _e1462) - (_e1468 * 1.5703125f)) - (_e1468 * 0.0004837513f)) - (_e1468 * 0.0000000754979f));
@@ -553,7 +549,7 @@ fn function_() {
                     let _e1723 = (1f / f32(_e176.member_4));
                     let _e1735 = params.member.member;
                     let _e1741 = (((39.47842f * _e176.member.w) * _e176.member.w) * _e1723);
-                    phi_5685_ = false;
+                    phi_5657_ = false;
                     phi_1797_ = type_59(type_58(vec3<f32>((_e176.member.x + ((((1f + (((_e1689 * _e1519) * _e1519) * _e1691)) * _e1684) + (_e1693 * _e1685)) + (_e1519 * _e1705))), (_e176.member.y + ((((_e1689 * _e1693) * _e1684) + ((_e1689 + ((_e1520 * _e1520) * _e1691)) * _e1685)) + (_e1520 * _e1705))), (_e176.member.z + ((((-(_e1689) * _e1519) * _e1684) + (-(_e1520) * _e1685)) + (_e1464 * _e1705)))), vec3<f32>(_e1519, _e1520, _e1464), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e1735.x * _e1741), (_e1735.y * _e1741), (_e1735.z * _e1741)), ((((12.566371f * _e176.member.w) * _e176.member.w) * _e1723) * 0.05f), 0f);
                 } else {
                     if (_e176.member_2 < _e150) {
@@ -638,38 +634,38 @@ fn function_() {
                             let _e1227 = (_e1226 > _e1225);
                             let _e1228 = select(_e1225, _e1226, _e1227);
                             if (_e1228 > 0f) {
-                                phi_5217_ = (select(_e1226, _e1225, _e1227) / _e1228);
+                                phi_5189_ = (select(_e1226, _e1225, _e1227) / _e1228);
                             } else {
-                                phi_5217_ = 0f;
+                                phi_5189_ = 0f;
                             }
-                            let _e1233 = phi_5217_;
+                            let _e1233 = phi_5189_;
                             let _e1234 = (_e1233 > 0.41421357f);
                             if _e1234 {
-                                phi_5225_ = ((_e1233 - 1f) / (_e1233 + 1f));
+                                phi_5197_ = ((_e1233 - 1f) / (_e1233 + 1f));
                             } else {
-                                phi_5225_ = _e1233;
+                                phi_5197_ = _e1233;
                             }
-                            let _e1239 = phi_5225_;
+                            let _e1239 = phi_5197_;
                             let _e1240 = (_e1239 * _e1239);
                             let _e1249 = (_e1239 + ((_e1239 * _e1240) * (-0.3333295f + (_e1240 * (0.19977711f + (_e1240 * (-0.13877685f + (_e1240 * 0.080537446f))))))));
                             if _e1234 {
-                                phi_5240_ = (_e1249 + 0.7853982f);
+                                phi_5212_ = (_e1249 + 0.7853982f);
                             } else {
-                                phi_5240_ = _e1249;
+                                phi_5212_ = _e1249;
                             }
-                            let _e1252 = phi_5240_;
+                            let _e1252 = phi_5212_;
                             if _e1227 {
-                                phi_5246_ = (1.5707964f - _e1252);
+                                phi_5218_ = (1.5707964f - _e1252);
                             } else {
-                                phi_5246_ = _e1252;
+                                phi_5218_ = _e1252;
                             }
-                            let _e1255 = phi_5246_;
+                            let _e1255 = phi_5218_;
                             if ((bitcast<u32>(_e1224) & 2147483648u) == 0u) {
-                                phi_5254_ = _e1255;
+                                phi_5226_ = _e1255;
                             } else {
-                                phi_5254_ = (3.1415927f - _e1255);
+                                phi_5226_ = (3.1415927f - _e1255);
                             }
-                            let _e1261 = phi_5254_;
+                            let _e1261 = phi_5226_;
                             let _e1286 = (((_e958.x * ((_e988.y * _e1014.z) - (_e1014.y * _e988.z))) + (_e958.y * ((_e988.z * _e1014.x) - (_e1014.z * _e988.x)))) + (_e958.z * ((_e988.x * _e1014.y) - (_e1014.x * _e988.y))));
                             let _e1304 = (((1f + (((_e958.x * _e988.x) + (_e958.y * _e988.y)) + (_e958.z * _e988.z))) + (((_e988.x * _e1014.x) + (_e988.y * _e1014.y)) + (_e988.z * _e1014.z))) + (((_e1014.x * _e958.x) + (_e1014.y * _e958.y)) + (_e1014.z * _e958.z)));
                             let _e1305 = abs(_e1304);
@@ -677,38 +673,38 @@ fn function_() {
                             let _e1307 = (_e1306 > _e1305);
                             let _e1308 = select(_e1305, _e1306, _e1307);
                             if (_e1308 > 0f) {
-                                phi_5343_ = (select(_e1306, _e1305, _e1307) / _e1308);
+                                phi_5315_ = (select(_e1306, _e1305, _e1307) / _e1308);
                             } else {
-                                phi_5343_ = 0f;
+                                phi_5315_ = 0f;
                             }
-                            let _e1313 = phi_5343_;
+                            let _e1313 = phi_5315_;
                             let _e1314 = (_e1313 > 0.41421357f);
                             if _e1314 {
-                                phi_5351_ = ((_e1313 - 1f) / (_e1313 + 1f));
+                                phi_5323_ = ((_e1313 - 1f) / (_e1313 + 1f));
                             } else {
-                                phi_5351_ = _e1313;
+                                phi_5323_ = _e1313;
                             }
-                            let _e1319 = phi_5351_;
+                            let _e1319 = phi_5323_;
                             let _e1320 = (_e1319 * _e1319);
                             let _e1329 = (_e1319 + ((_e1319 * _e1320) * (-0.3333295f + (_e1320 * (0.19977711f + (_e1320 * (-0.13877685f + (_e1320 * 0.080537446f))))))));
                             if _e1314 {
-                                phi_5366_ = (_e1329 + 0.7853982f);
+                                phi_5338_ = (_e1329 + 0.7853982f);
                             } else {
-                                phi_5366_ = _e1329;
+                                phi_5338_ = _e1329;
                             }
-                            let _e1332 = phi_5366_;
+                            let _e1332 = phi_5338_;
                             if _e1307 {
-                                phi_5372_ = (1.5707964f - _e1332);
+                                phi_5344_ = (1.5707964f - _e1332);
                             } else {
-                                phi_5372_ = _e1332;
+                                phi_5344_ = _e1332;
                             }
-                            let _e1335 = phi_5372_;
+                            let _e1335 = phi_5344_;
                             if ((bitcast<u32>(_e1304) & 2147483648u) == 0u) {
-                                phi_5380_ = _e1335;
+                                phi_5352_ = _e1335;
                             } else {
-                                phi_5380_ = (3.1415927f - _e1335);
+                                phi_5352_ = (3.1415927f - _e1335);
                             }
-                            let _e1341 = phi_5380_;
+                            let _e1341 = phi_5352_;
                             phi_908_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1261) & 2147483647u) | (bitcast<u32>(_e1206) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1341) & 2147483647u) | (bitcast<u32>(_e1286) & 2147483648u))))));
                         } else {
                             let _e1039 = (((_e927.x * ((_e958.y * _e988.z) - (_e988.y * _e958.z))) + (_e927.y * ((_e958.z * _e988.x) - (_e988.z * _e958.x)))) + (_e927.z * ((_e958.x * _e988.y) - (_e988.x * _e958.y))));
@@ -718,38 +714,38 @@ fn function_() {
                             let _e1060 = (_e1059 > _e1058);
                             let _e1061 = select(_e1058, _e1059, _e1060);
                             if (_e1061 > 0f) {
-                                phi_4965_ = (select(_e1059, _e1058, _e1060) / _e1061);
+                                phi_4937_ = (select(_e1059, _e1058, _e1060) / _e1061);
                             } else {
-                                phi_4965_ = 0f;
+                                phi_4937_ = 0f;
                             }
-                            let _e1066 = phi_4965_;
+                            let _e1066 = phi_4937_;
                             let _e1067 = (_e1066 > 0.41421357f);
                             if _e1067 {
-                                phi_4973_ = ((_e1066 - 1f) / (_e1066 + 1f));
+                                phi_4945_ = ((_e1066 - 1f) / (_e1066 + 1f));
                             } else {
-                                phi_4973_ = _e1066;
+                                phi_4945_ = _e1066;
                             }
-                            let _e1072 = phi_4973_;
+                            let _e1072 = phi_4945_;
                             let _e1073 = (_e1072 * _e1072);
                             let _e1082 = (_e1072 + ((_e1072 * _e1073) * (-0.3333295f + (_e1073 * (0.19977711f + (_e1073 * (-0.13877685f + (_e1073 * 0.080537446f))))))));
                             if _e1067 {
-                                phi_4988_ = (_e1082 + 0.7853982f);
+                                phi_4960_ = (_e1082 + 0.7853982f);
                             } else {
-                                phi_4988_ = _e1082;
+                                phi_4960_ = _e1082;
                             }
-                            let _e1085 = phi_4988_;
+                            let _e1085 = phi_4960_;
                             if _e1060 {
-                                phi_4994_ = (1.5707964f - _e1085);
+                                phi_4966_ = (1.5707964f - _e1085);
                             } else {
-                                phi_4994_ = _e1085;
+                                phi_4966_ = _e1085;
                             }
-                            let _e1088 = phi_4994_;
+                            let _e1088 = phi_4966_;
                             if ((bitcast<u32>(_e1057) & 2147483648u) == 0u) {
-                                phi_5002_ = _e1088;
+                                phi_4974_ = _e1088;
                             } else {
-                                phi_5002_ = (3.1415927f - _e1088);
+                                phi_4974_ = (3.1415927f - _e1088);
                             }
-                            let _e1094 = phi_5002_;
+                            let _e1094 = phi_4974_;
                             let _e1119 = (((_e927.x * ((_e988.y * _e1014.z) - (_e1014.y * _e988.z))) + (_e927.y * ((_e988.z * _e1014.x) - (_e1014.z * _e988.x)))) + (_e927.z * ((_e988.x * _e1014.y) - (_e1014.x * _e988.y))));
                             let _e1137 = (((1f + (((_e927.x * _e988.x) + (_e927.y * _e988.y)) + (_e927.z * _e988.z))) + (((_e988.x * _e1014.x) + (_e988.y * _e1014.y)) + (_e988.z * _e1014.z))) + (((_e1014.x * _e927.x) + (_e1014.y * _e927.y)) + (_e1014.z * _e927.z)));
                             let _e1138 = abs(_e1137);
@@ -757,38 +753,38 @@ fn function_() {
                             let _e1140 = (_e1139 > _e1138);
                             let _e1141 = select(_e1138, _e1139, _e1140);
                             if (_e1141 > 0f) {
-                                phi_5091_ = (select(_e1139, _e1138, _e1140) / _e1141);
+                                phi_5063_ = (select(_e1139, _e1138, _e1140) / _e1141);
                             } else {
-                                phi_5091_ = 0f;
+                                phi_5063_ = 0f;
                             }
-                            let _e1146 = phi_5091_;
+                            let _e1146 = phi_5063_;
                             let _e1147 = (_e1146 > 0.41421357f);
                             if _e1147 {
-                                phi_5099_ = ((_e1146 - 1f) / (_e1146 + 1f));
+                                phi_5071_ = ((_e1146 - 1f) / (_e1146 + 1f));
                             } else {
-                                phi_5099_ = _e1146;
+                                phi_5071_ = _e1146;
                             }
-                            let _e1152 = phi_5099_;
+                            let _e1152 = phi_5071_;
                             let _e1153 = (_e1152 * _e1152);
                             let _e1162 = (_e1152 + ((_e1152 * _e1153) * (-0.3333295f + (_e1153 * (0.19977711f + (_e1153 * (-0.13877685f + (_e1153 * 0.080537446f))))))));
                             if _e1147 {
-                                phi_5114_ = (_e1162 + 0.7853982f);
+                                phi_5086_ = (_e1162 + 0.7853982f);
                             } else {
-                                phi_5114_ = _e1162;
+                                phi_5086_ = _e1162;
                             }
-                            let _e1165 = phi_5114_;
+                            let _e1165 = phi_5086_;
                             if _e1140 {
-                                phi_5120_ = (1.5707964f - _e1165);
+                                phi_5092_ = (1.5707964f - _e1165);
                             } else {
-                                phi_5120_ = _e1165;
+                                phi_5092_ = _e1165;
                             }
-                            let _e1168 = phi_5120_;
+                            let _e1168 = phi_5092_;
                             if ((bitcast<u32>(_e1137) & 2147483648u) == 0u) {
-                                phi_5128_ = _e1168;
+                                phi_5100_ = _e1168;
                             } else {
-                                phi_5128_ = (3.1415927f - _e1168);
+                                phi_5100_ = (3.1415927f - _e1168);
                             }
-                            let _e1174 = phi_5128_;
+                            let _e1174 = phi_5100_;
                             phi_908_ = (abs((2f * bitcast<f32>(((bitcast<u32>(_e1094) & 2147483647u) | (bitcast<u32>(_e1039) & 2147483648u))))) + abs((2f * bitcast<f32>(((bitcast<u32>(_e1174) & 2147483647u) | (bitcast<u32>(_e1119) & 2147483648u))))));
                         }
                         let _e1352 = phi_908_;
@@ -805,7 +801,7 @@ fn function_() {
                             phi_953_ = vec3<f32>(0f, 0f, 0f);
                         }
                         let _e1390 = phi_953_;
-                        phi_5686_ = false;
+                        phi_5658_ = false;
                         phi_1796_ = type_59(type_58(vec3<f32>(_e196.member[0], _e196.member[1], _e196.member[2]), _e1390, 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e1352), (_e196.member_6[1] * _e1352), (_e196.member_6[2] * _e1352)), 0f, _e1352);
                     } else {
                         if (_e176.member_1 == 1u) {
@@ -845,7 +841,7 @@ fn function_() {
                             let _e873 = select(0f, _e871, (_e871 > 0f));
                             let _e875 = select(1f, _e873, (_e873 < 1f));
                             let _e877 = ((_e875 * _e875) * _e819);
-                            phi_5687_ = false;
+                            phi_5659_ = false;
                             phi_1795_ = type_59(type_58(vec3<f32>(_e196.member[0], _e196.member[1], _e196.member[2]), vec3<f32>(((((1f + (((_e828 * _e196.member_2[0]) * _e196.member_2[0]) * _e830)) * _e814) + (_e832 * _e815)) + (_e196.member_2[0] * _e816)), ((((_e828 * _e832) * _e814) + ((_e828 + ((_e196.member_2[1] * _e196.member_2[1]) * _e830)) * _e815)) + (_e196.member_2[1] * _e816)), ((((-(_e828) * _e196.member_2[0]) * _e814) + (-(_e196.member_2[1]) * _e815)) + (_e196.member_2[2] * _e816))), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e877), (_e196.member_6[1] * _e877), (_e196.member_6[2] * _e877)), 0f, _e819);
                         } else {
                             if (_e176.member_1 == 2u) {
@@ -857,7 +853,7 @@ fn function_() {
                                 let _e713 = -(_e176.member.w);
                                 let _e715 = ((2f * _e176.member.w) / _e187);
                                 let _e744 = (_e715 * _e715);
-                                phi_5688_ = false;
+                                phi_5660_ = false;
                                 phi_1794_ = type_59(type_58(vec3<f32>((_e176.member.x + ((((1f + (((_e691 * _e196.member_2[0]) * _e196.member_2[0]) * _e693)) * _e709) + (_e695 * _e712)) + (_e196.member_2[0] * _e713))), (_e176.member.y + ((((_e691 * _e695) * _e709) + ((_e691 + ((_e196.member_2[1] * _e196.member_2[1]) * _e693)) * _e712)) + (_e196.member_2[1] * _e713))), (_e176.member.z + ((((-(_e691) * _e196.member_2[0]) * _e709) + (-(_e196.member_2[1]) * _e712)) + (_e196.member_2[2] * _e713)))), vec3<f32>(_e196.member_2[0], _e196.member_2[1], _e196.member_2[2]), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e196.member_6[0] * _e744), (_e196.member_6[1] * _e744), (_e196.member_6[2] * _e744)), _e744, 0f);
                             } else {
                                 let _e201 = (_e176.member_3 + _e178);
@@ -893,7 +889,7 @@ fn function_() {
                                         let _e229 = ((_e226 + _e224) / 2u);
                                         if (_e229 < _e150) {
                                         } else {
-                                            phi_5664_ = true;
+                                            phi_5636_ = true;
                                             break;
                                         }
                                         let _e234 = lights.member[_e229].member_5;
@@ -916,11 +912,11 @@ fn function_() {
                                     continuing {
                                         phi_1237_ = _e241;
                                         phi_1240_ = _e243;
-                                        phi_5664_ = false;
+                                        phi_5636_ = false;
                                         break if !(_e227);
                                     }
                                 }
-                                let _e246 = phi_5664_;
+                                let _e246 = phi_5636_;
                                 if _e246 {
                                     break;
                                 }
@@ -1003,18 +999,18 @@ fn function_() {
                                 let _e435 = ((_e431 ^ (_e431 >> bitcast<u32>(15i))) * 2221713035u);
                                 let _e443 = (0.000000059604645f * (f32(((2147483648u + (_e201 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e420 ^ (_e420 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                 if (_e443 >= 1f) {
-                                    phi_4876_ = (_e443 - 1f);
+                                    phi_4848_ = (_e443 - 1f);
                                 } else {
-                                    phi_4876_ = _e443;
+                                    phi_4848_ = _e443;
                                 }
-                                let _e447 = phi_4876_;
+                                let _e447 = phi_4848_;
                                 let _e449 = (0.000000059604645f * (f32(((2147483648u + (_e201 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e435 ^ (_e435 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                 if (_e449 >= 1f) {
-                                    phi_4884_ = (_e449 - 1f);
+                                    phi_4856_ = (_e449 - 1f);
                                 } else {
-                                    phi_4884_ = _e449;
+                                    phi_4856_ = _e449;
                                 }
-                                let _e453 = phi_4884_;
+                                let _e453 = phi_4856_;
                                 let _e455 = ((2f * _e447) - 1f);
                                 let _e457 = ((2f * _e453) - 1f);
                                 if (_e455 == 0f) {
@@ -1110,25 +1106,25 @@ fn function_() {
                                 }
                                 let _e658 = phi_1763_;
                                 let _e671 = ((3.1415927f * _e267) / select(0.000000000000000000000000000000000000011754944f, _e630, (_e630 > 0.000000000000000000000000000000000000011754944f)));
-                                phi_5688_ = _e246;
+                                phi_5660_ = _e246;
                                 phi_1794_ = type_59(type_58(vec3<f32>((((_e255[0] + (_e295 * _e388.x)) + (_e298 * _e388.y)) + (_e340.x * _e658)), (((_e255[1] + (_e296 * _e388.x)) + (_e299 * _e388.y)) + (_e340.y * _e658)), (((_e255[2] + (_e297 * _e388.x)) + (_e300 * _e388.y)) + (_e340.z * _e658))), vec3<f32>(_e623, _e624, _e625), 0f, 340282350000000000000000000000000000000f), vec3<f32>((_e279[0] * _e671), (_e279[1] * _e671), (_e279[2] * _e671)), 0f, (3.1415927f / (_e218 * select(0.05f, _e588, (_e588 > 0.05f)))));
                             }
-                            let _e751 = phi_5688_;
+                            let _e751 = phi_5660_;
                             let _e753 = phi_1794_;
-                            phi_5687_ = _e751;
+                            phi_5659_ = _e751;
                             phi_1795_ = _e753;
                         }
-                        let _e884 = phi_5687_;
+                        let _e884 = phi_5659_;
                         let _e886 = phi_1795_;
-                        phi_5686_ = _e884;
+                        phi_5658_ = _e884;
                         phi_1796_ = _e886;
                     }
-                    let _e1402 = phi_5686_;
+                    let _e1402 = phi_5658_;
                     let _e1404 = phi_1796_;
-                    phi_5685_ = _e1402;
+                    phi_5657_ = _e1402;
                     phi_1797_ = _e1404;
                 }
-                let _e1752 = phi_5685_;
+                let _e1752 = phi_5657_;
                 let _e1754 = phi_1797_;
                 let _e1758 = abs(_e1754.member.member_1.x);
                 let _e1762 = abs(_e1754.member.member_1.y);
@@ -1245,12 +1241,12 @@ fn function_() {
                 let _e1885 = phi_2010_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_5673_ = _e1752;
+                phi_5645_ = _e1752;
                 phi_2014_ = 0u;
                 phi_2017_ = 0u;
                 phi_2019_ = type_64(_e1754.member.member_3, 4294967295u, 0f, 0f);
                 loop {
-                    let _e1890 = phi_5673_;
+                    let _e1890 = phi_5645_;
                     let _e1892 = phi_2014_;
                     let _e1894 = phi_2017_;
                     let _e1896 = phi_2019_;
@@ -1259,188 +1255,188 @@ fn function_() {
                     if (_e1897 == 0u) {
                         if (_e1899 < _e139) {
                         } else {
-                            phi_5912_ = true;
-                            phi_4852_ = type_64();
+                            phi_5880_ = true;
+                            phi_4824_ = type_64();
                             break;
                         }
-                        let _e2603 = nodes.member[_e1899].member;
-                        let _e2612 = ((_e2603.x - _e1863) * _e1875);
-                        let _e2613 = ((_e2603.y - _e1863) * _e1875);
-                        let _e2614 = ((_e2603.z - _e1863) * _e1875);
-                        let _e2615 = ((_e2603.w - _e1863) * _e1875);
-                        let _e2618 = nodes.member[_e1899].member_3;
-                        let _e2627 = ((_e2618.x - _e1868) * _e1875);
-                        let _e2628 = ((_e2618.y - _e1868) * _e1875);
-                        let _e2629 = ((_e2618.z - _e1868) * _e1875);
-                        let _e2630 = ((_e2618.w - _e1868) * _e1875);
-                        let _e2633 = nodes.member[_e1899].member_1;
-                        let _e2642 = ((_e2633.x - _e1865) * _e1880);
-                        let _e2643 = ((_e2633.y - _e1865) * _e1880);
-                        let _e2644 = ((_e2633.z - _e1865) * _e1880);
-                        let _e2645 = ((_e2633.w - _e1865) * _e1880);
-                        let _e2648 = nodes.member[_e1899].member_4;
-                        let _e2657 = ((_e2648.x - _e1869) * _e1880);
-                        let _e2658 = ((_e2648.y - _e1869) * _e1880);
-                        let _e2659 = ((_e2648.z - _e1869) * _e1880);
-                        let _e2660 = ((_e2648.w - _e1869) * _e1880);
-                        let _e2663 = nodes.member[_e1899].member_2;
-                        let _e2672 = ((_e2663.x - _e1867) * _e1885);
-                        let _e2673 = ((_e2663.y - _e1867) * _e1885);
-                        let _e2674 = ((_e2663.z - _e1867) * _e1885);
-                        let _e2675 = ((_e2663.w - _e1867) * _e1885);
-                        let _e2678 = nodes.member[_e1899].member_5;
-                        let _e2687 = ((_e2678.x - _e1870) * _e1885);
-                        let _e2688 = ((_e2678.y - _e1870) * _e1885);
-                        let _e2689 = ((_e2678.z - _e1870) * _e1885);
-                        let _e2690 = ((_e2678.w - _e1870) * _e1885);
-                        let _e2692 = select(_e2627, _e2612, (_e2612 < _e2627));
-                        let _e2694 = select(_e2628, _e2613, (_e2613 < _e2628));
-                        let _e2696 = select(_e2629, _e2614, (_e2614 < _e2629));
-                        let _e2698 = select(_e2630, _e2615, (_e2615 < _e2630));
-                        let _e2700 = select(_e2657, _e2642, (_e2642 < _e2657));
-                        let _e2702 = select(_e2658, _e2643, (_e2643 < _e2658));
-                        let _e2704 = select(_e2659, _e2644, (_e2644 < _e2659));
-                        let _e2706 = select(_e2660, _e2645, (_e2645 < _e2660));
+                        let _e2599 = nodes.member[_e1899].member;
+                        let _e2608 = ((_e2599.x - _e1863) * _e1875);
+                        let _e2609 = ((_e2599.y - _e1863) * _e1875);
+                        let _e2610 = ((_e2599.z - _e1863) * _e1875);
+                        let _e2611 = ((_e2599.w - _e1863) * _e1875);
+                        let _e2614 = nodes.member[_e1899].member_3;
+                        let _e2623 = ((_e2614.x - _e1868) * _e1875);
+                        let _e2624 = ((_e2614.y - _e1868) * _e1875);
+                        let _e2625 = ((_e2614.z - _e1868) * _e1875);
+                        let _e2626 = ((_e2614.w - _e1868) * _e1875);
+                        let _e2629 = nodes.member[_e1899].member_1;
+                        let _e2638 = ((_e2629.x - _e1865) * _e1880);
+                        let _e2639 = ((_e2629.y - _e1865) * _e1880);
+                        let _e2640 = ((_e2629.z - _e1865) * _e1880);
+                        let _e2641 = ((_e2629.w - _e1865) * _e1880);
+                        let _e2644 = nodes.member[_e1899].member_4;
+                        let _e2653 = ((_e2644.x - _e1869) * _e1880);
+                        let _e2654 = ((_e2644.y - _e1869) * _e1880);
+                        let _e2655 = ((_e2644.z - _e1869) * _e1880);
+                        let _e2656 = ((_e2644.w - _e1869) * _e1880);
+                        let _e2659 = nodes.member[_e1899].member_2;
+                        let _e2668 = ((_e2659.x - _e1867) * _e1885);
+                        let _e2669 = ((_e2659.y - _e1867) * _e1885);
+                        let _e2670 = ((_e2659.z - _e1867) * _e1885);
+                        let _e2671 = ((_e2659.w - _e1867) * _e1885);
+                        let _e2674 = nodes.member[_e1899].member_5;
+                        let _e2683 = ((_e2674.x - _e1870) * _e1885);
+                        let _e2684 = ((_e2674.y - _e1870) * _e1885);
+                        let _e2685 = ((_e2674.z - _e1870) * _e1885);
+                        let _e2686 = ((_e2674.w - _e1870) * _e1885);
+                        let _e2688 = select(_e2623, _e2608, (_e2608 < _e2623));
+                        let _e2690 = select(_e2624, _e2609, (_e2609 < _e2624));
+                        let _e2692 = select(_e2625, _e2610, (_e2610 < _e2625));
+                        let _e2694 = select(_e2626, _e2611, (_e2611 < _e2626));
+                        let _e2696 = select(_e2653, _e2638, (_e2638 < _e2653));
+                        let _e2698 = select(_e2654, _e2639, (_e2639 < _e2654));
+                        let _e2700 = select(_e2655, _e2640, (_e2640 < _e2655));
+                        let _e2702 = select(_e2656, _e2641, (_e2641 < _e2656));
+                        let _e2704 = select(_e2696, _e2688, (_e2688 > _e2696));
+                        let _e2706 = select(_e2698, _e2690, (_e2690 > _e2698));
                         let _e2708 = select(_e2700, _e2692, (_e2692 > _e2700));
                         let _e2710 = select(_e2702, _e2694, (_e2694 > _e2702));
-                        let _e2712 = select(_e2704, _e2696, (_e2696 > _e2704));
-                        let _e2714 = select(_e2706, _e2698, (_e2698 > _e2706));
-                        let _e2716 = select(_e2687, _e2672, (_e2672 < _e2687));
-                        let _e2718 = select(_e2688, _e2673, (_e2673 < _e2688));
-                        let _e2720 = select(_e2689, _e2674, (_e2674 < _e2689));
-                        let _e2722 = select(_e2690, _e2675, (_e2675 < _e2690));
+                        let _e2712 = select(_e2683, _e2668, (_e2668 < _e2683));
+                        let _e2714 = select(_e2684, _e2669, (_e2669 < _e2684));
+                        let _e2716 = select(_e2685, _e2670, (_e2670 < _e2685));
+                        let _e2718 = select(_e2686, _e2671, (_e2671 < _e2686));
+                        let _e2720 = select(_e2712, _e2704, (_e2704 > _e2712));
+                        let _e2722 = select(_e2714, _e2706, (_e2706 > _e2714));
                         let _e2724 = select(_e2716, _e2708, (_e2708 > _e2716));
                         let _e2726 = select(_e2718, _e2710, (_e2710 > _e2718));
-                        let _e2728 = select(_e2720, _e2712, (_e2712 > _e2720));
-                        let _e2730 = select(_e2722, _e2714, (_e2714 > _e2722));
+                        let _e2728 = select(_e1754.member.member_2, _e2720, (_e2720 > _e1754.member.member_2));
+                        let _e2730 = select(_e1754.member.member_2, _e2722, (_e2722 > _e1754.member.member_2));
                         let _e2732 = select(_e1754.member.member_2, _e2724, (_e2724 > _e1754.member.member_2));
                         let _e2734 = select(_e1754.member.member_2, _e2726, (_e2726 > _e1754.member.member_2));
-                        let _e2736 = select(_e1754.member.member_2, _e2728, (_e2728 > _e1754.member.member_2));
-                        let _e2738 = select(_e1754.member.member_2, _e2730, (_e2730 > _e1754.member.member_2));
-                        let _e2740 = select(_e2627, _e2612, (_e2612 > _e2627));
-                        let _e2742 = select(_e2628, _e2613, (_e2613 > _e2628));
-                        let _e2744 = select(_e2629, _e2614, (_e2614 > _e2629));
-                        let _e2746 = select(_e2630, _e2615, (_e2615 > _e2630));
-                        let _e2748 = select(_e2657, _e2642, (_e2642 > _e2657));
-                        let _e2750 = select(_e2658, _e2643, (_e2643 > _e2658));
-                        let _e2752 = select(_e2659, _e2644, (_e2644 > _e2659));
-                        let _e2754 = select(_e2660, _e2645, (_e2645 > _e2660));
+                        let _e2736 = select(_e2623, _e2608, (_e2608 > _e2623));
+                        let _e2738 = select(_e2624, _e2609, (_e2609 > _e2624));
+                        let _e2740 = select(_e2625, _e2610, (_e2610 > _e2625));
+                        let _e2742 = select(_e2626, _e2611, (_e2611 > _e2626));
+                        let _e2744 = select(_e2653, _e2638, (_e2638 > _e2653));
+                        let _e2746 = select(_e2654, _e2639, (_e2639 > _e2654));
+                        let _e2748 = select(_e2655, _e2640, (_e2640 > _e2655));
+                        let _e2750 = select(_e2656, _e2641, (_e2641 > _e2656));
+                        let _e2752 = select(_e2744, _e2736, (_e2736 < _e2744));
+                        let _e2754 = select(_e2746, _e2738, (_e2738 < _e2746));
                         let _e2756 = select(_e2748, _e2740, (_e2740 < _e2748));
                         let _e2758 = select(_e2750, _e2742, (_e2742 < _e2750));
-                        let _e2760 = select(_e2752, _e2744, (_e2744 < _e2752));
-                        let _e2762 = select(_e2754, _e2746, (_e2746 < _e2754));
-                        let _e2764 = select(_e2687, _e2672, (_e2672 > _e2687));
-                        let _e2766 = select(_e2688, _e2673, (_e2673 > _e2688));
-                        let _e2768 = select(_e2689, _e2674, (_e2674 > _e2689));
-                        let _e2770 = select(_e2690, _e2675, (_e2675 > _e2690));
+                        let _e2760 = select(_e2683, _e2668, (_e2668 > _e2683));
+                        let _e2762 = select(_e2684, _e2669, (_e2669 > _e2684));
+                        let _e2764 = select(_e2685, _e2670, (_e2670 > _e2685));
+                        let _e2766 = select(_e2686, _e2671, (_e2671 > _e2686));
+                        let _e2768 = select(_e2760, _e2752, (_e2752 < _e2760));
+                        let _e2770 = select(_e2762, _e2754, (_e2754 < _e2762));
                         let _e2772 = select(_e2764, _e2756, (_e2756 < _e2764));
                         let _e2774 = select(_e2766, _e2758, (_e2758 < _e2766));
-                        let _e2776 = select(_e2768, _e2760, (_e2760 < _e2768));
-                        let _e2778 = select(_e2770, _e2762, (_e2762 < _e2770));
+                        let _e2784 = select(340282350000000000000000000000000000000f, _e2728, (_e2728 <= select(_e1896.member, _e2768, (_e2768 < _e1896.member))));
+                        let _e2786 = select(340282350000000000000000000000000000000f, _e2730, (_e2730 <= select(_e1896.member, _e2770, (_e2770 < _e1896.member))));
                         let _e2788 = select(340282350000000000000000000000000000000f, _e2732, (_e2732 <= select(_e1896.member, _e2772, (_e2772 < _e1896.member))));
                         let _e2790 = select(340282350000000000000000000000000000000f, _e2734, (_e2734 <= select(_e1896.member, _e2774, (_e2774 < _e1896.member))));
-                        let _e2792 = select(340282350000000000000000000000000000000f, _e2736, (_e2736 <= select(_e1896.member, _e2776, (_e2776 < _e1896.member))));
-                        let _e2794 = select(340282350000000000000000000000000000000f, _e2738, (_e2738 <= select(_e1896.member, _e2778, (_e2778 < _e1896.member))));
-                        let _e2798 = nodes.member[_e1899].member_6[0u];
-                        let _e2802 = nodes.member[_e1899].member_6[1u];
-                        let _e2806 = nodes.member[_e1899].member_6[2u];
-                        let _e2810 = nodes.member[_e1899].member_6[3u];
+                        let _e2794 = nodes.member[_e1899].member_6[0u];
+                        let _e2798 = nodes.member[_e1899].member_6[1u];
+                        let _e2802 = nodes.member[_e1899].member_6[2u];
+                        let _e2806 = nodes.member[_e1899].member_6[3u];
+                        if (_e2786 < _e2784) {
+                            phi_2401_ = type_65(_e2786, _e2798, _e2784, _e2794);
+                        } else {
+                            phi_2401_ = type_65(_e2784, _e2794, _e2786, _e2798);
+                        }
+                        let _e2811 = phi_2401_;
                         if (_e2790 < _e2788) {
-                            phi_2401_ = type_65(_e2790, _e2802, _e2788, _e2798);
+                            phi_2412_ = type_65(_e2790, _e2806, _e2788, _e2802);
                         } else {
-                            phi_2401_ = type_65(_e2788, _e2798, _e2790, _e2802);
+                            phi_2412_ = type_65(_e2788, _e2802, _e2790, _e2806);
                         }
-                        let _e2815 = phi_2401_;
-                        if (_e2794 < _e2792) {
-                            phi_2412_ = type_65(_e2794, _e2810, _e2792, _e2806);
+                        let _e2820 = phi_2412_;
+                        if (_e2820.member < _e2811.member) {
+                            phi_2423_ = type_65(_e2820.member, _e2820.member_1, _e2811.member, _e2811.member_1);
                         } else {
-                            phi_2412_ = type_65(_e2792, _e2806, _e2794, _e2810);
+                            phi_2423_ = type_65(_e2811.member, _e2811.member_1, _e2820.member, _e2820.member_1);
                         }
-                        let _e2824 = phi_2412_;
-                        if (_e2824.member < _e2815.member) {
-                            phi_2423_ = type_65(_e2824.member, _e2824.member_1, _e2815.member, _e2815.member_1);
+                        let _e2829 = phi_2423_;
+                        if (_e2820.member_2 < _e2811.member_2) {
+                            phi_2434_ = type_65(_e2820.member_2, _e2820.member_3, _e2811.member_2, _e2811.member_3);
                         } else {
-                            phi_2423_ = type_65(_e2815.member, _e2815.member_1, _e2824.member, _e2824.member_1);
+                            phi_2434_ = type_65(_e2811.member_2, _e2811.member_3, _e2820.member_2, _e2820.member_3);
                         }
-                        let _e2833 = phi_2423_;
-                        if (_e2824.member_2 < _e2815.member_2) {
-                            phi_2434_ = type_65(_e2824.member_2, _e2824.member_3, _e2815.member_2, _e2815.member_3);
+                        let _e2838 = phi_2434_;
+                        if (_e2829.member_2 < _e2838.member) {
+                            phi_2445_ = type_65(_e2829.member_2, _e2829.member_3, _e2838.member, _e2838.member_1);
                         } else {
-                            phi_2434_ = type_65(_e2815.member_2, _e2815.member_3, _e2824.member_2, _e2824.member_3);
+                            phi_2445_ = type_65(_e2838.member, _e2838.member_1, _e2829.member_2, _e2829.member_3);
                         }
-                        let _e2842 = phi_2434_;
-                        if (_e2833.member_2 < _e2842.member) {
-                            phi_2445_ = type_65(_e2833.member_2, _e2833.member_3, _e2842.member, _e2842.member_1);
-                        } else {
-                            phi_2445_ = type_65(_e2842.member, _e2842.member_1, _e2833.member_2, _e2833.member_3);
-                        }
-                        let _e2851 = phi_2445_;
-                        if (_e2842.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e2857 = (_e1894 < 64u);
-                            if _e2857 {
+                        let _e2847 = phi_2445_;
+                        if (_e2838.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e2853 = (_e1894 < 64u);
+                            if _e2853 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local[_e1894] = _e2842.member_3;
-                            if _e2857 {
+                            local[_e1894] = _e2838.member_3;
+                            if _e2853 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local_1[_e1894] = _e2842.member_2;
+                            local_1[_e1894] = _e2838.member_2;
                             phi_2467_ = (_e1894 + 1u);
                         } else {
                             phi_2467_ = _e1894;
                         }
-                        let _e2862 = phi_2467_;
-                        if (_e2851.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e2864 = (_e2862 < 64u);
-                            if _e2864 {
+                        let _e2858 = phi_2467_;
+                        if (_e2847.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e2860 = (_e2858 < 64u);
+                            if _e2860 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local[_e2862] = _e2851.member_3;
-                            if _e2864 {
+                            local[_e2858] = _e2847.member_3;
+                            if _e2860 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local_1[_e2862] = _e2851.member_2;
-                            phi_2485_ = (_e2862 + 1u);
+                            local_1[_e2858] = _e2847.member_2;
+                            phi_2485_ = (_e2858 + 1u);
                         } else {
-                            phi_2485_ = _e2862;
+                            phi_2485_ = _e2858;
                         }
-                        let _e2869 = phi_2485_;
-                        if (_e2851.member < 340282350000000000000000000000000000000f) {
-                            let _e2871 = (_e2869 < 64u);
-                            if _e2871 {
+                        let _e2865 = phi_2485_;
+                        if (_e2847.member < 340282350000000000000000000000000000000f) {
+                            let _e2867 = (_e2865 < 64u);
+                            if _e2867 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local[_e2869] = _e2851.member_1;
-                            if _e2871 {
+                            local[_e2865] = _e2847.member_1;
+                            if _e2867 {
                             } else {
-                                phi_5912_ = true;
-                                phi_4852_ = type_64();
+                                phi_5880_ = true;
+                                phi_4824_ = type_64();
                                 break;
                             }
-                            local_1[_e2869] = _e2851.member;
-                            phi_2503_ = (_e2869 + 1u);
+                            local_1[_e2865] = _e2847.member;
+                            phi_2503_ = (_e2865 + 1u);
                         } else {
-                            phi_2503_ = _e2869;
+                            phi_2503_ = _e2865;
                         }
-                        let _e2876 = phi_2503_;
-                        phi_5848_ = _e1890;
-                        phi_3340_ = select(0u, _e2833.member_1, (_e2833.member < 340282350000000000000000000000000000000f));
-                        phi_3341_ = _e2876;
+                        let _e2872 = phi_2503_;
+                        phi_5816_ = _e1890;
+                        phi_3326_ = select(0u, _e2829.member_1, (_e2829.member < 340282350000000000000000000000000000000f));
+                        phi_3327_ = _e2872;
                         phi_2020_ = _e1896;
                     } else {
                         phi_2512_ = type_12(_e1899, (_e1899 + _e1897));
@@ -1463,68 +1459,68 @@ fn function_() {
                                 let _e1926 = (_e1921.member_1 < _e142);
                                 if _e1926 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 if _e1800 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1930 = triangles.member[_e1921.member_1].member[_e1788];
                                 let _e1931 = (_e1930 - _e1817);
                                 if _e1800 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1935 = triangles.member[_e1921.member_1].member_2[_e1788];
                                 let _e1936 = (_e1935 - _e1817);
                                 if _e1800 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1940 = triangles.member[_e1921.member_1].member_4[_e1788];
                                 let _e1941 = (_e1940 - _e1817);
                                 if _e1804 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1945 = triangles.member[_e1921.member_1].member[_e1787];
                                 let _e1948 = ((_e1945 - _e1813) - (_e1807 * _e1931));
                                 if _e1808 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1952 = triangles.member[_e1921.member_1].member[_e1786];
                                 let _e1955 = ((_e1952 - _e1815) - (_e1811 * _e1931));
                                 if _e1804 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1959 = triangles.member[_e1921.member_1].member_2[_e1787];
                                 let _e1962 = ((_e1959 - _e1813) - (_e1807 * _e1936));
                                 if _e1808 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1966 = triangles.member[_e1921.member_1].member_2[_e1786];
                                 let _e1969 = ((_e1966 - _e1815) - (_e1811 * _e1936));
                                 if _e1804 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1973 = triangles.member[_e1921.member_1].member_4[_e1787];
                                 let _e1976 = ((_e1973 - _e1813) - (_e1807 * _e1941));
                                 if _e1808 {
                                 } else {
-                                    phi_5669_ = true;
+                                    phi_5641_ = true;
                                     break;
                                 }
                                 let _e1980 = triangles.member[_e1921.member_1].member_4[_e1786];
@@ -1745,68 +1741,68 @@ fn function_() {
                                         if _e2304 {
                                             if _e1926 {
                                             } else {
-                                                phi_5669_ = true;
+                                                phi_5641_ = true;
                                                 break;
                                             }
                                             let _e2307 = triangles.member[_e1921.member_1].member_3;
                                             if ((_e2307 & 1u) == 0u) {
-                                                phi_3309_ = true;
+                                                phi_3295_ = true;
                                             } else {
                                                 if _e1926 {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2312 = triangles.member[_e1921.member_1].member_1;
                                                 let _e2313 = (_e2312 * 12u);
                                                 if ((256u + _e2313) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if ((_e2313 + 257u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if ((_e2313 + 258u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2320 = (_e2313 + 259u);
                                                 if (_e2320 < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2323 = surfaces.member[_e2320];
                                                 if ((_e2313 + 260u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if ((_e2313 + 261u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if ((_e2313 + 262u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2330 = (_e2313 + 263u);
                                                 if (_e2330 < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2333 = surfaces.member[_e2330];
                                                 let _e2334 = (_e2313 + 264u);
                                                 if (_e2334 < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2337 = surfaces.member[_e2334];
@@ -1814,27 +1810,27 @@ fn function_() {
                                                 let _e2339 = (_e2313 + 265u);
                                                 if (_e2339 < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 let _e2342 = surfaces.member[_e2339];
                                                 let _e2343 = bitcast<f32>(_e2342);
                                                 if ((_e2313 + 266u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if ((_e2313 + 267u) < _e148) {
                                                 } else {
-                                                    phi_5669_ = true;
+                                                    phi_5641_ = true;
                                                     break;
                                                 }
                                                 if (_e2323 == 4294967295u) {
-                                                    phi_3304_ = (_e2338 < _e2343);
+                                                    phi_3290_ = (_e2338 < _e2343);
                                                 } else {
                                                     if (_e1921.member_1 < _e145) {
                                                     } else {
-                                                        phi_5669_ = true;
+                                                        phi_5641_ = true;
                                                         break;
                                                     }
                                                     let _e2351 = ((1f - _e2295[1]) - _e2295[2]);
@@ -1865,844 +1861,820 @@ fn function_() {
                                                         phi_3043_ = _e2402;
                                                     }
                                                     let _e2409 = phi_3043_;
-                                                    if (_e2409 >= 0f) {
-                                                        phi_3053_ = select(true, false, (_e2409 <= 1f));
+                                                    let _e2416 = ((select(0f, _e2409, (abs((_e2409 - 0.5f)) <= 0.5f)) * f32(_e2386)) - 0.5f);
+                                                    let _e2417 = floor(_e2416);
+                                                    let _e2418 = (_e2417 < 0f);
+                                                    if _e2418 {
+                                                        phi_3071_ = 0u;
                                                     } else {
-                                                        phi_3053_ = true;
+                                                        let _e2423 = select(select(u32(_e2417), 0u, (_e2417 < 0f)), 4294967295u, (_e2417 > 4294967000f));
+                                                        phi_3071_ = select(_e2423, _e2392, (_e2392 < _e2423));
                                                     }
-                                                    let _e2414 = phi_3053_;
-                                                    let _e2418 = ((select(_e2409, 0f, _e2414) * f32(_e2386)) - 0.5f);
-                                                    let _e2419 = floor(_e2418);
-                                                    let _e2420 = (_e2419 < 0f);
-                                                    if _e2420 {
-                                                        phi_3078_ = 0u;
+                                                    let _e2427 = phi_3071_;
+                                                    if _e2418 {
+                                                        phi_3081_ = 0u;
                                                     } else {
-                                                        let _e2425 = select(select(u32(_e2419), 0u, (_e2419 < 0f)), 4294967295u, (_e2419 > 4294967000f));
-                                                        phi_3078_ = select(_e2425, _e2392, (_e2392 < _e2425));
+                                                        let _e2428 = (_e2427 + 1u);
+                                                        phi_3081_ = select(_e2428, _e2392, (_e2392 < _e2428));
                                                     }
-                                                    let _e2429 = phi_3078_;
-                                                    if _e2420 {
-                                                        phi_3088_ = 0u;
+                                                    let _e2432 = phi_3081_;
+                                                    let _e2433 = (_e2391 == 0u);
+                                                    if _e2433 {
+                                                        phi_3090_ = select(true, false, _e2418);
                                                     } else {
-                                                        let _e2430 = (_e2429 + 1u);
-                                                        phi_3088_ = select(_e2430, _e2392, (_e2392 < _e2430));
+                                                        phi_3090_ = true;
                                                     }
-                                                    let _e2434 = phi_3088_;
-                                                    let _e2435 = (_e2391 == 0u);
-                                                    if _e2435 {
-                                                        phi_3097_ = select(true, false, _e2420);
-                                                    } else {
-                                                        phi_3097_ = true;
-                                                    }
-                                                    let _e2438 = phi_3097_;
-                                                    let _e2439 = select(_e2392, _e2429, _e2438);
-                                                    if _e2435 {
-                                                        if _e2420 {
-                                                            phi_3113_ = true;
+                                                    let _e2436 = phi_3090_;
+                                                    let _e2437 = select(_e2392, _e2427, _e2436);
+                                                    if _e2433 {
+                                                        if _e2418 {
+                                                            phi_3106_ = true;
                                                         } else {
-                                                            phi_3113_ = select(true, false, (_e2439 == _e2392));
+                                                            phi_3106_ = select(true, false, (_e2437 == _e2392));
                                                         }
-                                                        let _e2443 = phi_3113_;
-                                                        phi_3114_ = _e2443;
+                                                        let _e2441 = phi_3106_;
+                                                        phi_3107_ = _e2441;
                                                     } else {
-                                                        phi_3114_ = true;
+                                                        phi_3107_ = true;
                                                     }
-                                                    let _e2445 = phi_3114_;
-                                                    let _e2446 = select(0u, _e2434, _e2445);
-                                                    let _e2447 = (_e2418 - _e2419);
-                                                    let _e2450 = ((_e2323 >> bitcast<u32>(30u)) & 3u);
-                                                    let _e2451 = (_e2388 - 1u);
-                                                    let _e2453 = select(1f, 2f, (_e2450 == 2u));
-                                                    let _e2457 = (_e2385 - (floor((_e2385 / _e2453)) * _e2453));
-                                                    if (_e2457 > 1f) {
-                                                        phi_3137_ = (_e2453 - _e2457);
+                                                    let _e2443 = phi_3107_;
+                                                    let _e2444 = select(0u, _e2432, _e2443);
+                                                    let _e2445 = (_e2416 - _e2417);
+                                                    let _e2448 = ((_e2323 >> bitcast<u32>(30u)) & 3u);
+                                                    let _e2449 = (_e2388 - 1u);
+                                                    let _e2451 = select(1f, 2f, (_e2448 == 2u));
+                                                    let _e2455 = (_e2385 - (floor((_e2385 / _e2451)) * _e2451));
+                                                    if (_e2455 > 1f) {
+                                                        phi_3130_ = (_e2451 - _e2455);
                                                     } else {
-                                                        phi_3137_ = _e2457;
+                                                        phi_3130_ = _e2455;
                                                     }
-                                                    let _e2461 = phi_3137_;
-                                                    if (_e2450 == 1u) {
-                                                        let _e2464 = select(0f, _e2385, (_e2385 > 0f));
-                                                        phi_3152_ = select(1f, _e2464, (_e2464 < 1f));
+                                                    let _e2459 = phi_3130_;
+                                                    if (_e2448 == 1u) {
+                                                        let _e2462 = select(0f, _e2385, (_e2385 > 0f));
+                                                        phi_3145_ = select(1f, _e2462, (_e2462 < 1f));
                                                     } else {
-                                                        phi_3152_ = _e2461;
+                                                        phi_3145_ = _e2459;
                                                     }
-                                                    let _e2468 = phi_3152_;
-                                                    if (_e2468 >= 0f) {
-                                                        phi_3162_ = select(true, false, (_e2468 <= 1f));
+                                                    let _e2466 = phi_3145_;
+                                                    let _e2473 = ((select(0f, _e2466, (abs((_e2466 - 0.5f)) <= 0.5f)) * f32(_e2388)) - 0.5f);
+                                                    let _e2474 = floor(_e2473);
+                                                    let _e2475 = (_e2474 < 0f);
+                                                    if _e2475 {
+                                                        phi_3173_ = 0u;
                                                     } else {
-                                                        phi_3162_ = true;
+                                                        let _e2480 = select(select(u32(_e2474), 0u, (_e2474 < 0f)), 4294967295u, (_e2474 > 4294967000f));
+                                                        phi_3173_ = select(_e2480, _e2449, (_e2449 < _e2480));
                                                     }
-                                                    let _e2473 = phi_3162_;
-                                                    let _e2477 = ((select(_e2468, 0f, _e2473) * f32(_e2388)) - 0.5f);
-                                                    let _e2478 = floor(_e2477);
-                                                    let _e2479 = (_e2478 < 0f);
-                                                    if _e2479 {
-                                                        phi_3187_ = 0u;
+                                                    let _e2484 = phi_3173_;
+                                                    if _e2475 {
+                                                        phi_3183_ = 0u;
                                                     } else {
-                                                        let _e2484 = select(select(u32(_e2478), 0u, (_e2478 < 0f)), 4294967295u, (_e2478 > 4294967000f));
-                                                        phi_3187_ = select(_e2484, _e2451, (_e2451 < _e2484));
+                                                        let _e2485 = (_e2484 + 1u);
+                                                        phi_3183_ = select(_e2485, _e2449, (_e2449 < _e2485));
                                                     }
-                                                    let _e2488 = phi_3187_;
-                                                    if _e2479 {
-                                                        phi_3197_ = 0u;
+                                                    let _e2489 = phi_3183_;
+                                                    let _e2490 = (_e2448 == 0u);
+                                                    if _e2490 {
+                                                        phi_3192_ = select(true, false, _e2475);
                                                     } else {
-                                                        let _e2489 = (_e2488 + 1u);
-                                                        phi_3197_ = select(_e2489, _e2451, (_e2451 < _e2489));
+                                                        phi_3192_ = true;
                                                     }
-                                                    let _e2493 = phi_3197_;
-                                                    let _e2494 = (_e2450 == 0u);
-                                                    if _e2494 {
-                                                        phi_3206_ = select(true, false, _e2479);
-                                                    } else {
-                                                        phi_3206_ = true;
-                                                    }
-                                                    let _e2497 = phi_3206_;
-                                                    let _e2498 = select(_e2451, _e2488, _e2497);
-                                                    if _e2494 {
-                                                        if _e2479 {
-                                                            phi_3222_ = true;
+                                                    let _e2493 = phi_3192_;
+                                                    let _e2494 = select(_e2449, _e2484, _e2493);
+                                                    if _e2490 {
+                                                        if _e2475 {
+                                                            phi_3208_ = true;
                                                         } else {
-                                                            phi_3222_ = select(true, false, (_e2498 == _e2451));
+                                                            phi_3208_ = select(true, false, (_e2494 == _e2449));
                                                         }
-                                                        let _e2502 = phi_3222_;
-                                                        phi_3223_ = _e2502;
+                                                        let _e2498 = phi_3208_;
+                                                        phi_3209_ = _e2498;
                                                     } else {
-                                                        phi_3223_ = true;
+                                                        phi_3209_ = true;
                                                     }
-                                                    let _e2504 = phi_3223_;
-                                                    let _e2506 = (_e2477 - _e2478);
-                                                    let _e2507 = (_e2323 & 268435455u);
-                                                    let _e2509 = (_e2507 + (_e2498 * _e2386));
-                                                    let _e2511 = (_e2507 + (select(0u, _e2493, _e2504) * _e2386));
-                                                    let _e2512 = (_e2509 + _e2439);
-                                                    let _e2513 = (_e2509 + _e2446);
-                                                    let _e2514 = (_e2511 + _e2439);
-                                                    let _e2515 = (_e2511 + _e2446);
-                                                    if (_e2512 < _e148) {
+                                                    let _e2500 = phi_3209_;
+                                                    let _e2502 = (_e2473 - _e2474);
+                                                    let _e2503 = (_e2323 & 268435455u);
+                                                    let _e2505 = (_e2503 + (_e2494 * _e2386));
+                                                    let _e2507 = (_e2503 + (select(0u, _e2489, _e2500) * _e2386));
+                                                    let _e2508 = (_e2505 + _e2437);
+                                                    let _e2509 = (_e2505 + _e2444);
+                                                    let _e2510 = (_e2507 + _e2437);
+                                                    let _e2511 = (_e2507 + _e2444);
+                                                    if (_e2508 < _e148) {
                                                     } else {
-                                                        phi_5669_ = true;
+                                                        phi_5641_ = true;
                                                         break;
                                                     }
-                                                    let _e2518 = surfaces.member[_e2512];
-                                                    if (_e2513 < _e148) {
+                                                    let _e2514 = surfaces.member[_e2508];
+                                                    if (_e2509 < _e148) {
                                                     } else {
-                                                        phi_5669_ = true;
+                                                        phi_5641_ = true;
                                                         break;
                                                     }
-                                                    let _e2521 = surfaces.member[_e2513];
-                                                    if (_e2514 < _e148) {
+                                                    let _e2517 = surfaces.member[_e2509];
+                                                    if (_e2510 < _e148) {
                                                     } else {
-                                                        phi_5669_ = true;
+                                                        phi_5641_ = true;
                                                         break;
                                                     }
-                                                    let _e2524 = surfaces.member[_e2514];
-                                                    if (_e2515 < _e148) {
+                                                    let _e2520 = surfaces.member[_e2510];
+                                                    if (_e2511 < _e148) {
                                                     } else {
-                                                        phi_5669_ = true;
+                                                        phi_5641_ = true;
                                                         break;
                                                     }
-                                                    let _e2527 = surfaces.member[_e2515];
-                                                    let _e2544 = (1f - _e2447);
-                                                    phi_3304_ = ((_e2338 * (((((f32((_e2518 >> bitcast<u32>(24i))) * 0.003921569f) * _e2544) + ((f32((_e2521 >> bitcast<u32>(24i))) * 0.003921569f) * _e2447)) * (1f - _e2506)) + ((((f32((_e2524 >> bitcast<u32>(24i))) * 0.003921569f) * _e2544) + ((f32((_e2527 >> bitcast<u32>(24i))) * 0.003921569f) * _e2447)) * _e2506))) < _e2343);
+                                                    let _e2523 = surfaces.member[_e2511];
+                                                    let _e2540 = (1f - _e2445);
+                                                    phi_3290_ = ((_e2338 * (((((f32((_e2514 >> bitcast<u32>(24i))) * 0.003921569f) * _e2540) + ((f32((_e2517 >> bitcast<u32>(24i))) * 0.003921569f) * _e2445)) * (1f - _e2502)) + ((((f32((_e2520 >> bitcast<u32>(24i))) * 0.003921569f) * _e2540) + ((f32((_e2523 >> bitcast<u32>(24i))) * 0.003921569f) * _e2445)) * _e2502))) < _e2343);
                                                 }
-                                                let _e2559 = phi_3304_;
-                                                phi_3309_ = select(true, false, _e2559);
+                                                let _e2555 = phi_3290_;
+                                                phi_3295_ = select(true, false, _e2555);
                                             }
-                                            let _e2562 = phi_3309_;
-                                            if _e2562 {
-                                                phi_3314_ = type_64(_e2295[0], _e1921.member_1, _e2295[1], _e2295[2]);
+                                            let _e2558 = phi_3295_;
+                                            if _e2558 {
+                                                phi_3300_ = type_64(_e2295[0], _e1921.member_1, _e2295[1], _e2295[2]);
                                             } else {
-                                                phi_3314_ = type_64();
+                                                phi_3300_ = type_64();
                                             }
-                                            let _e2565 = phi_3314_;
-                                            phi_3316_ = _e2565;
-                                            phi_3318_ = select(true, false, _e2562);
+                                            let _e2561 = phi_3300_;
+                                            phi_3302_ = _e2561;
+                                            phi_3304_ = select(true, false, _e2558);
                                         } else {
-                                            phi_3316_ = type_64();
-                                            phi_3318_ = false;
+                                            phi_3302_ = type_64();
+                                            phi_3304_ = false;
                                         }
-                                        let _e2568 = phi_3316_;
-                                        let _e2570 = phi_3318_;
-                                        phi_3319_ = _e2568;
-                                        phi_3321_ = select(true, false, _e2304);
-                                        phi_3322_ = _e2570;
+                                        let _e2564 = phi_3302_;
+                                        let _e2566 = phi_3304_;
+                                        phi_3305_ = _e2564;
+                                        phi_3307_ = select(true, false, _e2304);
+                                        phi_3308_ = _e2566;
                                     } else {
-                                        phi_3319_ = type_64();
-                                        phi_3321_ = false;
-                                        phi_3322_ = false;
+                                        phi_3305_ = type_64();
+                                        phi_3307_ = false;
+                                        phi_3308_ = false;
                                     }
-                                    let _e2573 = phi_3319_;
-                                    let _e2575 = phi_3321_;
-                                    let _e2577 = phi_3322_;
-                                    phi_3323_ = _e2573;
-                                    phi_3324_ = select(true, false, _e2303);
-                                    phi_3325_ = _e2575;
-                                    phi_3326_ = _e2577;
+                                    let _e2569 = phi_3305_;
+                                    let _e2571 = phi_3307_;
+                                    let _e2573 = phi_3308_;
+                                    phi_3309_ = _e2569;
+                                    phi_3310_ = select(true, false, _e2303);
+                                    phi_3311_ = _e2571;
+                                    phi_3312_ = _e2573;
                                 } else {
-                                    phi_3323_ = type_64();
-                                    phi_3324_ = true;
-                                    phi_3325_ = false;
-                                    phi_3326_ = false;
+                                    phi_3309_ = type_64();
+                                    phi_3310_ = true;
+                                    phi_3311_ = false;
+                                    phi_3312_ = false;
                                 }
-                                let _e2580 = phi_3323_;
-                                let _e2582 = phi_3324_;
-                                let _e2584 = phi_3325_;
-                                let _e2586 = phi_3326_;
-                                if select(select(_e2586, false, _e2582), true, select(_e2584, true, _e2582)) {
-                                    phi_3339_ = _e1906;
+                                let _e2576 = phi_3309_;
+                                let _e2578 = phi_3310_;
+                                let _e2580 = phi_3311_;
+                                let _e2582 = phi_3312_;
+                                if select(select(_e2582, false, _e2578), true, select(_e2580, true, _e2578)) {
+                                    phi_3325_ = _e1906;
                                 } else {
-                                    phi_3339_ = _e2580;
+                                    phi_3325_ = _e2576;
                                 }
-                                let _e2591 = phi_3339_;
-                                phi_2516_ = _e2591;
+                                let _e2587 = phi_3325_;
+                                phi_2516_ = _e2587;
                             } else {
                                 phi_2516_ = type_64();
                             }
-                            let _e2593 = phi_2516_;
+                            let _e2589 = phi_2516_;
                             continue;
                             continuing {
                                 phi_2512_ = _e1919;
-                                phi_2515_ = _e2593;
-                                phi_5669_ = _e1890;
+                                phi_2515_ = _e2589;
+                                phi_5641_ = _e1890;
                                 break if !(_e1925);
                             }
                         }
-                        let _e2596 = phi_5669_;
-                        phi_5912_ = _e2596;
-                        phi_4852_ = type_64();
-                        if _e2596 {
+                        let _e2592 = phi_5641_;
+                        phi_5880_ = _e2592;
+                        phi_4824_ = type_64();
+                        if _e2592 {
                             break;
                         }
-                        phi_5848_ = _e2596;
-                        phi_3340_ = 0u;
-                        phi_3341_ = _e1894;
-                        let _e3998 = local_14;
-                        phi_2020_ = _e3998;
+                        phi_5816_ = _e2592;
+                        phi_3326_ = 0u;
+                        phi_3327_ = _e1894;
+                        let _e3988 = local_14;
+                        phi_2020_ = _e3988;
                     }
-                    let _e2880 = phi_5848_;
-                    let _e2882 = phi_3340_;
-                    let _e2884 = phi_3341_;
-                    let _e2886 = phi_2020_;
-                    phi_2015_ = _e2882;
-                    phi_2018_ = _e2884;
+                    let _e2876 = phi_5816_;
+                    let _e2878 = phi_3326_;
+                    let _e2880 = phi_3327_;
+                    let _e2882 = phi_2020_;
+                    phi_2015_ = _e2878;
+                    phi_2018_ = _e2880;
                     loop {
-                        let _e2888 = phi_2015_;
-                        let _e2890 = phi_2018_;
-                        local_12 = _e2888;
-                        local_13 = _e2890;
-                        let _e2891 = (_e2888 == 0u);
-                        local_11 = _e2891;
-                        if _e2891 {
-                            let _e2892 = (_e2890 > 0u);
-                            if _e2892 {
-                                let _e2893 = (_e2890 - 1u);
-                                let _e2894 = (_e2893 < 64u);
-                                if _e2894 {
+                        let _e2884 = phi_2015_;
+                        let _e2886 = phi_2018_;
+                        local_12 = _e2884;
+                        local_13 = _e2886;
+                        let _e2887 = (_e2884 == 0u);
+                        local_11 = _e2887;
+                        if _e2887 {
+                            let _e2888 = (_e2886 > 0u);
+                            if _e2888 {
+                                let _e2889 = (_e2886 - 1u);
+                                let _e2890 = (_e2889 < 64u);
+                                if _e2890 {
                                 } else {
-                                    phi_5845_ = true;
+                                    phi_5813_ = true;
                                     break;
                                 }
-                                let _e2896 = local_1[_e2893];
-                                if (_e2896 <= _e2886.member) {
-                                    if _e2894 {
+                                let _e2892 = local_1[_e2889];
+                                if (_e2892 <= _e2882.member) {
+                                    if _e2890 {
                                     } else {
-                                        phi_5845_ = true;
+                                        phi_5813_ = true;
                                         break;
                                     }
-                                    let _e2900 = local[_e2893];
-                                    phi_3376_ = _e2900;
+                                    let _e2896 = local[_e2889];
+                                    phi_3362_ = _e2896;
                                 } else {
-                                    phi_3376_ = _e2888;
+                                    phi_3362_ = _e2884;
                                 }
-                                let _e2902 = phi_3376_;
-                                phi_3377_ = _e2902;
-                                phi_3378_ = _e2893;
+                                let _e2898 = phi_3362_;
+                                phi_3363_ = _e2898;
+                                phi_3364_ = _e2889;
                             } else {
-                                phi_3377_ = u32();
-                                phi_3378_ = u32();
+                                phi_3363_ = u32();
+                                phi_3364_ = u32();
                             }
-                            let _e2904 = phi_3377_;
-                            let _e2906 = phi_3378_;
-                            phi_3343_ = _e2904;
-                            phi_3345_ = _e2906;
-                            phi_3379_ = _e2892;
+                            let _e2900 = phi_3363_;
+                            let _e2902 = phi_3364_;
+                            phi_3329_ = _e2900;
+                            phi_3331_ = _e2902;
+                            phi_3365_ = _e2888;
                         } else {
-                            phi_3343_ = u32();
-                            phi_3345_ = u32();
-                            phi_3379_ = false;
+                            phi_3329_ = u32();
+                            phi_3331_ = u32();
+                            phi_3365_ = false;
                         }
-                        let _e2908 = phi_3343_;
-                        let _e2910 = phi_3345_;
-                        let _e2912 = phi_3379_;
+                        let _e2904 = phi_3329_;
+                        let _e2906 = phi_3331_;
+                        let _e2908 = phi_3365_;
                         continue;
                         continuing {
-                            phi_2015_ = _e2908;
-                            phi_2018_ = _e2910;
-                            phi_5845_ = _e2880;
-                            break if !(_e2912);
+                            phi_2015_ = _e2904;
+                            phi_2018_ = _e2906;
+                            phi_5813_ = _e2876;
+                            break if !(_e2908);
                         }
                     }
-                    let _e2915 = phi_5845_;
-                    phi_5912_ = _e2915;
-                    phi_4852_ = type_64();
-                    if _e2915 {
+                    let _e2911 = phi_5813_;
+                    phi_5880_ = _e2911;
+                    phi_4824_ = type_64();
+                    if _e2911 {
                         break;
                     }
-                    let _e2917 = local_11;
+                    let _e2913 = local_11;
                     continue;
                     continuing {
-                        phi_5673_ = _e2915;
-                        let _e3919 = local_12;
-                        phi_2014_ = _e3919;
-                        let _e3922 = local_13;
-                        phi_2017_ = _e3922;
-                        phi_2019_ = _e2886;
-                        phi_5912_ = _e2915;
-                        phi_4852_ = _e2886;
-                        break if !(select(true, false, _e2917));
+                        phi_5645_ = _e2911;
+                        let _e3911 = local_12;
+                        phi_2014_ = _e3911;
+                        let _e3914 = local_13;
+                        phi_2017_ = _e3914;
+                        phi_2019_ = _e2882;
+                        phi_5880_ = _e2911;
+                        phi_4824_ = _e2882;
+                        break if !(select(true, false, _e2913));
                     }
                 }
-                let _e2921 = phi_5912_;
-                let _e2923 = phi_4852_;
-                if _e2921 {
+                let _e2917 = phi_5880_;
+                let _e2919 = phi_4824_;
+                if _e2917 {
                     break;
                 }
-                let _e2925 = (_e2923.member_1 != 4294967295u);
-                if _e2925 {
-                    if _e2925 {
-                        if (_e2923.member_1 < _e142) {
+                let _e2921 = (_e2919.member_1 != 4294967295u);
+                if _e2921 {
+                    if _e2921 {
+                        if (_e2919.member_1 < _e142) {
                         } else {
                             break;
                         }
-                        let _e2929 = triangles.member[_e2923.member_1].member;
-                        let _e2935 = triangles.member[_e2923.member_1].member_2;
-                        let _e2941 = triangles.member[_e2923.member_1].member_4;
-                        let _e2945 = (_e2935[0] - _e2929[0]);
-                        let _e2946 = (_e2935[1] - _e2929[1]);
-                        let _e2947 = (_e2935[2] - _e2929[2]);
-                        let _e2948 = (_e2941[0] - _e2929[0]);
-                        let _e2949 = (_e2941[1] - _e2929[1]);
-                        let _e2950 = (_e2941[2] - _e2929[2]);
-                        let _e2967 = ((_e2946 * _e2950) - (_e2949 * _e2947));
-                        let _e2970 = ((_e2947 * _e2948) - (_e2950 * _e2945));
-                        let _e2973 = ((_e2945 * _e2949) - (_e2948 * _e2946));
-                        let _e2974 = abs(_e2967);
-                        let _e2975 = abs(_e2970);
-                        let _e2977 = select(_e2975, _e2974, (_e2974 > _e2975));
-                        let _e2978 = abs(_e2973);
-                        let _e2980 = select(_e2978, _e2977, (_e2977 > _e2978));
-                        if (_e2980 > 0.000000000000000000000000000000000000011754944f) {
-                            let _e2982 = (_e2980 < 340282350000000000000000000000000000000f);
-                            if _e2982 {
-                                let _e2983 = (_e2967 / _e2980);
-                                let _e2984 = (_e2970 / _e2980);
-                                let _e2985 = (_e2973 / _e2980);
-                                let _e2991 = sqrt((((_e2983 * _e2983) + (_e2984 * _e2984)) + (_e2985 * _e2985)));
-                                phi_3486_ = vec3<f32>((_e2983 / _e2991), (_e2984 / _e2991), (_e2985 / _e2991));
+                        let _e2925 = triangles.member[_e2919.member_1].member;
+                        let _e2931 = triangles.member[_e2919.member_1].member_2;
+                        let _e2937 = triangles.member[_e2919.member_1].member_4;
+                        let _e2941 = (_e2931[0] - _e2925[0]);
+                        let _e2942 = (_e2931[1] - _e2925[1]);
+                        let _e2943 = (_e2931[2] - _e2925[2]);
+                        let _e2944 = (_e2937[0] - _e2925[0]);
+                        let _e2945 = (_e2937[1] - _e2925[1]);
+                        let _e2946 = (_e2937[2] - _e2925[2]);
+                        let _e2963 = ((_e2942 * _e2946) - (_e2945 * _e2943));
+                        let _e2966 = ((_e2943 * _e2944) - (_e2946 * _e2941));
+                        let _e2969 = ((_e2941 * _e2945) - (_e2944 * _e2942));
+                        let _e2970 = abs(_e2963);
+                        let _e2971 = abs(_e2966);
+                        let _e2973 = select(_e2971, _e2970, (_e2970 > _e2971));
+                        let _e2974 = abs(_e2969);
+                        let _e2976 = select(_e2974, _e2973, (_e2973 > _e2974));
+                        if (_e2976 > 0.000000000000000000000000000000000000011754944f) {
+                            let _e2978 = (_e2976 < 340282350000000000000000000000000000000f);
+                            if _e2978 {
+                                let _e2979 = (_e2963 / _e2976);
+                                let _e2980 = (_e2966 / _e2976);
+                                let _e2981 = (_e2969 / _e2976);
+                                let _e2987 = sqrt((((_e2979 * _e2979) + (_e2980 * _e2980)) + (_e2981 * _e2981)));
+                                phi_3472_ = vec3<f32>((_e2979 / _e2987), (_e2980 / _e2987), (_e2981 / _e2987));
                             } else {
-                                phi_3486_ = vec3<f32>();
+                                phi_3472_ = vec3<f32>();
                             }
-                            let _e2997 = phi_3486_;
-                            phi_3488_ = _e2997;
-                            phi_3489_ = select(true, false, _e2982);
+                            let _e2993 = phi_3472_;
+                            phi_3474_ = _e2993;
+                            phi_3475_ = select(true, false, _e2978);
                         } else {
-                            phi_3488_ = vec3<f32>();
-                            phi_3489_ = true;
+                            phi_3474_ = vec3<f32>();
+                            phi_3475_ = true;
                         }
-                        let _e3000 = phi_3488_;
-                        let _e3002 = phi_3489_;
-                        let _e3004 = select(_e3000, vec3<f32>(0f, 1f, 0f), vec3(_e3002));
-                        let _e3018 = ((((_e3004.x * _e1754.member.member_1.x) + (_e3004.y * _e1754.member.member_1.y)) + (_e3004.z * _e1754.member.member_1.z)) < 0f);
-                        if _e3018 {
-                            phi_3511_ = _e3004;
+                        let _e2996 = phi_3474_;
+                        let _e2998 = phi_3475_;
+                        let _e3000 = select(_e2996, vec3<f32>(0f, 1f, 0f), vec3(_e2998));
+                        let _e3014 = ((((_e3000.x * _e1754.member.member_1.x) + (_e3000.y * _e1754.member.member_1.y)) + (_e3000.z * _e1754.member.member_1.z)) < 0f);
+                        if _e3014 {
+                            phi_3497_ = _e3000;
                         } else {
-                            phi_3511_ = -(_e3004);
+                            phi_3497_ = -(_e3000);
                         }
-                        let _e3021 = phi_3511_;
-                        if (_e2923.member_1 < _e145) {
-                        } else {
-                            break;
-                        }
-                        let _e3025 = triangles.member[_e2923.member_1].member_1;
-                        let _e3026 = (_e3025 * 12u);
-                        let _e3027 = (256u + _e3026);
-                        if (_e3027 < _e148) {
+                        let _e3017 = phi_3497_;
+                        if (_e2919.member_1 < _e145) {
                         } else {
                             break;
                         }
-                        let _e3030 = surfaces.member[_e3027];
-                        let _e3031 = bitcast<f32>(_e3030);
-                        let _e3032 = (_e3026 + 257u);
-                        if (_e3032 < _e148) {
+                        let _e3021 = triangles.member[_e2919.member_1].member_1;
+                        let _e3022 = (_e3021 * 12u);
+                        let _e3023 = (256u + _e3022);
+                        if (_e3023 < _e148) {
                         } else {
                             break;
                         }
-                        let _e3035 = surfaces.member[_e3032];
-                        let _e3036 = bitcast<f32>(_e3035);
-                        let _e3037 = (_e3026 + 258u);
-                        if (_e3037 < _e148) {
+                        let _e3026 = surfaces.member[_e3023];
+                        let _e3027 = bitcast<f32>(_e3026);
+                        let _e3028 = (_e3022 + 257u);
+                        if (_e3028 < _e148) {
                         } else {
                             break;
                         }
-                        let _e3040 = surfaces.member[_e3037];
-                        let _e3041 = bitcast<f32>(_e3040);
-                        let _e3042 = (_e3026 + 259u);
+                        let _e3031 = surfaces.member[_e3028];
+                        let _e3032 = bitcast<f32>(_e3031);
+                        let _e3033 = (_e3022 + 258u);
+                        if (_e3033 < _e148) {
+                        } else {
+                            break;
+                        }
+                        let _e3036 = surfaces.member[_e3033];
+                        let _e3037 = bitcast<f32>(_e3036);
+                        let _e3038 = (_e3022 + 259u);
+                        if (_e3038 < _e148) {
+                        } else {
+                            break;
+                        }
+                        let _e3041 = surfaces.member[_e3038];
+                        let _e3042 = (_e3022 + 260u);
                         if (_e3042 < _e148) {
                         } else {
                             break;
                         }
                         let _e3045 = surfaces.member[_e3042];
-                        let _e3046 = (_e3026 + 260u);
-                        if (_e3046 < _e148) {
+                        let _e3047 = (_e3022 + 261u);
+                        if (_e3047 < _e148) {
                         } else {
                             break;
                         }
-                        let _e3049 = surfaces.member[_e3046];
-                        let _e3051 = (_e3026 + 261u);
-                        if (_e3051 < _e148) {
+                        let _e3050 = surfaces.member[_e3047];
+                        let _e3052 = (_e3022 + 262u);
+                        if (_e3052 < _e148) {
                         } else {
                             break;
                         }
-                        let _e3054 = surfaces.member[_e3051];
-                        let _e3056 = (_e3026 + 262u);
-                        if (_e3056 < _e148) {
+                        let _e3055 = surfaces.member[_e3052];
+                        let _e3058 = (_e3022 + 263u);
+                        if (_e3058 < _e148) {
                         } else {
                             break;
                         }
-                        let _e3059 = surfaces.member[_e3056];
-                        let _e3062 = (_e3026 + 263u);
+                        let _e3061 = surfaces.member[_e3058];
+                        let _e3062 = (_e3022 + 264u);
                         if (_e3062 < _e148) {
                         } else {
                             break;
                         }
                         let _e3065 = surfaces.member[_e3062];
-                        let _e3066 = (_e3026 + 264u);
-                        if (_e3066 < _e148) {
+                        let _e3066 = bitcast<f32>(_e3065);
+                        if ((_e3022 + 265u) < _e148) {
                         } else {
                             break;
                         }
-                        let _e3069 = surfaces.member[_e3066];
-                        let _e3070 = bitcast<f32>(_e3069);
-                        if ((_e3026 + 265u) < _e148) {
+                        if ((_e3022 + 266u) < _e148) {
                         } else {
                             break;
                         }
-                        if ((_e3026 + 266u) < _e148) {
+                        if ((_e3022 + 267u) < _e148) {
                         } else {
                             break;
                         }
-                        if ((_e3026 + 267u) < _e148) {
+                        let _e3074 = ((1f - _e2919.member_2) - _e2919.member_3);
+                        let _e3078 = attributes.member[_e2919.member_1].member[0u];
+                        let _e3083 = attributes.member[_e2919.member_1].member[2u];
+                        let _e3089 = attributes.member[_e2919.member_1].member[4u];
+                        let _e3091 = (((_e3078 * _e3074) + (_e3083 * _e2919.member_2)) + (_e3089 * _e2919.member_3));
+                        let _e3095 = attributes.member[_e2919.member_1].member[1u];
+                        let _e3100 = attributes.member[_e2919.member_1].member[3u];
+                        let _e3106 = attributes.member[_e2919.member_1].member[5u];
+                        let _e3108 = (((_e3095 * _e3074) + (_e3100 * _e2919.member_2)) + (_e3106 * _e2919.member_3));
+                        if (_e3041 == 4294967295u) {
+                            phi_4073_ = type_67(vec3<f32>(_e3027, _e3032, _e3037), _e3066);
                         } else {
-                            break;
-                        }
-                        let _e3078 = ((1f - _e2923.member_2) - _e2923.member_3);
-                        let _e3082 = attributes.member[_e2923.member_1].member[0u];
-                        let _e3087 = attributes.member[_e2923.member_1].member[2u];
-                        let _e3093 = attributes.member[_e2923.member_1].member[4u];
-                        let _e3095 = (((_e3082 * _e3078) + (_e3087 * _e2923.member_2)) + (_e3093 * _e2923.member_3));
-                        let _e3099 = attributes.member[_e2923.member_1].member[1u];
-                        let _e3104 = attributes.member[_e2923.member_1].member[3u];
-                        let _e3110 = attributes.member[_e2923.member_1].member[5u];
-                        let _e3112 = (((_e3099 * _e3078) + (_e3104 * _e2923.member_2)) + (_e3110 * _e2923.member_3));
-                        if (_e3045 == 4294967295u) {
-                            phi_4101_ = type_67(vec3<f32>(_e3031, _e3036, _e3041), _e3070);
-                        } else {
-                            let _e3115 = (_e3065 & 65535u);
-                            let _e3117 = (_e3065 >> bitcast<u32>(16i));
-                            let _e3120 = ((_e3045 >> bitcast<u32>(28u)) & 3u);
-                            let _e3121 = (_e3115 - 1u);
-                            let _e3123 = select(1f, 2f, (_e3120 == 2u));
-                            let _e3127 = (_e3095 - (floor((_e3095 / _e3123)) * _e3123));
-                            if (_e3127 > 1f) {
-                                phi_3683_ = (_e3123 - _e3127);
+                            let _e3111 = (_e3061 & 65535u);
+                            let _e3113 = (_e3061 >> bitcast<u32>(16i));
+                            let _e3116 = ((_e3041 >> bitcast<u32>(28u)) & 3u);
+                            let _e3117 = (_e3111 - 1u);
+                            let _e3119 = select(1f, 2f, (_e3116 == 2u));
+                            let _e3123 = (_e3091 - (floor((_e3091 / _e3119)) * _e3119));
+                            if (_e3123 > 1f) {
+                                phi_3669_ = (_e3119 - _e3123);
                             } else {
-                                phi_3683_ = _e3127;
+                                phi_3669_ = _e3123;
                             }
-                            let _e3131 = phi_3683_;
-                            if (_e3120 == 1u) {
-                                let _e3134 = select(0f, _e3095, (_e3095 > 0f));
-                                phi_3698_ = select(1f, _e3134, (_e3134 < 1f));
+                            let _e3127 = phi_3669_;
+                            if (_e3116 == 1u) {
+                                let _e3130 = select(0f, _e3091, (_e3091 > 0f));
+                                phi_3684_ = select(1f, _e3130, (_e3130 < 1f));
                             } else {
-                                phi_3698_ = _e3131;
+                                phi_3684_ = _e3127;
                             }
-                            let _e3138 = phi_3698_;
-                            if (_e3138 >= 0f) {
-                                phi_3708_ = select(true, false, (_e3138 <= 1f));
+                            let _e3134 = phi_3684_;
+                            let _e3141 = ((select(0f, _e3134, (abs((_e3134 - 0.5f)) <= 0.5f)) * f32(_e3111)) - 0.5f);
+                            let _e3142 = floor(_e3141);
+                            let _e3143 = (_e3142 < 0f);
+                            if _e3143 {
+                                phi_3712_ = 0u;
                             } else {
-                                phi_3708_ = true;
+                                let _e3148 = select(select(u32(_e3142), 0u, (_e3142 < 0f)), 4294967295u, (_e3142 > 4294967000f));
+                                phi_3712_ = select(_e3148, _e3117, (_e3117 < _e3148));
                             }
-                            let _e3143 = phi_3708_;
-                            let _e3147 = ((select(_e3138, 0f, _e3143) * f32(_e3115)) - 0.5f);
-                            let _e3148 = floor(_e3147);
-                            let _e3149 = (_e3148 < 0f);
-                            if _e3149 {
-                                phi_3733_ = 0u;
+                            let _e3152 = phi_3712_;
+                            if _e3143 {
+                                phi_3722_ = 0u;
                             } else {
-                                let _e3154 = select(select(u32(_e3148), 0u, (_e3148 < 0f)), 4294967295u, (_e3148 > 4294967000f));
-                                phi_3733_ = select(_e3154, _e3121, (_e3121 < _e3154));
+                                let _e3153 = (_e3152 + 1u);
+                                phi_3722_ = select(_e3153, _e3117, (_e3117 < _e3153));
                             }
-                            let _e3158 = phi_3733_;
-                            if _e3149 {
-                                phi_3743_ = 0u;
+                            let _e3157 = phi_3722_;
+                            let _e3158 = (_e3116 == 0u);
+                            if _e3158 {
+                                phi_3731_ = select(true, false, _e3143);
                             } else {
-                                let _e3159 = (_e3158 + 1u);
-                                phi_3743_ = select(_e3159, _e3121, (_e3121 < _e3159));
+                                phi_3731_ = true;
                             }
-                            let _e3163 = phi_3743_;
-                            let _e3164 = (_e3120 == 0u);
-                            if _e3164 {
-                                phi_3752_ = select(true, false, _e3149);
-                            } else {
-                                phi_3752_ = true;
-                            }
-                            let _e3167 = phi_3752_;
-                            let _e3168 = select(_e3121, _e3158, _e3167);
-                            if _e3164 {
-                                if _e3149 {
-                                    phi_3768_ = true;
+                            let _e3161 = phi_3731_;
+                            let _e3162 = select(_e3117, _e3152, _e3161);
+                            if _e3158 {
+                                if _e3143 {
+                                    phi_3747_ = true;
                                 } else {
-                                    phi_3768_ = select(true, false, (_e3168 == _e3121));
+                                    phi_3747_ = select(true, false, (_e3162 == _e3117));
                                 }
-                                let _e3172 = phi_3768_;
-                                phi_3769_ = _e3172;
+                                let _e3166 = phi_3747_;
+                                phi_3748_ = _e3166;
                             } else {
-                                phi_3769_ = true;
+                                phi_3748_ = true;
                             }
-                            let _e3174 = phi_3769_;
-                            let _e3175 = select(0u, _e3163, _e3174);
-                            let _e3176 = (_e3147 - _e3148);
-                            let _e3179 = ((_e3045 >> bitcast<u32>(30u)) & 3u);
-                            let _e3180 = (_e3117 - 1u);
-                            let _e3182 = select(1f, 2f, (_e3179 == 2u));
-                            let _e3186 = (_e3112 - (floor((_e3112 / _e3182)) * _e3182));
-                            if (_e3186 > 1f) {
-                                phi_3792_ = (_e3182 - _e3186);
+                            let _e3168 = phi_3748_;
+                            let _e3169 = select(0u, _e3157, _e3168);
+                            let _e3170 = (_e3141 - _e3142);
+                            let _e3173 = ((_e3041 >> bitcast<u32>(30u)) & 3u);
+                            let _e3174 = (_e3113 - 1u);
+                            let _e3176 = select(1f, 2f, (_e3173 == 2u));
+                            let _e3180 = (_e3108 - (floor((_e3108 / _e3176)) * _e3176));
+                            if (_e3180 > 1f) {
+                                phi_3771_ = (_e3176 - _e3180);
                             } else {
-                                phi_3792_ = _e3186;
+                                phi_3771_ = _e3180;
                             }
-                            let _e3190 = phi_3792_;
-                            if (_e3179 == 1u) {
-                                let _e3193 = select(0f, _e3112, (_e3112 > 0f));
-                                phi_3807_ = select(1f, _e3193, (_e3193 < 1f));
+                            let _e3184 = phi_3771_;
+                            if (_e3173 == 1u) {
+                                let _e3187 = select(0f, _e3108, (_e3108 > 0f));
+                                phi_3786_ = select(1f, _e3187, (_e3187 < 1f));
                             } else {
-                                phi_3807_ = _e3190;
+                                phi_3786_ = _e3184;
                             }
-                            let _e3197 = phi_3807_;
-                            if (_e3197 >= 0f) {
-                                phi_3817_ = select(true, false, (_e3197 <= 1f));
+                            let _e3191 = phi_3786_;
+                            let _e3198 = ((select(0f, _e3191, (abs((_e3191 - 0.5f)) <= 0.5f)) * f32(_e3113)) - 0.5f);
+                            let _e3199 = floor(_e3198);
+                            let _e3200 = (_e3199 < 0f);
+                            if _e3200 {
+                                phi_3814_ = 0u;
                             } else {
-                                phi_3817_ = true;
+                                let _e3205 = select(select(u32(_e3199), 0u, (_e3199 < 0f)), 4294967295u, (_e3199 > 4294967000f));
+                                phi_3814_ = select(_e3205, _e3174, (_e3174 < _e3205));
                             }
-                            let _e3202 = phi_3817_;
-                            let _e3206 = ((select(_e3197, 0f, _e3202) * f32(_e3117)) - 0.5f);
-                            let _e3207 = floor(_e3206);
-                            let _e3208 = (_e3207 < 0f);
-                            if _e3208 {
-                                phi_3842_ = 0u;
+                            let _e3209 = phi_3814_;
+                            if _e3200 {
+                                phi_3824_ = 0u;
                             } else {
-                                let _e3213 = select(select(u32(_e3207), 0u, (_e3207 < 0f)), 4294967295u, (_e3207 > 4294967000f));
-                                phi_3842_ = select(_e3213, _e3180, (_e3180 < _e3213));
+                                let _e3210 = (_e3209 + 1u);
+                                phi_3824_ = select(_e3210, _e3174, (_e3174 < _e3210));
                             }
-                            let _e3217 = phi_3842_;
-                            if _e3208 {
-                                phi_3852_ = 0u;
+                            let _e3214 = phi_3824_;
+                            let _e3215 = (_e3173 == 0u);
+                            if _e3215 {
+                                phi_3833_ = select(true, false, _e3200);
                             } else {
-                                let _e3218 = (_e3217 + 1u);
-                                phi_3852_ = select(_e3218, _e3180, (_e3180 < _e3218));
+                                phi_3833_ = true;
                             }
-                            let _e3222 = phi_3852_;
-                            let _e3223 = (_e3179 == 0u);
-                            if _e3223 {
-                                phi_3861_ = select(true, false, _e3208);
-                            } else {
-                                phi_3861_ = true;
-                            }
-                            let _e3226 = phi_3861_;
-                            let _e3227 = select(_e3180, _e3217, _e3226);
-                            if _e3223 {
-                                if _e3208 {
-                                    phi_3877_ = true;
+                            let _e3218 = phi_3833_;
+                            let _e3219 = select(_e3174, _e3209, _e3218);
+                            if _e3215 {
+                                if _e3200 {
+                                    phi_3849_ = true;
                                 } else {
-                                    phi_3877_ = select(true, false, (_e3227 == _e3180));
+                                    phi_3849_ = select(true, false, (_e3219 == _e3174));
                                 }
-                                let _e3231 = phi_3877_;
-                                phi_3878_ = _e3231;
+                                let _e3223 = phi_3849_;
+                                phi_3850_ = _e3223;
                             } else {
-                                phi_3878_ = true;
+                                phi_3850_ = true;
                             }
-                            let _e3233 = phi_3878_;
-                            let _e3235 = (_e3206 - _e3207);
-                            let _e3236 = (_e3045 & 268435455u);
-                            let _e3238 = (_e3236 + (_e3227 * _e3115));
-                            let _e3240 = (_e3236 + (select(0u, _e3222, _e3233) * _e3115));
-                            let _e3241 = (_e3238 + _e3168);
-                            let _e3242 = (_e3238 + _e3175);
-                            let _e3243 = (_e3240 + _e3168);
-                            let _e3244 = (_e3240 + _e3175);
-                            if (_e3241 < _e148) {
-                            } else {
-                                break;
-                            }
-                            let _e3247 = surfaces.member[_e3241];
-                            if (_e3242 < _e148) {
+                            let _e3225 = phi_3850_;
+                            let _e3227 = (_e3198 - _e3199);
+                            let _e3228 = (_e3041 & 268435455u);
+                            let _e3230 = (_e3228 + (_e3219 * _e3111));
+                            let _e3232 = (_e3228 + (select(0u, _e3214, _e3225) * _e3111));
+                            let _e3233 = (_e3230 + _e3162);
+                            let _e3234 = (_e3230 + _e3169);
+                            let _e3235 = (_e3232 + _e3162);
+                            let _e3236 = (_e3232 + _e3169);
+                            if (_e3233 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3250 = surfaces.member[_e3242];
-                            if (_e3243 < _e148) {
+                            let _e3239 = surfaces.member[_e3233];
+                            if (_e3234 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3253 = surfaces.member[_e3243];
-                            if (_e3244 < _e148) {
+                            let _e3242 = surfaces.member[_e3234];
+                            if (_e3235 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3256 = surfaces.member[_e3244];
-                            let _e3257 = (_e3247 & 255u);
-                            if (_e3257 < _e148) {
+                            let _e3245 = surfaces.member[_e3235];
+                            if (_e3236 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3260 = surfaces.member[_e3257];
-                            let _e3264 = ((_e3247 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3264 < _e148) {
+                            let _e3248 = surfaces.member[_e3236];
+                            let _e3249 = (_e3239 & 255u);
+                            if (_e3249 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3267 = surfaces.member[_e3264];
-                            let _e3271 = ((_e3247 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3271 < _e148) {
+                            let _e3252 = surfaces.member[_e3249];
+                            let _e3256 = ((_e3239 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3256 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3274 = surfaces.member[_e3271];
-                            let _e3276 = (1f - _e3176);
-                            let _e3280 = (_e3250 & 255u);
-                            if (_e3280 < _e148) {
+                            let _e3259 = surfaces.member[_e3256];
+                            let _e3263 = ((_e3239 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3263 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3283 = surfaces.member[_e3280];
-                            let _e3287 = ((_e3250 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3287 < _e148) {
+                            let _e3266 = surfaces.member[_e3263];
+                            let _e3268 = (1f - _e3170);
+                            let _e3272 = (_e3242 & 255u);
+                            if (_e3272 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3290 = surfaces.member[_e3287];
-                            let _e3294 = ((_e3250 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3294 < _e148) {
+                            let _e3275 = surfaces.member[_e3272];
+                            let _e3279 = ((_e3242 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3279 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3297 = surfaces.member[_e3294];
-                            let _e3305 = (_e3253 & 255u);
-                            if (_e3305 < _e148) {
+                            let _e3282 = surfaces.member[_e3279];
+                            let _e3286 = ((_e3242 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3286 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3308 = surfaces.member[_e3305];
-                            let _e3312 = ((_e3253 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3312 < _e148) {
+                            let _e3289 = surfaces.member[_e3286];
+                            let _e3297 = (_e3245 & 255u);
+                            if (_e3297 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3315 = surfaces.member[_e3312];
-                            let _e3319 = ((_e3253 >> bitcast<u32>(16i)) & 255u);
+                            let _e3300 = surfaces.member[_e3297];
+                            let _e3304 = ((_e3245 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3304 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3307 = surfaces.member[_e3304];
+                            let _e3311 = ((_e3245 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3311 < _e148) {
+                            } else {
+                                break;
+                            }
+                            let _e3314 = surfaces.member[_e3311];
+                            let _e3319 = (_e3248 & 255u);
                             if (_e3319 < _e148) {
                             } else {
                                 break;
                             }
                             let _e3322 = surfaces.member[_e3319];
-                            let _e3327 = (_e3256 & 255u);
-                            if (_e3327 < _e148) {
+                            let _e3326 = ((_e3248 >> bitcast<u32>(8i)) & 255u);
+                            if (_e3326 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3330 = surfaces.member[_e3327];
-                            let _e3334 = ((_e3256 >> bitcast<u32>(8i)) & 255u);
-                            if (_e3334 < _e148) {
+                            let _e3329 = surfaces.member[_e3326];
+                            let _e3333 = ((_e3248 >> bitcast<u32>(16i)) & 255u);
+                            if (_e3333 < _e148) {
                             } else {
                                 break;
                             }
-                            let _e3337 = surfaces.member[_e3334];
-                            let _e3341 = ((_e3256 >> bitcast<u32>(16i)) & 255u);
-                            if (_e3341 < _e148) {
+                            let _e3336 = surfaces.member[_e3333];
+                            let _e3344 = (1f - _e3227);
+                            phi_4073_ = type_67(vec3<f32>((_e3027 * ((((bitcast<f32>(_e3252) * _e3268) + (bitcast<f32>(_e3275) * _e3170)) * _e3344) + (((bitcast<f32>(_e3300) * _e3268) + (bitcast<f32>(_e3322) * _e3170)) * _e3227))), (_e3032 * ((((bitcast<f32>(_e3259) * _e3268) + (bitcast<f32>(_e3282) * _e3170)) * _e3344) + (((bitcast<f32>(_e3307) * _e3268) + (bitcast<f32>(_e3329) * _e3170)) * _e3227))), (_e3037 * ((((bitcast<f32>(_e3266) * _e3268) + (bitcast<f32>(_e3289) * _e3170)) * _e3344) + (((bitcast<f32>(_e3314) * _e3268) + (bitcast<f32>(_e3336) * _e3170)) * _e3227)))), (_e3066 * (((((f32((_e3239 >> bitcast<u32>(24i))) * 0.003921569f) * _e3268) + ((f32((_e3242 >> bitcast<u32>(24i))) * 0.003921569f) * _e3170)) * _e3344) + ((((f32((_e3245 >> bitcast<u32>(24i))) * 0.003921569f) * _e3268) + ((f32((_e3248 >> bitcast<u32>(24i))) * 0.003921569f) * _e3170)) * _e3227))));
+                        }
+                        let _e3387 = phi_4073_;
+                        let _e3392 = attributes.member[_e2919.member_1].member_2[0u];
+                        let _e3396 = attributes.member[_e2919.member_1].member_2[1u];
+                        let _e3401 = attributes.member[_e2919.member_1].member_2[2u];
+                        if (((_e3392 | _e3396) | _e3401) == 0u) {
+                            phi_4180_ = vec3<f32>(1f, 1f, 1f);
+                        } else {
+                            let _e3417 = (1f - (f32((_e3392 & 1023u)) * 0.0009775171f));
+                            let _e3418 = (1f - (f32(((_e3392 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3419 = (1f - (f32(((_e3392 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e3439 = (1f - (f32((_e3396 & 1023u)) * 0.0009775171f));
+                            let _e3440 = (1f - (f32(((_e3396 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3441 = (1f - (f32(((_e3396 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e3464 = (1f - (f32((_e3401 & 1023u)) * 0.0009775171f));
+                            let _e3465 = (1f - (f32(((_e3401 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e3466 = (1f - (f32(((_e3401 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            phi_4180_ = vec3<f32>(((((_e3417 * _e3417) * _e3074) + ((_e3439 * _e3439) * _e2919.member_2)) + ((_e3464 * _e3464) * _e2919.member_3)), ((((_e3418 * _e3418) * _e3074) + ((_e3440 * _e3440) * _e2919.member_2)) + ((_e3465 * _e3465) * _e2919.member_3)), ((((_e3419 * _e3419) * _e3074) + ((_e3441 * _e3441) * _e2919.member_2)) + ((_e3466 * _e3466) * _e2919.member_3)));
+                        }
+                        let _e3478 = phi_4180_;
+                        let _e3492 = attributes.member[_e2919.member_1].member_1[0u];
+                        let _e3502 = (f32((bitcast<i32>((_e3492 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3504 = select(-1f, _e3502, (_e3502 > -1f));
+                        let _e3506 = (f32((bitcast<i32>(_e3492) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3508 = select(-1f, _e3506, (_e3506 > -1f));
+                        let _e3512 = ((1f - abs(_e3504)) - abs(_e3508));
+                        let _e3513 = -(_e3512);
+                        let _e3517 = (bitcast<u32>(select(0f, _e3513, (_e3513 > 0f))) & 2147483647u);
+                        let _e3522 = (_e3504 - bitcast<f32>((_e3517 | (bitcast<u32>(_e3504) & 2147483648u))));
+                        let _e3527 = (_e3508 - bitcast<f32>((_e3517 | (bitcast<u32>(_e3508) & 2147483648u))));
+                        let _e3532 = (((_e3522 * _e3522) + (_e3527 * _e3527)) + (_e3512 * _e3512));
+                        if (_e3532 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3535 = (1f / sqrt(_e3532));
+                            phi_4256_ = vec3<f32>((_e3522 * _e3535), (_e3527 * _e3535), (_e3512 * _e3535));
+                        } else {
+                            phi_4256_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e3541 = phi_4256_;
+                        let _e3551 = attributes.member[_e2919.member_1].member_1[1u];
+                        let _e3561 = (f32((bitcast<i32>((_e3551 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3563 = select(-1f, _e3561, (_e3561 > -1f));
+                        let _e3565 = (f32((bitcast<i32>(_e3551) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3567 = select(-1f, _e3565, (_e3565 > -1f));
+                        let _e3571 = ((1f - abs(_e3563)) - abs(_e3567));
+                        let _e3572 = -(_e3571);
+                        let _e3576 = (bitcast<u32>(select(0f, _e3572, (_e3572 > 0f))) & 2147483647u);
+                        let _e3581 = (_e3563 - bitcast<f32>((_e3576 | (bitcast<u32>(_e3563) & 2147483648u))));
+                        let _e3586 = (_e3567 - bitcast<f32>((_e3576 | (bitcast<u32>(_e3567) & 2147483648u))));
+                        let _e3591 = (((_e3581 * _e3581) + (_e3586 * _e3586)) + (_e3571 * _e3571));
+                        if (_e3591 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3594 = (1f / sqrt(_e3591));
+                            phi_4330_ = vec3<f32>((_e3581 * _e3594), (_e3586 * _e3594), (_e3571 * _e3594));
+                        } else {
+                            phi_4330_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e3600 = phi_4330_;
+                        let _e3613 = attributes.member[_e2919.member_1].member_1[2u];
+                        let _e3623 = (f32((bitcast<i32>((_e3613 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3625 = select(-1f, _e3623, (_e3623 > -1f));
+                        let _e3627 = (f32((bitcast<i32>(_e3613) >> bitcast<u32>(16i))) * 0.00003051851f);
+                        let _e3629 = select(-1f, _e3627, (_e3627 > -1f));
+                        let _e3633 = ((1f - abs(_e3625)) - abs(_e3629));
+                        let _e3634 = -(_e3633);
+                        let _e3638 = (bitcast<u32>(select(0f, _e3634, (_e3634 > 0f))) & 2147483647u);
+                        let _e3643 = (_e3625 - bitcast<f32>((_e3638 | (bitcast<u32>(_e3625) & 2147483648u))));
+                        let _e3648 = (_e3629 - bitcast<f32>((_e3638 | (bitcast<u32>(_e3629) & 2147483648u))));
+                        let _e3653 = (((_e3643 * _e3643) + (_e3648 * _e3648)) + (_e3633 * _e3633));
+                        if (_e3653 >= 0.000000000000000000000000000000000000011754944f) {
+                            let _e3656 = (1f / sqrt(_e3653));
+                            phi_4404_ = vec3<f32>((_e3643 * _e3656), (_e3648 * _e3656), (_e3633 * _e3656));
+                        } else {
+                            phi_4404_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e3662 = phi_4404_;
+                        let _e3669 = (((_e3541.x * _e3074) + (_e3600.x * _e2919.member_2)) + (_e3662.x * _e2919.member_3));
+                        let _e3670 = (((_e3541.y * _e3074) + (_e3600.y * _e2919.member_2)) + (_e3662.y * _e2919.member_3));
+                        let _e3671 = (((_e3541.z * _e3074) + (_e3600.z * _e2919.member_2)) + (_e3662.z * _e2919.member_3));
+                        let _e3672 = abs(_e3669);
+                        let _e3673 = abs(_e3670);
+                        let _e3675 = select(_e3673, _e3672, (_e3672 > _e3673));
+                        let _e3676 = abs(_e3671);
+                        let _e3678 = select(_e3676, _e3675, (_e3675 > _e3676));
+                        if (_e3678 > 0.000000000000000000000000000000000000011754944f) {
+                            let _e3680 = (_e3678 < 340282350000000000000000000000000000000f);
+                            if _e3680 {
+                                let _e3681 = (_e3669 / _e3678);
+                                let _e3682 = (_e3670 / _e3678);
+                                let _e3683 = (_e3671 / _e3678);
+                                let _e3689 = sqrt((((_e3681 * _e3681) + (_e3682 * _e3682)) + (_e3683 * _e3683)));
+                                phi_4449_ = vec3<f32>((_e3681 / _e3689), (_e3682 / _e3689), (_e3683 / _e3689));
                             } else {
-                                break;
+                                phi_4449_ = vec3<f32>();
                             }
-                            let _e3344 = surfaces.member[_e3341];
-                            let _e3352 = (1f - _e3235);
-                            phi_4101_ = type_67(vec3<f32>((_e3031 * ((((bitcast<f32>(_e3260) * _e3276) + (bitcast<f32>(_e3283) * _e3176)) * _e3352) + (((bitcast<f32>(_e3308) * _e3276) + (bitcast<f32>(_e3330) * _e3176)) * _e3235))), (_e3036 * ((((bitcast<f32>(_e3267) * _e3276) + (bitcast<f32>(_e3290) * _e3176)) * _e3352) + (((bitcast<f32>(_e3315) * _e3276) + (bitcast<f32>(_e3337) * _e3176)) * _e3235))), (_e3041 * ((((bitcast<f32>(_e3274) * _e3276) + (bitcast<f32>(_e3297) * _e3176)) * _e3352) + (((bitcast<f32>(_e3322) * _e3276) + (bitcast<f32>(_e3344) * _e3176)) * _e3235)))), (_e3070 * (((((f32((_e3247 >> bitcast<u32>(24i))) * 0.003921569f) * _e3276) + ((f32((_e3250 >> bitcast<u32>(24i))) * 0.003921569f) * _e3176)) * _e3352) + ((((f32((_e3253 >> bitcast<u32>(24i))) * 0.003921569f) * _e3276) + ((f32((_e3256 >> bitcast<u32>(24i))) * 0.003921569f) * _e3176)) * _e3235))));
-                        }
-                        let _e3395 = phi_4101_;
-                        let _e3400 = attributes.member[_e2923.member_1].member_2[0u];
-                        let _e3404 = attributes.member[_e2923.member_1].member_2[1u];
-                        let _e3409 = attributes.member[_e2923.member_1].member_2[2u];
-                        if (((_e3400 | _e3404) | _e3409) == 0u) {
-                            phi_4208_ = vec3<f32>(1f, 1f, 1f);
+                            let _e3695 = phi_4449_;
+                            phi_4451_ = _e3695;
+                            phi_4452_ = select(true, false, _e3680);
                         } else {
-                            let _e3425 = (1f - (f32((_e3400 & 1023u)) * 0.0009775171f));
-                            let _e3426 = (1f - (f32(((_e3400 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e3427 = (1f - (f32(((_e3400 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            let _e3447 = (1f - (f32((_e3404 & 1023u)) * 0.0009775171f));
-                            let _e3448 = (1f - (f32(((_e3404 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e3449 = (1f - (f32(((_e3404 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            let _e3472 = (1f - (f32((_e3409 & 1023u)) * 0.0009775171f));
-                            let _e3473 = (1f - (f32(((_e3409 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e3474 = (1f - (f32(((_e3409 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            phi_4208_ = vec3<f32>(((((_e3425 * _e3425) * _e3078) + ((_e3447 * _e3447) * _e2923.member_2)) + ((_e3472 * _e3472) * _e2923.member_3)), ((((_e3426 * _e3426) * _e3078) + ((_e3448 * _e3448) * _e2923.member_2)) + ((_e3473 * _e3473) * _e2923.member_3)), ((((_e3427 * _e3427) * _e3078) + ((_e3449 * _e3449) * _e2923.member_2)) + ((_e3474 * _e3474) * _e2923.member_3)));
+                            phi_4451_ = vec3<f32>();
+                            phi_4452_ = true;
                         }
-                        let _e3486 = phi_4208_;
-                        let _e3500 = attributes.member[_e2923.member_1].member_1[0u];
-                        let _e3510 = (f32((bitcast<i32>((_e3500 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3512 = select(-1f, _e3510, (_e3510 > -1f));
-                        let _e3514 = (f32((bitcast<i32>(_e3500) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3516 = select(-1f, _e3514, (_e3514 > -1f));
-                        let _e3520 = ((1f - abs(_e3512)) - abs(_e3516));
-                        let _e3521 = -(_e3520);
-                        let _e3525 = (bitcast<u32>(select(0f, _e3521, (_e3521 > 0f))) & 2147483647u);
-                        let _e3530 = (_e3512 - bitcast<f32>((_e3525 | (bitcast<u32>(_e3512) & 2147483648u))));
-                        let _e3535 = (_e3516 - bitcast<f32>((_e3525 | (bitcast<u32>(_e3516) & 2147483648u))));
-                        let _e3540 = (((_e3530 * _e3530) + (_e3535 * _e3535)) + (_e3520 * _e3520));
-                        if (_e3540 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3543 = (1f / sqrt(_e3540));
-                            phi_4284_ = vec3<f32>((_e3530 * _e3543), (_e3535 * _e3543), (_e3520 * _e3543));
+                        let _e3698 = phi_4451_;
+                        let _e3700 = phi_4452_;
+                        let _e3702 = select(_e3698, _e3017, vec3(_e3700));
+                        if ((((_e3702.x * _e1754.member.member_1.x) + (_e3702.y * _e1754.member.member_1.y)) + (_e3702.z * _e1754.member.member_1.z)) > 0f) {
+                            phi_4473_ = -(_e3702);
                         } else {
-                            phi_4284_ = vec3<f32>(0f, 0f, 0f);
+                            phi_4473_ = _e3702;
                         }
-                        let _e3549 = phi_4284_;
-                        let _e3559 = attributes.member[_e2923.member_1].member_1[1u];
-                        let _e3569 = (f32((bitcast<i32>((_e3559 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3571 = select(-1f, _e3569, (_e3569 > -1f));
-                        let _e3573 = (f32((bitcast<i32>(_e3559) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3575 = select(-1f, _e3573, (_e3573 > -1f));
-                        let _e3579 = ((1f - abs(_e3571)) - abs(_e3575));
-                        let _e3580 = -(_e3579);
-                        let _e3584 = (bitcast<u32>(select(0f, _e3580, (_e3580 > 0f))) & 2147483647u);
-                        let _e3589 = (_e3571 - bitcast<f32>((_e3584 | (bitcast<u32>(_e3571) & 2147483648u))));
-                        let _e3594 = (_e3575 - bitcast<f32>((_e3584 | (bitcast<u32>(_e3575) & 2147483648u))));
-                        let _e3599 = (((_e3589 * _e3589) + (_e3594 * _e3594)) + (_e3579 * _e3579));
-                        if (_e3599 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3602 = (1f / sqrt(_e3599));
-                            phi_4358_ = vec3<f32>((_e3589 * _e3602), (_e3594 * _e3602), (_e3579 * _e3602));
+                        let _e3714 = phi_4473_;
+                        if _e3014 {
+                            phi_4504_ = array<f32, 3>(bitcast<f32>(_e3045), bitcast<f32>(_e3050), bitcast<f32>(_e3055));
                         } else {
-                            phi_4358_ = vec3<f32>(0f, 0f, 0f);
+                            phi_4504_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e3608 = phi_4358_;
-                        let _e3621 = attributes.member[_e2923.member_1].member_1[2u];
-                        let _e3631 = (f32((bitcast<i32>((_e3621 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3633 = select(-1f, _e3631, (_e3631 > -1f));
-                        let _e3635 = (f32((bitcast<i32>(_e3621) >> bitcast<u32>(16i))) * 0.00003051851f);
-                        let _e3637 = select(-1f, _e3635, (_e3635 > -1f));
-                        let _e3641 = ((1f - abs(_e3633)) - abs(_e3637));
-                        let _e3642 = -(_e3641);
-                        let _e3646 = (bitcast<u32>(select(0f, _e3642, (_e3642 > 0f))) & 2147483647u);
-                        let _e3651 = (_e3633 - bitcast<f32>((_e3646 | (bitcast<u32>(_e3633) & 2147483648u))));
-                        let _e3656 = (_e3637 - bitcast<f32>((_e3646 | (bitcast<u32>(_e3637) & 2147483648u))));
-                        let _e3661 = (((_e3651 * _e3651) + (_e3656 * _e3656)) + (_e3641 * _e3641));
-                        if (_e3661 >= 0.000000000000000000000000000000000000011754944f) {
-                            let _e3664 = (1f / sqrt(_e3661));
-                            phi_4432_ = vec3<f32>((_e3651 * _e3664), (_e3656 * _e3664), (_e3641 * _e3664));
-                        } else {
-                            phi_4432_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e3670 = phi_4432_;
-                        let _e3677 = (((_e3549.x * _e3078) + (_e3608.x * _e2923.member_2)) + (_e3670.x * _e2923.member_3));
-                        let _e3678 = (((_e3549.y * _e3078) + (_e3608.y * _e2923.member_2)) + (_e3670.y * _e2923.member_3));
-                        let _e3679 = (((_e3549.z * _e3078) + (_e3608.z * _e2923.member_2)) + (_e3670.z * _e2923.member_3));
-                        let _e3680 = abs(_e3677);
-                        let _e3681 = abs(_e3678);
-                        let _e3683 = select(_e3681, _e3680, (_e3680 > _e3681));
-                        let _e3684 = abs(_e3679);
-                        let _e3686 = select(_e3684, _e3683, (_e3683 > _e3684));
-                        if (_e3686 > 0.000000000000000000000000000000000000011754944f) {
-                            let _e3688 = (_e3686 < 340282350000000000000000000000000000000f);
-                            if _e3688 {
-                                let _e3689 = (_e3677 / _e3686);
-                                let _e3690 = (_e3678 / _e3686);
-                                let _e3691 = (_e3679 / _e3686);
-                                let _e3697 = sqrt((((_e3689 * _e3689) + (_e3690 * _e3690)) + (_e3691 * _e3691)));
-                                phi_4477_ = vec3<f32>((_e3689 / _e3697), (_e3690 / _e3697), (_e3691 / _e3697));
-                            } else {
-                                phi_4477_ = vec3<f32>();
-                            }
-                            let _e3703 = phi_4477_;
-                            phi_4479_ = _e3703;
-                            phi_4480_ = select(true, false, _e3688);
-                        } else {
-                            phi_4479_ = vec3<f32>();
-                            phi_4480_ = true;
-                        }
-                        let _e3706 = phi_4479_;
-                        let _e3708 = phi_4480_;
-                        let _e3710 = select(_e3706, _e3021, vec3(_e3708));
-                        if ((((_e3710.x * _e1754.member.member_1.x) + (_e3710.y * _e1754.member.member_1.y)) + (_e3710.z * _e1754.member.member_1.z)) > 0f) {
-                            phi_4501_ = -(_e3710);
-                        } else {
-                            phi_4501_ = _e3710;
-                        }
-                        let _e3722 = phi_4501_;
-                        if _e3018 {
-                            phi_4532_ = array<f32, 3>(bitcast<f32>(_e3049), bitcast<f32>(_e3054), bitcast<f32>(_e3059));
-                        } else {
-                            phi_4532_ = array<f32, 3>(0f, 0f, 0f);
-                        }
-                        let _e3742 = phi_4532_;
-                        let _e3743 = abs(_e2929[0]);
-                        let _e3744 = abs(_e2929[1]);
+                        let _e3734 = phi_4504_;
+                        let _e3735 = abs(_e2925[0]);
+                        let _e3736 = abs(_e2925[1]);
+                        let _e3738 = select(_e3736, _e3735, (_e3735 > _e3736));
+                        let _e3739 = abs(_e2925[2]);
+                        let _e3743 = abs(_e2941);
+                        let _e3744 = abs(_e2942);
                         let _e3746 = select(_e3744, _e3743, (_e3743 > _e3744));
-                        let _e3747 = abs(_e2929[2]);
+                        let _e3747 = abs(_e2943);
+                        let _e3750 = abs(_e2944);
                         let _e3751 = abs(_e2945);
-                        let _e3752 = abs(_e2946);
-                        let _e3754 = select(_e3752, _e3751, (_e3751 > _e3752));
-                        let _e3755 = abs(_e2947);
-                        let _e3758 = abs(_e2948);
-                        let _e3759 = abs(_e2949);
-                        let _e3761 = select(_e3759, _e3758, (_e3758 > _e3759));
-                        let _e3762 = abs(_e2950);
-                        phi_4578_ = type_68(array<f32, 3>(((_e2929[0] + (_e2945 * _e2923.member_2)) + (_e2948 * _e2923.member_3)), ((_e2929[1] + (_e2946 * _e2923.member_2)) + (_e2949 * _e2923.member_3)), ((_e2929[2] + (_e2947 * _e2923.member_2)) + (_e2950 * _e2923.member_3))), _e2923.member_1, array<f32, 3>(_e3722.x, _e3722.y, _e3722.z), (_e2923.member * sqrt((((_e1754.member.member_1.x * _e1754.member.member_1.x) + (_e1754.member.member_1.y * _e1754.member.member_1.y)) + (_e1754.member.member_1.z * _e1754.member.member_1.z)))), array<f32, 3>(_e3021.x, _e3021.y, _e3021.z), select(0u, 1u, _e3018), array<f32, 3>((_e3395.member.x * _e3486.x), (_e3395.member.y * _e3486.y), (_e3395.member.z * _e3486.z)), _e3025, _e3742, ((select(_e3747, _e3746, (_e3746 > _e3747)) * 0.00000047683716f) + ((select(_e3755, _e3754, (_e3754 > _e3755)) + select(_e3762, _e3761, (_e3761 > _e3762))) * 0.0000010728836f)));
+                        let _e3753 = select(_e3751, _e3750, (_e3750 > _e3751));
+                        let _e3754 = abs(_e2946);
+                        phi_4550_ = type_68(array<f32, 3>(((_e2925[0] + (_e2941 * _e2919.member_2)) + (_e2944 * _e2919.member_3)), ((_e2925[1] + (_e2942 * _e2919.member_2)) + (_e2945 * _e2919.member_3)), ((_e2925[2] + (_e2943 * _e2919.member_2)) + (_e2946 * _e2919.member_3))), _e2919.member_1, array<f32, 3>(_e3714.x, _e3714.y, _e3714.z), (_e2919.member * sqrt((((_e1754.member.member_1.x * _e1754.member.member_1.x) + (_e1754.member.member_1.y * _e1754.member.member_1.y)) + (_e1754.member.member_1.z * _e1754.member.member_1.z)))), array<f32, 3>(_e3017.x, _e3017.y, _e3017.z), select(0u, 1u, _e3014), array<f32, 3>((_e3387.member.x * _e3478.x), (_e3387.member.y * _e3478.y), (_e3387.member.z * _e3478.z)), _e3021, _e3734, ((select(_e3739, _e3738, (_e3738 > _e3739)) * 0.00000047683716f) + ((select(_e3747, _e3746, (_e3746 > _e3747)) + select(_e3754, _e3753, (_e3753 > _e3754))) * 0.0000010728836f)));
                     } else {
-                        phi_4578_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                        phi_4550_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                     }
-                    let _e3770 = phi_4578_;
-                    phi_4580_ = _e3770;
+                    let _e3762 = phi_4550_;
+                    phi_4552_ = _e3762;
                 } else {
-                    phi_4580_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_4552_ = type_68(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
-                let _e3772 = phi_4580_;
-                if _e2925 {
-                    let _e3784 = select(_e1754.member_1.z, _e1754.member_1.y, (_e1754.member_1.y > _e1754.member_1.z));
-                    phi_4604_ = (select(_e3784, _e1754.member_1.x, (_e1754.member_1.x > _e3784)) > 0.000000000000000000000000000001f);
+                let _e3764 = phi_4552_;
+                if _e2921 {
+                    let _e3776 = select(_e1754.member_1.z, _e1754.member_1.y, (_e1754.member_1.y > _e1754.member_1.z));
+                    phi_4576_ = (select(_e3776, _e1754.member_1.x, (_e1754.member_1.x > _e3776)) > 0.000000000000000000000000000001f);
                 } else {
-                    phi_4604_ = false;
+                    phi_4576_ = false;
                 }
-                let _e3789 = phi_4604_;
-                let _e3800 = -((((_e3772.member_4[0] * _e1754.member.member_1.x) + (_e3772.member_4[1] * _e1754.member.member_1.y)) + (_e3772.member_4[2] * _e1754.member.member_1.z)));
-                if _e3789 {
-                    phi_4632_ = ((_e1754.member_2 + ((_e1754.member_3 * _e3772.member_3) * _e3772.member_3)) / select(0.05f, _e3800, (_e3800 > 0.05f)));
+                let _e3781 = phi_4576_;
+                let _e3792 = -((((_e3764.member_4[0] * _e1754.member.member_1.x) + (_e3764.member_4[1] * _e1754.member.member_1.y)) + (_e3764.member_4[2] * _e1754.member.member_1.z)));
+                if _e3781 {
+                    phi_4604_ = ((_e1754.member_2 + ((_e1754.member_3 * _e3764.member_3) * _e3764.member_3)) / select(0.05f, _e3792, (_e3792 > 0.05f)));
                 } else {
-                    phi_4632_ = 0f;
+                    phi_4604_ = 0f;
                 }
-                let _e3812 = phi_4632_;
-                if _e3789 {
-                    phi_4642_ = array<f32, 3>(_e1754.member_1.x, _e1754.member_1.y, _e1754.member_1.z);
+                let _e3804 = phi_4604_;
+                if _e3781 {
+                    phi_4614_ = array<f32, 3>(_e1754.member_1.x, _e1754.member_1.y, _e1754.member_1.z);
                 } else {
-                    phi_4642_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_4614_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e3822 = phi_4642_;
-                if _e3789 {
-                    phi_4647_ = _e3772.member_6;
+                let _e3814 = phi_4614_;
+                if _e3781 {
+                    phi_4619_ = _e3764.member_6;
                 } else {
-                    phi_4647_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_4619_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e3825 = phi_4647_;
-                let _e3828 = (_e166 + (_e164 - _e164));
-                if (_e3828 < arrayLength((&out.member))) {
+                let _e3817 = phi_4619_;
+                let _e3820 = (_e166 + (_e164 - _e164));
+                if (_e3820 < arrayLength((&out.member))) {
                 } else {
                     break;
                 }
-                out.member[_e3828] = type_43(_e3772.member, _e3812, _e3772.member_4, select(0u, 1u, _e3789), _e3822, 0u, _e3825, 0u);
+                out.member[_e3820] = type_43(_e3764.member, _e3804, _e3764.member_4, select(0u, 1u, _e3781), _e3814, 0u, _e3817, 0u);
             }
             break;
         }

@@ -108,7 +108,7 @@ fn function_() {
     var phi_552_: f32;
     var phi_560_: f32;
     var phi_568_: f32;
-    var phi_2146_: bool;
+    var phi_2132_: bool;
     var phi_571_: u32;
     var phi_574_: u32;
     var phi_999_: type_15;
@@ -142,54 +142,52 @@ fn function_() {
     var phi_1313_: array<f32, 3>;
     var phi_1511_: f32;
     var phi_1526_: f32;
-    var phi_1536_: bool;
-    var phi_1561_: u32;
-    var phi_1571_: u32;
-    var phi_1580_: bool;
-    var phi_1596_: bool;
-    var phi_1597_: bool;
-    var phi_1620_: f32;
-    var phi_1635_: f32;
-    var phi_1645_: bool;
-    var phi_1670_: u32;
-    var phi_1680_: u32;
-    var phi_1689_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
+    var phi_1554_: u32;
+    var phi_1564_: u32;
+    var phi_1573_: bool;
+    var phi_1589_: bool;
+    var phi_1590_: bool;
+    var phi_1613_: f32;
+    var phi_1628_: f32;
+    var phi_1656_: u32;
+    var phi_1666_: u32;
+    var phi_1675_: bool;
+    var phi_1691_: bool;
+    var phi_1692_: bool;
+    var phi_1773_: bool;
+    var phi_1778_: bool;
+    var phi_1783_: type_44;
+    var phi_1785_: type_44;
     var phi_1787_: bool;
-    var phi_1792_: bool;
-    var phi_1797_: type_44;
-    var phi_1799_: type_44;
-    var phi_1801_: bool;
-    var phi_1802_: type_44;
-    var phi_1804_: bool;
-    var phi_1805_: bool;
-    var phi_1806_: type_44;
-    var phi_1807_: bool;
-    var phi_1808_: bool;
-    var phi_1809_: bool;
-    var phi_1822_: type_44;
-    var phi_1829_: bool;
-    var phi_2142_: bool;
-    var phi_1897_: bool;
+    var phi_1788_: type_44;
+    var phi_1790_: bool;
+    var phi_1791_: bool;
+    var phi_1792_: type_44;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: bool;
+    var phi_1808_: type_44;
+    var phi_1815_: bool;
+    var phi_2128_: bool;
+    var phi_1883_: bool;
     var phi_959_: u32;
     var phi_971_: u32;
     var phi_983_: u32;
     var phi_995_: u32;
-    var phi_2233_: bool;
-    var phi_1834_: u32;
-    var phi_1835_: bool;
-    var phi_1851_: u32;
-    var phi_1852_: u32;
+    var phi_2215_: bool;
+    var phi_1820_: u32;
+    var phi_1821_: bool;
+    var phi_1837_: u32;
+    var phi_1838_: u32;
     var phi_572_: u32;
     var phi_575_: u32;
-    var phi_1854_: bool;
-    var phi_1855_: bool;
-    var phi_2231_: bool;
-    var phi_1898_: bool;
-    var phi_1869_: u32;
-    var phi_1870_: u32;
-    var phi_1871_: u32;
+    var phi_1840_: bool;
+    var phi_1841_: bool;
+    var phi_2213_: bool;
+    var phi_1884_: bool;
+    var phi_1855_: u32;
+    var phi_1856_: u32;
+    var phi_1857_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -367,11 +365,11 @@ fn function_() {
                         }
                         let _e319 = phi_568_;
                         local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        phi_2146_ = false;
+                        phi_2132_ = false;
                         phi_571_ = 0u;
                         phi_574_ = 0u;
                         loop {
-                            let _e322 = phi_2146_;
+                            let _e322 = phi_2132_;
                             let _e324 = phi_571_;
                             let _e326 = phi_574_;
                             let _e327 = (_e324 & 15u);
@@ -379,143 +377,143 @@ fn function_() {
                             if (_e327 == 0u) {
                                 if (_e329 < _e80) {
                                 } else {
-                                    phi_2231_ = true;
-                                    phi_1898_ = bool();
+                                    phi_2213_ = true;
+                                    phi_1884_ = bool();
                                     break;
                                 }
-                                let _e1030 = nodes.member[_e329].member;
-                                let _e1039 = ((_e1030.x - _e299) * _e309);
-                                let _e1040 = ((_e1030.y - _e299) * _e309);
-                                let _e1041 = ((_e1030.z - _e299) * _e309);
-                                let _e1042 = ((_e1030.w - _e299) * _e309);
-                                let _e1045 = nodes.member[_e329].member_3;
-                                let _e1054 = ((_e1045.x - _e302) * _e309);
-                                let _e1055 = ((_e1045.y - _e302) * _e309);
-                                let _e1056 = ((_e1045.z - _e302) * _e309);
-                                let _e1057 = ((_e1045.w - _e302) * _e309);
-                                let _e1060 = nodes.member[_e329].member_1;
-                                let _e1069 = ((_e1060.x - _e300) * _e314);
-                                let _e1070 = ((_e1060.y - _e300) * _e314);
-                                let _e1071 = ((_e1060.z - _e300) * _e314);
-                                let _e1072 = ((_e1060.w - _e300) * _e314);
-                                let _e1075 = nodes.member[_e329].member_4;
-                                let _e1084 = ((_e1075.x - _e303) * _e314);
-                                let _e1085 = ((_e1075.y - _e303) * _e314);
-                                let _e1086 = ((_e1075.z - _e303) * _e314);
-                                let _e1087 = ((_e1075.w - _e303) * _e314);
-                                let _e1090 = nodes.member[_e329].member_2;
-                                let _e1099 = ((_e1090.x - _e301) * _e319);
-                                let _e1100 = ((_e1090.y - _e301) * _e319);
-                                let _e1101 = ((_e1090.z - _e301) * _e319);
-                                let _e1102 = ((_e1090.w - _e301) * _e319);
-                                let _e1105 = nodes.member[_e329].member_5;
-                                let _e1114 = ((_e1105.x - _e304) * _e319);
-                                let _e1115 = ((_e1105.y - _e304) * _e319);
-                                let _e1116 = ((_e1105.z - _e304) * _e319);
-                                let _e1117 = ((_e1105.w - _e304) * _e319);
-                                let _e1119 = select(_e1054, _e1039, (_e1039 < _e1054));
-                                let _e1121 = select(_e1055, _e1040, (_e1040 < _e1055));
-                                let _e1123 = select(_e1056, _e1041, (_e1041 < _e1056));
-                                let _e1125 = select(_e1057, _e1042, (_e1042 < _e1057));
-                                let _e1127 = select(_e1084, _e1069, (_e1069 < _e1084));
-                                let _e1129 = select(_e1085, _e1070, (_e1070 < _e1085));
-                                let _e1131 = select(_e1086, _e1071, (_e1071 < _e1086));
-                                let _e1133 = select(_e1087, _e1072, (_e1072 < _e1087));
+                                let _e1026 = nodes.member[_e329].member;
+                                let _e1035 = ((_e1026.x - _e299) * _e309);
+                                let _e1036 = ((_e1026.y - _e299) * _e309);
+                                let _e1037 = ((_e1026.z - _e299) * _e309);
+                                let _e1038 = ((_e1026.w - _e299) * _e309);
+                                let _e1041 = nodes.member[_e329].member_3;
+                                let _e1050 = ((_e1041.x - _e302) * _e309);
+                                let _e1051 = ((_e1041.y - _e302) * _e309);
+                                let _e1052 = ((_e1041.z - _e302) * _e309);
+                                let _e1053 = ((_e1041.w - _e302) * _e309);
+                                let _e1056 = nodes.member[_e329].member_1;
+                                let _e1065 = ((_e1056.x - _e300) * _e314);
+                                let _e1066 = ((_e1056.y - _e300) * _e314);
+                                let _e1067 = ((_e1056.z - _e300) * _e314);
+                                let _e1068 = ((_e1056.w - _e300) * _e314);
+                                let _e1071 = nodes.member[_e329].member_4;
+                                let _e1080 = ((_e1071.x - _e303) * _e314);
+                                let _e1081 = ((_e1071.y - _e303) * _e314);
+                                let _e1082 = ((_e1071.z - _e303) * _e314);
+                                let _e1083 = ((_e1071.w - _e303) * _e314);
+                                let _e1086 = nodes.member[_e329].member_2;
+                                let _e1095 = ((_e1086.x - _e301) * _e319);
+                                let _e1096 = ((_e1086.y - _e301) * _e319);
+                                let _e1097 = ((_e1086.z - _e301) * _e319);
+                                let _e1098 = ((_e1086.w - _e301) * _e319);
+                                let _e1101 = nodes.member[_e329].member_5;
+                                let _e1110 = ((_e1101.x - _e304) * _e319);
+                                let _e1111 = ((_e1101.y - _e304) * _e319);
+                                let _e1112 = ((_e1101.z - _e304) * _e319);
+                                let _e1113 = ((_e1101.w - _e304) * _e319);
+                                let _e1115 = select(_e1050, _e1035, (_e1035 < _e1050));
+                                let _e1117 = select(_e1051, _e1036, (_e1036 < _e1051));
+                                let _e1119 = select(_e1052, _e1037, (_e1037 < _e1052));
+                                let _e1121 = select(_e1053, _e1038, (_e1038 < _e1053));
+                                let _e1123 = select(_e1080, _e1065, (_e1065 < _e1080));
+                                let _e1125 = select(_e1081, _e1066, (_e1066 < _e1081));
+                                let _e1127 = select(_e1082, _e1067, (_e1067 < _e1082));
+                                let _e1129 = select(_e1083, _e1068, (_e1068 < _e1083));
+                                let _e1131 = select(_e1123, _e1115, (_e1115 > _e1123));
+                                let _e1133 = select(_e1125, _e1117, (_e1117 > _e1125));
                                 let _e1135 = select(_e1127, _e1119, (_e1119 > _e1127));
                                 let _e1137 = select(_e1129, _e1121, (_e1121 > _e1129));
-                                let _e1139 = select(_e1131, _e1123, (_e1123 > _e1131));
-                                let _e1141 = select(_e1133, _e1125, (_e1125 > _e1133));
-                                let _e1143 = select(_e1114, _e1099, (_e1099 < _e1114));
-                                let _e1145 = select(_e1115, _e1100, (_e1100 < _e1115));
-                                let _e1147 = select(_e1116, _e1101, (_e1101 < _e1116));
-                                let _e1149 = select(_e1117, _e1102, (_e1102 < _e1117));
+                                let _e1139 = select(_e1110, _e1095, (_e1095 < _e1110));
+                                let _e1141 = select(_e1111, _e1096, (_e1096 < _e1111));
+                                let _e1143 = select(_e1112, _e1097, (_e1097 < _e1112));
+                                let _e1145 = select(_e1113, _e1098, (_e1098 < _e1113));
+                                let _e1147 = select(_e1139, _e1131, (_e1131 > _e1139));
+                                let _e1149 = select(_e1141, _e1133, (_e1133 > _e1141));
                                 let _e1151 = select(_e1143, _e1135, (_e1135 > _e1143));
                                 let _e1153 = select(_e1145, _e1137, (_e1137 > _e1145));
-                                let _e1155 = select(_e1147, _e1139, (_e1139 > _e1147));
-                                let _e1157 = select(_e1149, _e1141, (_e1141 > _e1149));
+                                let _e1155 = select(0f, _e1147, (_e1147 > 0f));
+                                let _e1157 = select(0f, _e1149, (_e1149 > 0f));
                                 let _e1159 = select(0f, _e1151, (_e1151 > 0f));
                                 let _e1161 = select(0f, _e1153, (_e1153 > 0f));
-                                let _e1163 = select(0f, _e1155, (_e1155 > 0f));
-                                let _e1165 = select(0f, _e1157, (_e1157 > 0f));
-                                let _e1167 = select(_e1054, _e1039, (_e1039 > _e1054));
-                                let _e1169 = select(_e1055, _e1040, (_e1040 > _e1055));
-                                let _e1171 = select(_e1056, _e1041, (_e1041 > _e1056));
-                                let _e1173 = select(_e1057, _e1042, (_e1042 > _e1057));
-                                let _e1175 = select(_e1084, _e1069, (_e1069 > _e1084));
-                                let _e1177 = select(_e1085, _e1070, (_e1070 > _e1085));
-                                let _e1179 = select(_e1086, _e1071, (_e1071 > _e1086));
-                                let _e1181 = select(_e1087, _e1072, (_e1072 > _e1087));
+                                let _e1163 = select(_e1050, _e1035, (_e1035 > _e1050));
+                                let _e1165 = select(_e1051, _e1036, (_e1036 > _e1051));
+                                let _e1167 = select(_e1052, _e1037, (_e1037 > _e1052));
+                                let _e1169 = select(_e1053, _e1038, (_e1038 > _e1053));
+                                let _e1171 = select(_e1080, _e1065, (_e1065 > _e1080));
+                                let _e1173 = select(_e1081, _e1066, (_e1066 > _e1081));
+                                let _e1175 = select(_e1082, _e1067, (_e1067 > _e1082));
+                                let _e1177 = select(_e1083, _e1068, (_e1068 > _e1083));
+                                let _e1179 = select(_e1171, _e1163, (_e1163 < _e1171));
+                                let _e1181 = select(_e1173, _e1165, (_e1165 < _e1173));
                                 let _e1183 = select(_e1175, _e1167, (_e1167 < _e1175));
                                 let _e1185 = select(_e1177, _e1169, (_e1169 < _e1177));
-                                let _e1187 = select(_e1179, _e1171, (_e1171 < _e1179));
-                                let _e1189 = select(_e1181, _e1173, (_e1173 < _e1181));
-                                let _e1191 = select(_e1114, _e1099, (_e1099 > _e1114));
-                                let _e1193 = select(_e1115, _e1100, (_e1100 > _e1115));
-                                let _e1195 = select(_e1116, _e1101, (_e1101 > _e1116));
-                                let _e1197 = select(_e1117, _e1102, (_e1102 > _e1117));
+                                let _e1187 = select(_e1110, _e1095, (_e1095 > _e1110));
+                                let _e1189 = select(_e1111, _e1096, (_e1096 > _e1111));
+                                let _e1191 = select(_e1112, _e1097, (_e1097 > _e1112));
+                                let _e1193 = select(_e1113, _e1098, (_e1098 > _e1113));
+                                let _e1195 = select(_e1187, _e1179, (_e1179 < _e1187));
+                                let _e1197 = select(_e1189, _e1181, (_e1181 < _e1189));
                                 let _e1199 = select(_e1191, _e1183, (_e1183 < _e1191));
                                 let _e1201 = select(_e1193, _e1185, (_e1185 < _e1193));
-                                let _e1203 = select(_e1195, _e1187, (_e1187 < _e1195));
-                                let _e1205 = select(_e1197, _e1189, (_e1189 < _e1197));
-                                let _e1225 = nodes.member[_e329].member_6[0u];
-                                let _e1229 = nodes.member[_e329].member_6[1u];
-                                let _e1233 = nodes.member[_e329].member_6[2u];
-                                let _e1237 = nodes.member[_e329].member_6[3u];
-                                if (select(340282350000000000000000000000000000000f, _e1165, (_e1165 <= select(_e211, _e1205, (_e1205 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                let _e1221 = nodes.member[_e329].member_6[0u];
+                                let _e1225 = nodes.member[_e329].member_6[1u];
+                                let _e1229 = nodes.member[_e329].member_6[2u];
+                                let _e1233 = nodes.member[_e329].member_6[3u];
+                                if (select(340282350000000000000000000000000000000f, _e1161, (_e1161 <= select(_e211, _e1201, (_e1201 < _e211)))) < 340282350000000000000000000000000000000f) {
                                     if (_e326 < 64u) {
                                     } else {
-                                        phi_2231_ = true;
-                                        phi_1898_ = bool();
+                                        phi_2213_ = true;
+                                        phi_1884_ = bool();
                                         break;
                                     }
-                                    local[_e326] = _e1237;
+                                    local[_e326] = _e1233;
                                     phi_959_ = (_e326 + 1u);
                                 } else {
                                     phi_959_ = _e326;
                                 }
-                                let _e1243 = phi_959_;
-                                if (select(340282350000000000000000000000000000000f, _e1163, (_e1163 <= select(_e211, _e1203, (_e1203 < _e211)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1243 < 64u) {
-                                    } else {
-                                        phi_2231_ = true;
-                                        phi_1898_ = bool();
-                                        break;
-                                    }
-                                    local[_e1243] = _e1233;
-                                    phi_971_ = (_e1243 + 1u);
-                                } else {
-                                    phi_971_ = _e1243;
-                                }
-                                let _e1249 = phi_971_;
-                                if (select(340282350000000000000000000000000000000f, _e1161, (_e1161 <= select(_e211, _e1201, (_e1201 < _e211)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1249 < 64u) {
-                                    } else {
-                                        phi_2231_ = true;
-                                        phi_1898_ = bool();
-                                        break;
-                                    }
-                                    local[_e1249] = _e1229;
-                                    phi_983_ = (_e1249 + 1u);
-                                } else {
-                                    phi_983_ = _e1249;
-                                }
-                                let _e1255 = phi_983_;
+                                let _e1239 = phi_959_;
                                 if (select(340282350000000000000000000000000000000f, _e1159, (_e1159 <= select(_e211, _e1199, (_e1199 < _e211)))) < 340282350000000000000000000000000000000f) {
-                                    if (_e1255 < 64u) {
+                                    if (_e1239 < 64u) {
                                     } else {
-                                        phi_2231_ = true;
-                                        phi_1898_ = bool();
+                                        phi_2213_ = true;
+                                        phi_1884_ = bool();
                                         break;
                                     }
-                                    local[_e1255] = _e1225;
-                                    phi_995_ = (_e1255 + 1u);
+                                    local[_e1239] = _e1229;
+                                    phi_971_ = (_e1239 + 1u);
                                 } else {
-                                    phi_995_ = _e1255;
+                                    phi_971_ = _e1239;
                                 }
-                                let _e1261 = phi_995_;
-                                phi_2233_ = _e322;
-                                phi_1834_ = _e1261;
-                                phi_1835_ = true;
+                                let _e1245 = phi_971_;
+                                if (select(340282350000000000000000000000000000000f, _e1157, (_e1157 <= select(_e211, _e1197, (_e1197 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e1245 < 64u) {
+                                    } else {
+                                        phi_2213_ = true;
+                                        phi_1884_ = bool();
+                                        break;
+                                    }
+                                    local[_e1245] = _e1225;
+                                    phi_983_ = (_e1245 + 1u);
+                                } else {
+                                    phi_983_ = _e1245;
+                                }
+                                let _e1251 = phi_983_;
+                                if (select(340282350000000000000000000000000000000f, _e1155, (_e1155 <= select(_e211, _e1195, (_e1195 < _e211)))) < 340282350000000000000000000000000000000f) {
+                                    if (_e1251 < 64u) {
+                                    } else {
+                                        phi_2213_ = true;
+                                        phi_1884_ = bool();
+                                        break;
+                                    }
+                                    local[_e1251] = _e1221;
+                                    phi_995_ = (_e1251 + 1u);
+                                } else {
+                                    phi_995_ = _e1251;
+                                }
+                                let _e1257 = phi_995_;
+                                phi_2215_ = _e322;
+                                phi_1820_ = _e1257;
+                                phi_1821_ = true;
                             } else {
                                 phi_999_ = type_15(_e329, (_e329 + _e327));
                                 loop {
@@ -534,78 +532,78 @@ fn function_() {
                                         let _e354 = (_e349.member_1 < arrayLength((&triangles.member)));
                                         if _e354 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         if _e239 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e358 = triangles.member[_e349.member_1].member[_e236];
                                         let _e359 = (_e358 - _e256);
                                         if _e239 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e363 = triangles.member[_e349.member_1].member_2[_e236];
                                         let _e364 = (_e363 - _e256);
                                         if _e239 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e368 = triangles.member[_e349.member_1].member_4[_e236];
                                         let _e369 = (_e368 - _e256);
                                         if _e243 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e373 = triangles.member[_e349.member_1].member[_e235];
                                         let _e376 = ((_e373 - _e252) - (_e246 * _e359));
                                         if _e247 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e380 = triangles.member[_e349.member_1].member[_e234];
                                         let _e383 = ((_e380 - _e254) - (_e250 * _e359));
                                         if _e243 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e387 = triangles.member[_e349.member_1].member_2[_e235];
                                         let _e390 = ((_e387 - _e252) - (_e246 * _e364));
                                         if _e247 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e394 = triangles.member[_e349.member_1].member_2[_e234];
                                         let _e397 = ((_e394 - _e254) - (_e250 * _e364));
                                         if _e243 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e401 = triangles.member[_e349.member_1].member_4[_e235];
                                         let _e404 = ((_e401 - _e252) - (_e246 * _e369));
                                         if _e247 {
                                         } else {
-                                            phi_2142_ = true;
-                                            phi_1897_ = bool();
+                                            phi_2128_ = true;
+                                            phi_1883_ = bool();
                                             break;
                                         }
                                         let _e408 = triangles.member[_e349.member_1].member_4[_e234];
@@ -826,79 +824,79 @@ fn function_() {
                                                 if _e727 {
                                                     if _e354 {
                                                     } else {
-                                                        phi_2142_ = true;
-                                                        phi_1897_ = bool();
+                                                        phi_2128_ = true;
+                                                        phi_1883_ = bool();
                                                         break;
                                                     }
                                                     let _e731 = triangles.member[_e349.member_1].member_3;
                                                     if ((_e731 & 1u) == 0u) {
-                                                        phi_1792_ = true;
+                                                        phi_1778_ = true;
                                                     } else {
                                                         if _e354 {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e736 = triangles.member[_e349.member_1].member_1;
                                                         let _e737 = (_e736 * 12u);
                                                         if ((256u + _e737) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if ((_e737 + 257u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if ((_e737 + 258u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e744 = (_e737 + 259u);
                                                         if (_e744 < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e747 = surfaces.member[_e744];
                                                         if ((_e737 + 260u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if ((_e737 + 261u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if ((_e737 + 262u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e754 = (_e737 + 263u);
                                                         if (_e754 < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e757 = surfaces.member[_e754];
                                                         let _e758 = (_e737 + 264u);
                                                         if (_e758 < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e761 = surfaces.member[_e758];
@@ -906,31 +904,31 @@ fn function_() {
                                                         let _e763 = (_e737 + 265u);
                                                         if (_e763 < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         let _e766 = surfaces.member[_e763];
                                                         let _e767 = bitcast<f32>(_e766);
                                                         if ((_e737 + 266u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if ((_e737 + 267u) < _e89) {
                                                         } else {
-                                                            phi_2142_ = true;
-                                                            phi_1897_ = bool();
+                                                            phi_2128_ = true;
+                                                            phi_1883_ = bool();
                                                             break;
                                                         }
                                                         if (_e747 == 4294967295u) {
-                                                            phi_1787_ = (_e762 < _e767);
+                                                            phi_1773_ = (_e762 < _e767);
                                                         } else {
                                                             if (_e349.member_1 < arrayLength((&attributes.member))) {
                                                             } else {
-                                                                phi_2142_ = true;
-                                                                phi_1897_ = bool();
+                                                                phi_2128_ = true;
+                                                                phi_1883_ = bool();
                                                                 break;
                                                             }
                                                             let _e775 = ((1f - _e723[1]) - _e723[2]);
@@ -961,296 +959,284 @@ fn function_() {
                                                                 phi_1526_ = _e826;
                                                             }
                                                             let _e833 = phi_1526_;
-                                                            if (_e833 >= 0f) {
-                                                                phi_1536_ = select(true, false, (_e833 <= 1f));
+                                                            let _e840 = ((select(0f, _e833, (abs((_e833 - 0.5f)) <= 0.5f)) * f32(_e810)) - 0.5f);
+                                                            let _e841 = floor(_e840);
+                                                            let _e842 = (_e841 < 0f);
+                                                            if _e842 {
+                                                                phi_1554_ = 0u;
                                                             } else {
-                                                                phi_1536_ = true;
+                                                                let _e847 = select(select(u32(_e841), 0u, (_e841 < 0f)), 4294967295u, (_e841 > 4294967000f));
+                                                                phi_1554_ = select(_e847, _e816, (_e816 < _e847));
                                                             }
-                                                            let _e838 = phi_1536_;
-                                                            let _e842 = ((select(_e833, 0f, _e838) * f32(_e810)) - 0.5f);
-                                                            let _e843 = floor(_e842);
-                                                            let _e844 = (_e843 < 0f);
-                                                            if _e844 {
-                                                                phi_1561_ = 0u;
+                                                            let _e851 = phi_1554_;
+                                                            if _e842 {
+                                                                phi_1564_ = 0u;
                                                             } else {
-                                                                let _e849 = select(select(u32(_e843), 0u, (_e843 < 0f)), 4294967295u, (_e843 > 4294967000f));
-                                                                phi_1561_ = select(_e849, _e816, (_e816 < _e849));
+                                                                let _e852 = (_e851 + 1u);
+                                                                phi_1564_ = select(_e852, _e816, (_e816 < _e852));
                                                             }
-                                                            let _e853 = phi_1561_;
-                                                            if _e844 {
-                                                                phi_1571_ = 0u;
+                                                            let _e856 = phi_1564_;
+                                                            let _e857 = (_e815 == 0u);
+                                                            if _e857 {
+                                                                phi_1573_ = select(true, false, _e842);
                                                             } else {
-                                                                let _e854 = (_e853 + 1u);
-                                                                phi_1571_ = select(_e854, _e816, (_e816 < _e854));
+                                                                phi_1573_ = true;
                                                             }
-                                                            let _e858 = phi_1571_;
-                                                            let _e859 = (_e815 == 0u);
-                                                            if _e859 {
-                                                                phi_1580_ = select(true, false, _e844);
-                                                            } else {
-                                                                phi_1580_ = true;
-                                                            }
-                                                            let _e862 = phi_1580_;
-                                                            let _e863 = select(_e816, _e853, _e862);
-                                                            if _e859 {
-                                                                if _e844 {
-                                                                    phi_1596_ = true;
+                                                            let _e860 = phi_1573_;
+                                                            let _e861 = select(_e816, _e851, _e860);
+                                                            if _e857 {
+                                                                if _e842 {
+                                                                    phi_1589_ = true;
                                                                 } else {
-                                                                    phi_1596_ = select(true, false, (_e863 == _e816));
+                                                                    phi_1589_ = select(true, false, (_e861 == _e816));
                                                                 }
-                                                                let _e867 = phi_1596_;
-                                                                phi_1597_ = _e867;
+                                                                let _e865 = phi_1589_;
+                                                                phi_1590_ = _e865;
                                                             } else {
-                                                                phi_1597_ = true;
+                                                                phi_1590_ = true;
                                                             }
-                                                            let _e869 = phi_1597_;
-                                                            let _e870 = select(0u, _e858, _e869);
-                                                            let _e871 = (_e842 - _e843);
-                                                            let _e874 = ((_e747 >> bitcast<u32>(30u)) & 3u);
-                                                            let _e875 = (_e812 - 1u);
-                                                            let _e877 = select(1f, 2f, (_e874 == 2u));
-                                                            let _e881 = (_e809 - (floor((_e809 / _e877)) * _e877));
-                                                            if (_e881 > 1f) {
-                                                                phi_1620_ = (_e877 - _e881);
+                                                            let _e867 = phi_1590_;
+                                                            let _e868 = select(0u, _e856, _e867);
+                                                            let _e869 = (_e840 - _e841);
+                                                            let _e872 = ((_e747 >> bitcast<u32>(30u)) & 3u);
+                                                            let _e873 = (_e812 - 1u);
+                                                            let _e875 = select(1f, 2f, (_e872 == 2u));
+                                                            let _e879 = (_e809 - (floor((_e809 / _e875)) * _e875));
+                                                            if (_e879 > 1f) {
+                                                                phi_1613_ = (_e875 - _e879);
                                                             } else {
-                                                                phi_1620_ = _e881;
+                                                                phi_1613_ = _e879;
                                                             }
-                                                            let _e885 = phi_1620_;
-                                                            if (_e874 == 1u) {
-                                                                let _e888 = select(0f, _e809, (_e809 > 0f));
-                                                                phi_1635_ = select(1f, _e888, (_e888 < 1f));
+                                                            let _e883 = phi_1613_;
+                                                            if (_e872 == 1u) {
+                                                                let _e886 = select(0f, _e809, (_e809 > 0f));
+                                                                phi_1628_ = select(1f, _e886, (_e886 < 1f));
                                                             } else {
-                                                                phi_1635_ = _e885;
+                                                                phi_1628_ = _e883;
                                                             }
-                                                            let _e892 = phi_1635_;
-                                                            if (_e892 >= 0f) {
-                                                                phi_1645_ = select(true, false, (_e892 <= 1f));
+                                                            let _e890 = phi_1628_;
+                                                            let _e897 = ((select(0f, _e890, (abs((_e890 - 0.5f)) <= 0.5f)) * f32(_e812)) - 0.5f);
+                                                            let _e898 = floor(_e897);
+                                                            let _e899 = (_e898 < 0f);
+                                                            if _e899 {
+                                                                phi_1656_ = 0u;
                                                             } else {
-                                                                phi_1645_ = true;
+                                                                let _e904 = select(select(u32(_e898), 0u, (_e898 < 0f)), 4294967295u, (_e898 > 4294967000f));
+                                                                phi_1656_ = select(_e904, _e873, (_e873 < _e904));
                                                             }
-                                                            let _e897 = phi_1645_;
-                                                            let _e901 = ((select(_e892, 0f, _e897) * f32(_e812)) - 0.5f);
-                                                            let _e902 = floor(_e901);
-                                                            let _e903 = (_e902 < 0f);
-                                                            if _e903 {
-                                                                phi_1670_ = 0u;
+                                                            let _e908 = phi_1656_;
+                                                            if _e899 {
+                                                                phi_1666_ = 0u;
                                                             } else {
-                                                                let _e908 = select(select(u32(_e902), 0u, (_e902 < 0f)), 4294967295u, (_e902 > 4294967000f));
-                                                                phi_1670_ = select(_e908, _e875, (_e875 < _e908));
+                                                                let _e909 = (_e908 + 1u);
+                                                                phi_1666_ = select(_e909, _e873, (_e873 < _e909));
                                                             }
-                                                            let _e912 = phi_1670_;
-                                                            if _e903 {
-                                                                phi_1680_ = 0u;
+                                                            let _e913 = phi_1666_;
+                                                            let _e914 = (_e872 == 0u);
+                                                            if _e914 {
+                                                                phi_1675_ = select(true, false, _e899);
                                                             } else {
-                                                                let _e913 = (_e912 + 1u);
-                                                                phi_1680_ = select(_e913, _e875, (_e875 < _e913));
+                                                                phi_1675_ = true;
                                                             }
-                                                            let _e917 = phi_1680_;
-                                                            let _e918 = (_e874 == 0u);
-                                                            if _e918 {
-                                                                phi_1689_ = select(true, false, _e903);
-                                                            } else {
-                                                                phi_1689_ = true;
-                                                            }
-                                                            let _e921 = phi_1689_;
-                                                            let _e922 = select(_e875, _e912, _e921);
-                                                            if _e918 {
-                                                                if _e903 {
-                                                                    phi_1705_ = true;
+                                                            let _e917 = phi_1675_;
+                                                            let _e918 = select(_e873, _e908, _e917);
+                                                            if _e914 {
+                                                                if _e899 {
+                                                                    phi_1691_ = true;
                                                                 } else {
-                                                                    phi_1705_ = select(true, false, (_e922 == _e875));
+                                                                    phi_1691_ = select(true, false, (_e918 == _e873));
                                                                 }
-                                                                let _e926 = phi_1705_;
-                                                                phi_1706_ = _e926;
+                                                                let _e922 = phi_1691_;
+                                                                phi_1692_ = _e922;
                                                             } else {
-                                                                phi_1706_ = true;
+                                                                phi_1692_ = true;
                                                             }
-                                                            let _e928 = phi_1706_;
-                                                            let _e930 = (_e901 - _e902);
-                                                            let _e931 = (_e747 & 268435455u);
-                                                            let _e933 = (_e931 + (_e922 * _e810));
-                                                            let _e935 = (_e931 + (select(0u, _e917, _e928) * _e810));
-                                                            let _e936 = (_e933 + _e863);
-                                                            let _e937 = (_e933 + _e870);
-                                                            let _e938 = (_e935 + _e863);
-                                                            let _e939 = (_e935 + _e870);
-                                                            if (_e936 < _e89) {
+                                                            let _e924 = phi_1692_;
+                                                            let _e926 = (_e897 - _e898);
+                                                            let _e927 = (_e747 & 268435455u);
+                                                            let _e929 = (_e927 + (_e918 * _e810));
+                                                            let _e931 = (_e927 + (select(0u, _e913, _e924) * _e810));
+                                                            let _e932 = (_e929 + _e861);
+                                                            let _e933 = (_e929 + _e868);
+                                                            let _e934 = (_e931 + _e861);
+                                                            let _e935 = (_e931 + _e868);
+                                                            if (_e932 < _e89) {
                                                             } else {
-                                                                phi_2142_ = true;
-                                                                phi_1897_ = bool();
+                                                                phi_2128_ = true;
+                                                                phi_1883_ = bool();
                                                                 break;
                                                             }
-                                                            let _e942 = surfaces.member[_e936];
-                                                            if (_e937 < _e89) {
+                                                            let _e938 = surfaces.member[_e932];
+                                                            if (_e933 < _e89) {
                                                             } else {
-                                                                phi_2142_ = true;
-                                                                phi_1897_ = bool();
+                                                                phi_2128_ = true;
+                                                                phi_1883_ = bool();
                                                                 break;
                                                             }
-                                                            let _e945 = surfaces.member[_e937];
-                                                            if (_e938 < _e89) {
+                                                            let _e941 = surfaces.member[_e933];
+                                                            if (_e934 < _e89) {
                                                             } else {
-                                                                phi_2142_ = true;
-                                                                phi_1897_ = bool();
+                                                                phi_2128_ = true;
+                                                                phi_1883_ = bool();
                                                                 break;
                                                             }
-                                                            let _e948 = surfaces.member[_e938];
-                                                            if (_e939 < _e89) {
+                                                            let _e944 = surfaces.member[_e934];
+                                                            if (_e935 < _e89) {
                                                             } else {
-                                                                phi_2142_ = true;
-                                                                phi_1897_ = bool();
+                                                                phi_2128_ = true;
+                                                                phi_1883_ = bool();
                                                                 break;
                                                             }
-                                                            let _e951 = surfaces.member[_e939];
-                                                            let _e968 = (1f - _e871);
-                                                            phi_1787_ = ((_e762 * (((((f32((_e942 >> bitcast<u32>(24i))) * 0.003921569f) * _e968) + ((f32((_e945 >> bitcast<u32>(24i))) * 0.003921569f) * _e871)) * (1f - _e930)) + ((((f32((_e948 >> bitcast<u32>(24i))) * 0.003921569f) * _e968) + ((f32((_e951 >> bitcast<u32>(24i))) * 0.003921569f) * _e871)) * _e930))) < _e767);
+                                                            let _e947 = surfaces.member[_e935];
+                                                            let _e964 = (1f - _e869);
+                                                            phi_1773_ = ((_e762 * (((((f32((_e938 >> bitcast<u32>(24i))) * 0.003921569f) * _e964) + ((f32((_e941 >> bitcast<u32>(24i))) * 0.003921569f) * _e869)) * (1f - _e926)) + ((((f32((_e944 >> bitcast<u32>(24i))) * 0.003921569f) * _e964) + ((f32((_e947 >> bitcast<u32>(24i))) * 0.003921569f) * _e869)) * _e926))) < _e767);
                                                         }
-                                                        let _e983 = phi_1787_;
-                                                        phi_1792_ = select(true, false, _e983);
+                                                        let _e979 = phi_1773_;
+                                                        phi_1778_ = select(true, false, _e979);
                                                     }
-                                                    let _e986 = phi_1792_;
-                                                    if _e986 {
-                                                        phi_1797_ = type_44(_e723[0], _e349.member_1, _e723[1], _e723[2]);
+                                                    let _e982 = phi_1778_;
+                                                    if _e982 {
+                                                        phi_1783_ = type_44(_e723[0], _e349.member_1, _e723[1], _e723[2]);
                                                     } else {
-                                                        phi_1797_ = type_44();
+                                                        phi_1783_ = type_44();
                                                     }
-                                                    let _e989 = phi_1797_;
-                                                    phi_1799_ = _e989;
-                                                    phi_1801_ = select(true, false, _e986);
+                                                    let _e985 = phi_1783_;
+                                                    phi_1785_ = _e985;
+                                                    phi_1787_ = select(true, false, _e982);
                                                 } else {
-                                                    phi_1799_ = type_44();
-                                                    phi_1801_ = false;
+                                                    phi_1785_ = type_44();
+                                                    phi_1787_ = false;
                                                 }
-                                                let _e992 = phi_1799_;
-                                                let _e994 = phi_1801_;
-                                                phi_1802_ = _e992;
-                                                phi_1804_ = select(true, false, _e727);
-                                                phi_1805_ = _e994;
+                                                let _e988 = phi_1785_;
+                                                let _e990 = phi_1787_;
+                                                phi_1788_ = _e988;
+                                                phi_1790_ = select(true, false, _e727);
+                                                phi_1791_ = _e990;
                                             } else {
-                                                phi_1802_ = type_44();
-                                                phi_1804_ = false;
-                                                phi_1805_ = false;
+                                                phi_1788_ = type_44();
+                                                phi_1790_ = false;
+                                                phi_1791_ = false;
                                             }
-                                            let _e997 = phi_1802_;
-                                            let _e999 = phi_1804_;
-                                            let _e1001 = phi_1805_;
-                                            phi_1806_ = _e997;
-                                            phi_1807_ = select(true, false, _e728);
-                                            phi_1808_ = _e999;
-                                            phi_1809_ = _e1001;
+                                            let _e993 = phi_1788_;
+                                            let _e995 = phi_1790_;
+                                            let _e997 = phi_1791_;
+                                            phi_1792_ = _e993;
+                                            phi_1793_ = select(true, false, _e728);
+                                            phi_1794_ = _e995;
+                                            phi_1795_ = _e997;
                                         } else {
-                                            phi_1806_ = type_44();
-                                            phi_1807_ = true;
-                                            phi_1808_ = false;
-                                            phi_1809_ = false;
+                                            phi_1792_ = type_44();
+                                            phi_1793_ = true;
+                                            phi_1794_ = false;
+                                            phi_1795_ = false;
                                         }
-                                        let _e1004 = phi_1806_;
-                                        let _e1006 = phi_1807_;
-                                        let _e1008 = phi_1808_;
-                                        let _e1010 = phi_1809_;
-                                        if select(select(_e1010, false, _e1006), true, select(_e1008, true, _e1006)) {
-                                            phi_1822_ = type_44(_e211, 4294967295u, 0f, 0f);
+                                        let _e1000 = phi_1792_;
+                                        let _e1002 = phi_1793_;
+                                        let _e1004 = phi_1794_;
+                                        let _e1006 = phi_1795_;
+                                        if select(select(_e1006, false, _e1002), true, select(_e1004, true, _e1002)) {
+                                            phi_1808_ = type_44(_e211, 4294967295u, 0f, 0f);
                                         } else {
-                                            phi_1822_ = _e1004;
+                                            phi_1808_ = _e1000;
                                         }
-                                        let _e1015 = phi_1822_;
-                                        phi_1829_ = select(true, false, (_e1015.member_1 != 4294967295u));
+                                        let _e1011 = phi_1808_;
+                                        phi_1815_ = select(true, false, (_e1011.member_1 != 4294967295u));
                                     } else {
-                                        phi_1829_ = false;
+                                        phi_1815_ = false;
                                     }
-                                    let _e1020 = phi_1829_;
+                                    let _e1016 = phi_1815_;
                                     continue;
                                     continuing {
                                         phi_999_ = _e347;
-                                        phi_2142_ = _e322;
-                                        phi_1897_ = select(true, false, _e353);
-                                        break if !(_e1020);
+                                        phi_2128_ = _e322;
+                                        phi_1883_ = select(true, false, _e353);
+                                        break if !(_e1016);
                                     }
                                 }
-                                let _e1024 = phi_2142_;
-                                let _e1026 = phi_1897_;
-                                phi_2231_ = _e1024;
-                                phi_1898_ = bool();
-                                if _e1024 {
+                                let _e1020 = phi_2128_;
+                                let _e1022 = phi_1883_;
+                                phi_2213_ = _e1020;
+                                phi_1884_ = bool();
+                                if _e1020 {
                                     break;
                                 }
-                                phi_2233_ = _e1024;
-                                phi_1834_ = _e326;
-                                phi_1835_ = _e1026;
+                                phi_2215_ = _e1020;
+                                phi_1820_ = _e326;
+                                phi_1821_ = _e1022;
                             }
-                            let _e1263 = phi_2233_;
-                            let _e1265 = phi_1834_;
-                            let _e1267 = phi_1835_;
-                            if _e1267 {
-                                let _e1268 = (_e1265 == 0u);
-                                if _e1268 {
-                                    phi_1851_ = u32();
-                                    phi_1852_ = u32();
+                            let _e1259 = phi_2215_;
+                            let _e1261 = phi_1820_;
+                            let _e1263 = phi_1821_;
+                            if _e1263 {
+                                let _e1264 = (_e1261 == 0u);
+                                if _e1264 {
+                                    phi_1837_ = u32();
+                                    phi_1838_ = u32();
                                 } else {
-                                    let _e1269 = (_e1265 - 1u);
-                                    if (_e1269 < 64u) {
+                                    let _e1265 = (_e1261 - 1u);
+                                    if (_e1265 < 64u) {
                                     } else {
-                                        phi_2231_ = true;
-                                        phi_1898_ = bool();
+                                        phi_2213_ = true;
+                                        phi_1884_ = bool();
                                         break;
                                     }
-                                    let _e1272 = local[_e1269];
-                                    phi_1851_ = _e1272;
-                                    phi_1852_ = _e1269;
+                                    let _e1268 = local[_e1265];
+                                    phi_1837_ = _e1268;
+                                    phi_1838_ = _e1265;
                                 }
-                                let _e1274 = phi_1851_;
-                                let _e1276 = phi_1852_;
-                                phi_572_ = _e1274;
-                                phi_575_ = _e1276;
-                                phi_1854_ = select(true, false, _e1268);
-                                phi_1855_ = _e1268;
+                                let _e1270 = phi_1837_;
+                                let _e1272 = phi_1838_;
+                                phi_572_ = _e1270;
+                                phi_575_ = _e1272;
+                                phi_1840_ = select(true, false, _e1264);
+                                phi_1841_ = _e1264;
                             } else {
                                 phi_572_ = u32();
                                 phi_575_ = u32();
-                                phi_1854_ = false;
-                                phi_1855_ = false;
+                                phi_1840_ = false;
+                                phi_1841_ = false;
                             }
-                            let _e1279 = phi_572_;
-                            let _e1281 = phi_575_;
-                            let _e1283 = phi_1854_;
-                            let _e1285 = phi_1855_;
+                            let _e1275 = phi_572_;
+                            let _e1277 = phi_575_;
+                            let _e1279 = phi_1840_;
+                            let _e1281 = phi_1841_;
                             continue;
                             continuing {
-                                phi_2146_ = _e1263;
-                                phi_571_ = _e1279;
-                                phi_574_ = _e1281;
-                                phi_2231_ = _e1263;
-                                phi_1898_ = _e1285;
-                                break if !(_e1283);
+                                phi_2132_ = _e1259;
+                                phi_571_ = _e1275;
+                                phi_574_ = _e1277;
+                                phi_2213_ = _e1259;
+                                phi_1884_ = _e1281;
+                                break if !(_e1279);
                             }
                         }
-                        let _e1288 = phi_2231_;
-                        let _e1290 = phi_1898_;
-                        if _e1288 {
+                        let _e1284 = phi_2213_;
+                        let _e1286 = phi_1884_;
+                        if _e1284 {
                             break;
                         }
-                        if select(false, true, select(true, false, _e1290)) {
-                            let _e1295 = params.member.member_5;
-                            phi_1869_ = _e1295;
+                        if select(false, true, select(true, false, _e1286)) {
+                            let _e1291 = params.member.member_5;
+                            phi_1855_ = _e1291;
                         } else {
-                            phi_1869_ = _e130;
+                            phi_1855_ = _e130;
                         }
-                        let _e1297 = phi_1869_;
-                        phi_1870_ = _e1297;
+                        let _e1293 = phi_1855_;
+                        phi_1856_ = _e1293;
                     } else {
-                        phi_1870_ = _e130;
+                        phi_1856_ = _e130;
                     }
-                    let _e1299 = phi_1870_;
-                    phi_1871_ = _e1299;
+                    let _e1295 = phi_1856_;
+                    phi_1857_ = _e1295;
                 } else {
-                    phi_1871_ = _e130;
+                    phi_1857_ = _e130;
                 }
-                let _e1301 = phi_1871_;
+                let _e1297 = phi_1857_;
                 if (_e98 < arrayLength((&seen.member))) {
                 } else {
                     break;
                 }
-                seen.member[_e98] = _e1301;
+                seen.member[_e98] = _e1297;
             }
             break;
         }

@@ -139,7 +139,7 @@ fn function_() {
     var local: array<u32, 64>;
     var local_1: array<f32, 3>;
     var local_2: array<f32, 3>;
-    var phi_5241_: bool;
+    var phi_5227_: bool;
     var phi_357_: type_12;
     var phi_360_: vec3<f32>;
     var phi_358_: type_12;
@@ -149,15 +149,15 @@ fn function_() {
     var phi_449_: u32;
     var phi_423_: u32;
     var phi_426_: u32;
-    var phi_5237_: bool;
+    var phi_5223_: bool;
     var local_3: u32;
     var local_4: u32;
     var phi_466_: f32;
-    var phi_5275_: bool;
+    var phi_5261_: bool;
     var phi_476_: type_35;
     var phi_477_: u32;
     var phi_478_: f32;
-    var phi_5274_: bool;
+    var phi_5260_: bool;
     var phi_480_: type_35;
     var phi_481_: u32;
     var phi_482_: f32;
@@ -168,7 +168,7 @@ fn function_() {
     var phi_519_: u32;
     var phi_520_: u32;
     var phi_536_: bool;
-    var phi_5270_: bool;
+    var phi_5256_: bool;
     var phi_543_: type_12;
     var phi_546_: f32;
     var phi_548_: f32;
@@ -176,8 +176,8 @@ fn function_() {
     var phi_544_: type_12;
     var phi_573_: type_12;
     var phi_1145_: f32;
-    var phi_3923_: f32;
-    var phi_3931_: f32;
+    var phi_3909_: f32;
+    var phi_3917_: f32;
     var phi_909_: vec2<f32>;
     var phi_910_: bool;
     var phi_1040_: f32;
@@ -197,8 +197,8 @@ fn function_() {
     var phi_652_: vec3<f32>;
     var phi_654_: vec3<f32>;
     var phi_655_: bool;
-    var phi_3939_: f32;
-    var phi_3947_: f32;
+    var phi_3925_: f32;
+    var phi_3933_: f32;
     var phi_729_: vec2<f32>;
     var phi_1179_: f32;
     var phi_1180_: vec3<f32>;
@@ -216,7 +216,7 @@ fn function_() {
     var phi_1423_: f32;
     var phi_1431_: f32;
     var phi_1439_: f32;
-    var phi_5248_: bool;
+    var phi_5234_: bool;
     var phi_1443_: u32;
     var phi_1446_: u32;
     var phi_1873_: type_12;
@@ -250,149 +250,147 @@ fn function_() {
     var phi_2187_: array<f32, 3>;
     var phi_2386_: f32;
     var phi_2401_: f32;
-    var phi_2411_: bool;
-    var phi_2436_: u32;
-    var phi_2446_: u32;
-    var phi_2455_: bool;
-    var phi_2471_: bool;
-    var phi_2472_: bool;
-    var phi_2495_: f32;
-    var phi_2510_: f32;
-    var phi_2520_: bool;
-    var phi_2545_: u32;
-    var phi_2555_: u32;
-    var phi_2564_: bool;
-    var phi_2580_: bool;
-    var phi_2581_: bool;
+    var phi_2429_: u32;
+    var phi_2439_: u32;
+    var phi_2448_: bool;
+    var phi_2464_: bool;
+    var phi_2465_: bool;
+    var phi_2488_: f32;
+    var phi_2503_: f32;
+    var phi_2531_: u32;
+    var phi_2541_: u32;
+    var phi_2550_: bool;
+    var phi_2566_: bool;
+    var phi_2567_: bool;
+    var phi_2648_: bool;
+    var phi_2653_: bool;
+    var phi_2658_: type_51;
+    var phi_2660_: type_51;
     var phi_2662_: bool;
-    var phi_2667_: bool;
-    var phi_2672_: type_51;
-    var phi_2674_: type_51;
-    var phi_2676_: bool;
-    var phi_2677_: type_51;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
-    var phi_2681_: type_51;
-    var phi_2682_: bool;
-    var phi_2683_: bool;
-    var phi_2684_: bool;
-    var phi_2697_: type_51;
-    var phi_2704_: bool;
-    var phi_5244_: bool;
-    var phi_3914_: bool;
+    var phi_2663_: type_51;
+    var phi_2665_: bool;
+    var phi_2666_: bool;
+    var phi_2667_: type_51;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2670_: bool;
+    var phi_2683_: type_51;
+    var phi_2690_: bool;
+    var phi_5230_: bool;
+    var phi_3900_: bool;
     var phi_1833_: u32;
     var phi_1845_: u32;
     var phi_1857_: u32;
     var phi_1869_: u32;
-    var phi_5385_: bool;
-    var phi_2709_: u32;
-    var phi_2710_: bool;
-    var phi_2726_: u32;
-    var phi_2727_: u32;
+    var phi_5367_: bool;
+    var phi_2695_: u32;
+    var phi_2696_: bool;
+    var phi_2712_: u32;
+    var phi_2713_: u32;
     var phi_1444_: u32;
     var phi_1447_: u32;
-    var phi_2729_: bool;
-    var phi_2730_: bool;
-    var phi_5383_: bool;
-    var phi_3915_: bool;
-    var phi_2743_: f32;
-    var phi_5445_: bool;
-    var phi_2744_: f32;
-    var phi_5444_: bool;
+    var phi_2715_: bool;
+    var phi_2716_: bool;
+    var phi_5365_: bool;
+    var phi_3901_: bool;
+    var phi_2729_: f32;
+    var phi_5427_: bool;
+    var phi_2730_: f32;
+    var phi_5426_: bool;
     var phi_547_: f32;
     var phi_549_: f32;
     var phi_551_: f32;
-    var phi_5443_: bool;
+    var phi_5425_: bool;
     var local_5: f32;
     var local_6: f32;
-    var phi_2757_: f32;
+    var phi_2743_: f32;
     var local_7: f32;
-    var phi_4257_: bool;
-    var phi_4268_: bool;
-    var phi_4289_: type_61;
-    var phi_4293_: type_61;
-    var phi_4294_: vec3<f32>;
-    var phi_4295_: vec3<f32>;
-    var phi_4335_: vec3<f32>;
-    var phi_4338_: vec3<f32>;
-    var phi_4339_: bool;
-    var phi_4383_: vec3<f32>;
-    var phi_4386_: vec3<f32>;
-    var phi_4387_: bool;
-    var phi_4454_: f32;
-    var phi_4462_: f32;
+    var phi_4243_: bool;
+    var phi_4254_: bool;
+    var phi_4275_: type_61;
+    var phi_4279_: type_61;
+    var phi_4280_: vec3<f32>;
+    var phi_4281_: vec3<f32>;
+    var phi_4321_: vec3<f32>;
+    var phi_4324_: vec3<f32>;
+    var phi_4325_: bool;
+    var phi_4369_: vec3<f32>;
+    var phi_4372_: vec3<f32>;
+    var phi_4373_: bool;
+    var phi_4440_: f32;
+    var phi_4448_: f32;
+    var phi_4463_: f32;
+    var phi_4469_: f32;
     var phi_4477_: f32;
-    var phi_4483_: f32;
-    var phi_4491_: f32;
-    var phi_4501_: f32;
-    var phi_4506_: type_61;
-    var phi_4516_: bool;
-    var phi_4527_: bool;
-    var phi_4548_: type_61;
-    var phi_4552_: type_61;
-    var phi_4553_: vec3<f32>;
-    var phi_4554_: vec3<f32>;
-    var phi_4594_: vec3<f32>;
-    var phi_4597_: vec3<f32>;
-    var phi_4598_: bool;
-    var phi_4642_: vec3<f32>;
-    var phi_4645_: vec3<f32>;
-    var phi_4646_: bool;
-    var phi_4713_: f32;
-    var phi_4721_: f32;
+    var phi_4487_: f32;
+    var phi_4492_: type_61;
+    var phi_4502_: bool;
+    var phi_4513_: bool;
+    var phi_4534_: type_61;
+    var phi_4538_: type_61;
+    var phi_4539_: vec3<f32>;
+    var phi_4540_: vec3<f32>;
+    var phi_4580_: vec3<f32>;
+    var phi_4583_: vec3<f32>;
+    var phi_4584_: bool;
+    var phi_4628_: vec3<f32>;
+    var phi_4631_: vec3<f32>;
+    var phi_4632_: bool;
+    var phi_4699_: f32;
+    var phi_4707_: f32;
+    var phi_4722_: f32;
+    var phi_4728_: f32;
     var phi_4736_: f32;
-    var phi_4742_: f32;
-    var phi_4750_: f32;
-    var phi_4760_: f32;
-    var phi_4765_: type_61;
-    var phi_4775_: bool;
-    var phi_4807_: type_61;
-    var phi_4811_: type_61;
-    var phi_4812_: vec3<f32>;
-    var phi_4813_: vec3<f32>;
-    var phi_4853_: vec3<f32>;
-    var phi_4856_: vec3<f32>;
-    var phi_4857_: bool;
-    var phi_4901_: vec3<f32>;
-    var phi_4904_: vec3<f32>;
-    var phi_4905_: bool;
-    var phi_4972_: f32;
-    var phi_4980_: f32;
+    var phi_4746_: f32;
+    var phi_4751_: type_61;
+    var phi_4761_: bool;
+    var phi_4793_: type_61;
+    var phi_4797_: type_61;
+    var phi_4798_: vec3<f32>;
+    var phi_4799_: vec3<f32>;
+    var phi_4839_: vec3<f32>;
+    var phi_4842_: vec3<f32>;
+    var phi_4843_: bool;
+    var phi_4887_: vec3<f32>;
+    var phi_4890_: vec3<f32>;
+    var phi_4891_: bool;
+    var phi_4958_: f32;
+    var phi_4966_: f32;
+    var phi_4981_: f32;
+    var phi_4987_: f32;
     var phi_4995_: f32;
-    var phi_5001_: f32;
-    var phi_5009_: f32;
-    var phi_5019_: f32;
-    var phi_5024_: type_61;
-    var phi_5066_: vec3<f32>;
-    var phi_5069_: vec3<f32>;
-    var phi_5070_: bool;
-    var phi_5114_: vec3<f32>;
-    var phi_5117_: vec3<f32>;
-    var phi_5118_: bool;
-    var phi_5185_: f32;
-    var phi_5193_: f32;
+    var phi_5005_: f32;
+    var phi_5010_: type_61;
+    var phi_5052_: vec3<f32>;
+    var phi_5055_: vec3<f32>;
+    var phi_5056_: bool;
+    var phi_5100_: vec3<f32>;
+    var phi_5103_: vec3<f32>;
+    var phi_5104_: bool;
+    var phi_5171_: f32;
+    var phi_5179_: f32;
+    var phi_5194_: f32;
+    var phi_5200_: f32;
     var phi_5208_: f32;
-    var phi_5214_: f32;
-    var phi_5222_: f32;
-    var phi_5232_: f32;
+    var phi_5218_: f32;
     var local_8: f32;
     var local_9: f32;
-    var phi_2791_: f32;
-    var phi_2792_: f32;
-    var phi_2793_: bool;
+    var phi_2777_: f32;
+    var phi_2778_: f32;
+    var phi_2779_: bool;
     var local_10: f32;
-    var phi_2801_: f32;
-    var phi_2802_: f32;
-    var phi_2811_: vec3<f32>;
-    var phi_5451_: bool;
-    var phi_2827_: vec3<f32>;
-    var phi_5450_: bool;
+    var phi_2787_: f32;
+    var phi_2788_: f32;
+    var phi_2797_: vec3<f32>;
+    var phi_5433_: bool;
+    var phi_2813_: vec3<f32>;
+    var phi_5432_: bool;
     var phi_361_: vec3<f32>;
-    var phi_5449_: bool;
+    var phi_5431_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
-    var phi_2832_: vec4<f32>;
+    var phi_2818_: vec4<f32>;
     var local_14: f32;
 
     switch bitcast<i32>(0u) {
@@ -410,7 +408,7 @@ fn function_() {
                 }
                 let _e146 = surfels.member[_e141];
                 if (_e146.member_1 == 4294967295u) {
-                    phi_2832_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_2818_ = vec4<f32>(0f, 0f, 0f, 0f);
                 } else {
                     let _e153 = vec3<f32>(_e146.member[0], _e146.member[1], _e146.member[2]);
                     let _e165 = params.member.member_2;
@@ -430,11 +428,11 @@ fn function_() {
                     let _e215 = ((_e206 ^ (_e206 >> bitcast<u32>(16i))) * 2146121005u);
                     let _e219 = ((_e215 ^ (_e215 >> bitcast<u32>(15i))) * 2221713035u);
                     let _e222 = (_e219 ^ (_e219 >> bitcast<u32>(16i)));
-                    phi_5241_ = false;
+                    phi_5227_ = false;
                     phi_357_ = type_12(0u, (_e208 + select(0u, 1u, (_e180 > 0u))));
                     phi_360_ = vec3<f32>(0f, 0f, 0f);
                     loop {
-                        let _e229 = phi_5241_;
+                        let _e229 = phi_5227_;
                         let _e231 = phi_357_;
                         let _e233 = phi_360_;
                         local_11 = _e233;
@@ -469,7 +467,7 @@ fn function_() {
                                             let _e278 = ((_e275 + _e273) / 2u);
                                             if (_e278 < _e130) {
                                             } else {
-                                                phi_5237_ = true;
+                                                phi_5223_ = true;
                                                 break;
                                             }
                                             let _e283 = lights.member[_e278].member_5;
@@ -492,19 +490,19 @@ fn function_() {
                                         continuing {
                                             phi_422_ = _e290;
                                             phi_425_ = _e292;
-                                            phi_5237_ = _e229;
+                                            phi_5223_ = _e229;
                                             break if !(_e276);
                                         }
                                     }
-                                    let _e295 = phi_5237_;
-                                    phi_5449_ = _e295;
+                                    let _e295 = phi_5223_;
+                                    phi_5431_ = _e295;
                                     if _e295 {
                                         break;
                                     }
                                     let _e297 = local_3;
                                     if (_e297 < _e130) {
                                     } else {
-                                        phi_5449_ = true;
+                                        phi_5431_ = true;
                                         break;
                                     }
                                     let _e301 = local_4;
@@ -518,33 +516,33 @@ fn function_() {
                                     let _e310 = (_e206 + _e248.member_1);
                                     let _e314 = ((_e310 ^ (_e310 >> bitcast<u32>(16i))) * 2146121005u);
                                     let _e318 = ((_e314 ^ (_e314 >> bitcast<u32>(15i))) * 2221713035u);
-                                    phi_5275_ = _e295;
+                                    phi_5261_ = _e295;
                                     phi_476_ = _e303;
                                     phi_477_ = (_e318 ^ (_e318 >> bitcast<u32>(16i)));
                                     phi_478_ = _e309;
                                 } else {
-                                    phi_5275_ = _e229;
+                                    phi_5261_ = _e229;
                                     phi_476_ = type_35();
                                     phi_477_ = u32();
                                     phi_478_ = f32();
                                 }
-                                let _e323 = phi_5275_;
+                                let _e323 = phi_5261_;
                                 let _e325 = phi_476_;
                                 let _e327 = phi_477_;
                                 let _e329 = phi_478_;
-                                phi_5274_ = _e323;
+                                phi_5260_ = _e323;
                                 phi_480_ = _e325;
                                 phi_481_ = _e327;
                                 phi_482_ = _e329;
                                 phi_483_ = select(true, false, _e207);
                             } else {
-                                phi_5274_ = _e229;
+                                phi_5260_ = _e229;
                                 phi_480_ = type_35();
                                 phi_481_ = u32();
                                 phi_482_ = f32();
                                 phi_483_ = true;
                             }
-                            let _e332 = phi_5274_;
+                            let _e332 = phi_5260_;
                             let _e334 = phi_480_;
                             let _e336 = phi_481_;
                             let _e338 = phi_482_;
@@ -553,7 +551,7 @@ fn function_() {
                                 if _e266 {
                                     if (_e248.member_1 < _e130) {
                                     } else {
-                                        phi_5449_ = true;
+                                        phi_5431_ = true;
                                         break;
                                     }
                                     let _e344 = lights.member[_e248.member_1];
@@ -591,13 +589,13 @@ fn function_() {
                                 }
                                 let _e385 = phi_536_;
                                 let _e386 = select(1u, _e378, _e385);
-                                phi_5270_ = _e332;
+                                phi_5256_ = _e332;
                                 phi_543_ = type_12(0u, _e386);
                                 phi_546_ = 340282350000000000000000000000000000000f;
                                 phi_548_ = 0f;
                                 phi_550_ = 0f;
                                 loop {
-                                    let _e389 = phi_5270_;
+                                    let _e389 = phi_5256_;
                                     let _e391 = phi_543_;
                                     let _e393 = phi_546_;
                                     let _e395 = phi_548_;
@@ -667,18 +665,18 @@ fn function_() {
                                             let _e829 = ((_e825 ^ (_e825 >> bitcast<u32>(15i))) * 2221713035u);
                                             let _e847 = (0.000000059604645f * (f32(((2147483648u + (_e412.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e814 ^ (_e814 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                             if (_e847 >= 1f) {
-                                                phi_3939_ = (_e847 - 1f);
+                                                phi_3925_ = (_e847 - 1f);
                                             } else {
-                                                phi_3939_ = _e847;
+                                                phi_3925_ = _e847;
                                             }
-                                            let _e851 = phi_3939_;
+                                            let _e851 = phi_3925_;
                                             let _e853 = (0.000000059604645f * (f32(((2147483648u + (_e412.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e829 ^ (_e829 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                             if (_e853 >= 1f) {
-                                                phi_3947_ = (_e853 - 1f);
+                                                phi_3933_ = (_e853 - 1f);
                                             } else {
-                                                phi_3947_ = _e853;
+                                                phi_3933_ = _e853;
                                             }
-                                            let _e857 = phi_3947_;
+                                            let _e857 = phi_3933_;
                                             if (_e851 < _e857) {
                                                 let _e862 = (0.5f * _e851);
                                                 phi_729_ = vec2<f32>(_e862, (_e857 - _e862));
@@ -734,18 +732,18 @@ fn function_() {
                                                     let _e518 = ((_e514 ^ (_e514 >> bitcast<u32>(15i))) * 2221713035u);
                                                     let _e536 = (0.000000059604645f * (f32(((2147483648u + (_e412.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e503 ^ (_e503 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                     if (_e536 >= 1f) {
-                                                        phi_3923_ = (_e536 - 1f);
+                                                        phi_3909_ = (_e536 - 1f);
                                                     } else {
-                                                        phi_3923_ = _e536;
+                                                        phi_3909_ = _e536;
                                                     }
-                                                    let _e540 = phi_3923_;
+                                                    let _e540 = phi_3909_;
                                                     let _e542 = (0.000000059604645f * (f32(((2147483648u + (_e412.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e518 ^ (_e518 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                     if (_e542 >= 1f) {
-                                                        phi_3931_ = (_e542 - 1f);
+                                                        phi_3917_ = (_e542 - 1f);
                                                     } else {
-                                                        phi_3931_ = _e542;
+                                                        phi_3917_ = _e542;
                                                     }
-                                                    let _e546 = phi_3931_;
+                                                    let _e546 = phi_3917_;
                                                     let _e548 = ((2f * _e540) - 1f);
                                                     let _e550 = ((2f * _e546) - 1f);
                                                     if (_e548 == 0f) {
@@ -927,7 +925,7 @@ fn function_() {
                                             let _e1005 = (_e996 < 3u);
                                             if _e1005 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1007 = local_1[_e996];
@@ -935,7 +933,7 @@ fn function_() {
                                             let _e1009 = (_e995 < 3u);
                                             if _e1009 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1011 = local_1[_e995];
@@ -943,32 +941,32 @@ fn function_() {
                                             let _e1013 = (_e994 < 3u);
                                             if _e1013 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1015 = local_1[_e994];
                                             let _e1016 = (_e1015 * _e1008);
                                             if _e1009 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1018 = local_2[_e995];
                                             if _e1013 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1020 = local_2[_e994];
                                             if _e1005 {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1022 = local_2[_e996];
                                             if (0u < _e119) {
                                             } else {
-                                                phi_5443_ = true;
+                                                phi_5425_ = true;
                                                 break;
                                             }
                                             let _e1027 = nodes.member[0u].member_7[0u];
@@ -1011,11 +1009,11 @@ fn function_() {
                                             }
                                             let _e1089 = phi_1439_;
                                             local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                            phi_5248_ = _e389;
+                                            phi_5234_ = _e389;
                                             phi_1443_ = 0u;
                                             phi_1446_ = 0u;
                                             loop {
-                                                let _e1093 = phi_5248_;
+                                                let _e1093 = phi_5234_;
                                                 let _e1095 = phi_1443_;
                                                 let _e1097 = phi_1446_;
                                                 let _e1098 = (_e1095 & 15u);
@@ -1023,143 +1021,143 @@ fn function_() {
                                                 if (_e1098 == 0u) {
                                                     if (_e1100 < _e119) {
                                                     } else {
-                                                        phi_5383_ = true;
-                                                        phi_3915_ = bool();
+                                                        phi_5365_ = true;
+                                                        phi_3901_ = bool();
                                                         break;
                                                     }
-                                                    let _e1804 = nodes.member[_e1100].member;
-                                                    let _e1813 = ((_e1804.x - _e1067) * _e1079);
-                                                    let _e1814 = ((_e1804.y - _e1067) * _e1079);
-                                                    let _e1815 = ((_e1804.z - _e1067) * _e1079);
-                                                    let _e1816 = ((_e1804.w - _e1067) * _e1079);
-                                                    let _e1819 = nodes.member[_e1100].member_3;
-                                                    let _e1828 = ((_e1819.x - _e1072) * _e1079);
-                                                    let _e1829 = ((_e1819.y - _e1072) * _e1079);
-                                                    let _e1830 = ((_e1819.z - _e1072) * _e1079);
-                                                    let _e1831 = ((_e1819.w - _e1072) * _e1079);
-                                                    let _e1834 = nodes.member[_e1100].member_1;
-                                                    let _e1843 = ((_e1834.x - _e1069) * _e1084);
-                                                    let _e1844 = ((_e1834.y - _e1069) * _e1084);
-                                                    let _e1845 = ((_e1834.z - _e1069) * _e1084);
-                                                    let _e1846 = ((_e1834.w - _e1069) * _e1084);
-                                                    let _e1849 = nodes.member[_e1100].member_4;
-                                                    let _e1858 = ((_e1849.x - _e1073) * _e1084);
-                                                    let _e1859 = ((_e1849.y - _e1073) * _e1084);
-                                                    let _e1860 = ((_e1849.z - _e1073) * _e1084);
-                                                    let _e1861 = ((_e1849.w - _e1073) * _e1084);
-                                                    let _e1864 = nodes.member[_e1100].member_2;
-                                                    let _e1873 = ((_e1864.x - _e1071) * _e1089);
-                                                    let _e1874 = ((_e1864.y - _e1071) * _e1089);
-                                                    let _e1875 = ((_e1864.z - _e1071) * _e1089);
-                                                    let _e1876 = ((_e1864.w - _e1071) * _e1089);
-                                                    let _e1879 = nodes.member[_e1100].member_5;
-                                                    let _e1888 = ((_e1879.x - _e1074) * _e1089);
-                                                    let _e1889 = ((_e1879.y - _e1074) * _e1089);
-                                                    let _e1890 = ((_e1879.z - _e1074) * _e1089);
-                                                    let _e1891 = ((_e1879.w - _e1074) * _e1089);
-                                                    let _e1893 = select(_e1828, _e1813, (_e1813 < _e1828));
-                                                    let _e1895 = select(_e1829, _e1814, (_e1814 < _e1829));
-                                                    let _e1897 = select(_e1830, _e1815, (_e1815 < _e1830));
-                                                    let _e1899 = select(_e1831, _e1816, (_e1816 < _e1831));
-                                                    let _e1901 = select(_e1858, _e1843, (_e1843 < _e1858));
-                                                    let _e1903 = select(_e1859, _e1844, (_e1844 < _e1859));
-                                                    let _e1905 = select(_e1860, _e1845, (_e1845 < _e1860));
-                                                    let _e1907 = select(_e1861, _e1846, (_e1846 < _e1861));
+                                                    let _e1800 = nodes.member[_e1100].member;
+                                                    let _e1809 = ((_e1800.x - _e1067) * _e1079);
+                                                    let _e1810 = ((_e1800.y - _e1067) * _e1079);
+                                                    let _e1811 = ((_e1800.z - _e1067) * _e1079);
+                                                    let _e1812 = ((_e1800.w - _e1067) * _e1079);
+                                                    let _e1815 = nodes.member[_e1100].member_3;
+                                                    let _e1824 = ((_e1815.x - _e1072) * _e1079);
+                                                    let _e1825 = ((_e1815.y - _e1072) * _e1079);
+                                                    let _e1826 = ((_e1815.z - _e1072) * _e1079);
+                                                    let _e1827 = ((_e1815.w - _e1072) * _e1079);
+                                                    let _e1830 = nodes.member[_e1100].member_1;
+                                                    let _e1839 = ((_e1830.x - _e1069) * _e1084);
+                                                    let _e1840 = ((_e1830.y - _e1069) * _e1084);
+                                                    let _e1841 = ((_e1830.z - _e1069) * _e1084);
+                                                    let _e1842 = ((_e1830.w - _e1069) * _e1084);
+                                                    let _e1845 = nodes.member[_e1100].member_4;
+                                                    let _e1854 = ((_e1845.x - _e1073) * _e1084);
+                                                    let _e1855 = ((_e1845.y - _e1073) * _e1084);
+                                                    let _e1856 = ((_e1845.z - _e1073) * _e1084);
+                                                    let _e1857 = ((_e1845.w - _e1073) * _e1084);
+                                                    let _e1860 = nodes.member[_e1100].member_2;
+                                                    let _e1869 = ((_e1860.x - _e1071) * _e1089);
+                                                    let _e1870 = ((_e1860.y - _e1071) * _e1089);
+                                                    let _e1871 = ((_e1860.z - _e1071) * _e1089);
+                                                    let _e1872 = ((_e1860.w - _e1071) * _e1089);
+                                                    let _e1875 = nodes.member[_e1100].member_5;
+                                                    let _e1884 = ((_e1875.x - _e1074) * _e1089);
+                                                    let _e1885 = ((_e1875.y - _e1074) * _e1089);
+                                                    let _e1886 = ((_e1875.z - _e1074) * _e1089);
+                                                    let _e1887 = ((_e1875.w - _e1074) * _e1089);
+                                                    let _e1889 = select(_e1824, _e1809, (_e1809 < _e1824));
+                                                    let _e1891 = select(_e1825, _e1810, (_e1810 < _e1825));
+                                                    let _e1893 = select(_e1826, _e1811, (_e1811 < _e1826));
+                                                    let _e1895 = select(_e1827, _e1812, (_e1812 < _e1827));
+                                                    let _e1897 = select(_e1854, _e1839, (_e1839 < _e1854));
+                                                    let _e1899 = select(_e1855, _e1840, (_e1840 < _e1855));
+                                                    let _e1901 = select(_e1856, _e1841, (_e1841 < _e1856));
+                                                    let _e1903 = select(_e1857, _e1842, (_e1842 < _e1857));
+                                                    let _e1905 = select(_e1897, _e1889, (_e1889 > _e1897));
+                                                    let _e1907 = select(_e1899, _e1891, (_e1891 > _e1899));
                                                     let _e1909 = select(_e1901, _e1893, (_e1893 > _e1901));
                                                     let _e1911 = select(_e1903, _e1895, (_e1895 > _e1903));
-                                                    let _e1913 = select(_e1905, _e1897, (_e1897 > _e1905));
-                                                    let _e1915 = select(_e1907, _e1899, (_e1899 > _e1907));
-                                                    let _e1917 = select(_e1888, _e1873, (_e1873 < _e1888));
-                                                    let _e1919 = select(_e1889, _e1874, (_e1874 < _e1889));
-                                                    let _e1921 = select(_e1890, _e1875, (_e1875 < _e1890));
-                                                    let _e1923 = select(_e1891, _e1876, (_e1876 < _e1891));
+                                                    let _e1913 = select(_e1884, _e1869, (_e1869 < _e1884));
+                                                    let _e1915 = select(_e1885, _e1870, (_e1870 < _e1885));
+                                                    let _e1917 = select(_e1886, _e1871, (_e1871 < _e1886));
+                                                    let _e1919 = select(_e1887, _e1872, (_e1872 < _e1887));
+                                                    let _e1921 = select(_e1913, _e1905, (_e1905 > _e1913));
+                                                    let _e1923 = select(_e1915, _e1907, (_e1907 > _e1915));
                                                     let _e1925 = select(_e1917, _e1909, (_e1909 > _e1917));
                                                     let _e1927 = select(_e1919, _e1911, (_e1911 > _e1919));
-                                                    let _e1929 = select(_e1921, _e1913, (_e1913 > _e1921));
-                                                    let _e1931 = select(_e1923, _e1915, (_e1915 > _e1923));
+                                                    let _e1929 = select(_e959.member_2, _e1921, (_e1921 > _e959.member_2));
+                                                    let _e1931 = select(_e959.member_2, _e1923, (_e1923 > _e959.member_2));
                                                     let _e1933 = select(_e959.member_2, _e1925, (_e1925 > _e959.member_2));
                                                     let _e1935 = select(_e959.member_2, _e1927, (_e1927 > _e959.member_2));
-                                                    let _e1937 = select(_e959.member_2, _e1929, (_e1929 > _e959.member_2));
-                                                    let _e1939 = select(_e959.member_2, _e1931, (_e1931 > _e959.member_2));
-                                                    let _e1941 = select(_e1828, _e1813, (_e1813 > _e1828));
-                                                    let _e1943 = select(_e1829, _e1814, (_e1814 > _e1829));
-                                                    let _e1945 = select(_e1830, _e1815, (_e1815 > _e1830));
-                                                    let _e1947 = select(_e1831, _e1816, (_e1816 > _e1831));
-                                                    let _e1949 = select(_e1858, _e1843, (_e1843 > _e1858));
-                                                    let _e1951 = select(_e1859, _e1844, (_e1844 > _e1859));
-                                                    let _e1953 = select(_e1860, _e1845, (_e1845 > _e1860));
-                                                    let _e1955 = select(_e1861, _e1846, (_e1846 > _e1861));
+                                                    let _e1937 = select(_e1824, _e1809, (_e1809 > _e1824));
+                                                    let _e1939 = select(_e1825, _e1810, (_e1810 > _e1825));
+                                                    let _e1941 = select(_e1826, _e1811, (_e1811 > _e1826));
+                                                    let _e1943 = select(_e1827, _e1812, (_e1812 > _e1827));
+                                                    let _e1945 = select(_e1854, _e1839, (_e1839 > _e1854));
+                                                    let _e1947 = select(_e1855, _e1840, (_e1840 > _e1855));
+                                                    let _e1949 = select(_e1856, _e1841, (_e1841 > _e1856));
+                                                    let _e1951 = select(_e1857, _e1842, (_e1842 > _e1857));
+                                                    let _e1953 = select(_e1945, _e1937, (_e1937 < _e1945));
+                                                    let _e1955 = select(_e1947, _e1939, (_e1939 < _e1947));
                                                     let _e1957 = select(_e1949, _e1941, (_e1941 < _e1949));
                                                     let _e1959 = select(_e1951, _e1943, (_e1943 < _e1951));
-                                                    let _e1961 = select(_e1953, _e1945, (_e1945 < _e1953));
-                                                    let _e1963 = select(_e1955, _e1947, (_e1947 < _e1955));
-                                                    let _e1965 = select(_e1888, _e1873, (_e1873 > _e1888));
-                                                    let _e1967 = select(_e1889, _e1874, (_e1874 > _e1889));
-                                                    let _e1969 = select(_e1890, _e1875, (_e1875 > _e1890));
-                                                    let _e1971 = select(_e1891, _e1876, (_e1876 > _e1891));
+                                                    let _e1961 = select(_e1884, _e1869, (_e1869 > _e1884));
+                                                    let _e1963 = select(_e1885, _e1870, (_e1870 > _e1885));
+                                                    let _e1965 = select(_e1886, _e1871, (_e1871 > _e1886));
+                                                    let _e1967 = select(_e1887, _e1872, (_e1872 > _e1887));
+                                                    let _e1969 = select(_e1961, _e1953, (_e1953 < _e1961));
+                                                    let _e1971 = select(_e1963, _e1955, (_e1955 < _e1963));
                                                     let _e1973 = select(_e1965, _e1957, (_e1957 < _e1965));
                                                     let _e1975 = select(_e1967, _e1959, (_e1959 < _e1967));
-                                                    let _e1977 = select(_e1969, _e1961, (_e1961 < _e1969));
-                                                    let _e1979 = select(_e1971, _e1963, (_e1963 < _e1971));
-                                                    let _e1999 = nodes.member[_e1100].member_6[0u];
-                                                    let _e2003 = nodes.member[_e1100].member_6[1u];
-                                                    let _e2007 = nodes.member[_e1100].member_6[2u];
-                                                    let _e2011 = nodes.member[_e1100].member_6[3u];
-                                                    if (select(340282350000000000000000000000000000000f, _e1939, (_e1939 <= select(_e959.member_3, _e1979, (_e1979 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                    let _e1995 = nodes.member[_e1100].member_6[0u];
+                                                    let _e1999 = nodes.member[_e1100].member_6[1u];
+                                                    let _e2003 = nodes.member[_e1100].member_6[2u];
+                                                    let _e2007 = nodes.member[_e1100].member_6[3u];
+                                                    if (select(340282350000000000000000000000000000000f, _e1935, (_e1935 <= select(_e959.member_3, _e1975, (_e1975 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
                                                         if (_e1097 < 64u) {
                                                         } else {
-                                                            phi_5383_ = true;
-                                                            phi_3915_ = bool();
+                                                            phi_5365_ = true;
+                                                            phi_3901_ = bool();
                                                             break;
                                                         }
-                                                        local[_e1097] = _e2011;
+                                                        local[_e1097] = _e2007;
                                                         phi_1833_ = (_e1097 + 1u);
                                                     } else {
                                                         phi_1833_ = _e1097;
                                                     }
-                                                    let _e2017 = phi_1833_;
-                                                    if (select(340282350000000000000000000000000000000f, _e1937, (_e1937 <= select(_e959.member_3, _e1977, (_e1977 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                        if (_e2017 < 64u) {
-                                                        } else {
-                                                            phi_5383_ = true;
-                                                            phi_3915_ = bool();
-                                                            break;
-                                                        }
-                                                        local[_e2017] = _e2007;
-                                                        phi_1845_ = (_e2017 + 1u);
-                                                    } else {
-                                                        phi_1845_ = _e2017;
-                                                    }
-                                                    let _e2023 = phi_1845_;
-                                                    if (select(340282350000000000000000000000000000000f, _e1935, (_e1935 <= select(_e959.member_3, _e1975, (_e1975 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                        if (_e2023 < 64u) {
-                                                        } else {
-                                                            phi_5383_ = true;
-                                                            phi_3915_ = bool();
-                                                            break;
-                                                        }
-                                                        local[_e2023] = _e2003;
-                                                        phi_1857_ = (_e2023 + 1u);
-                                                    } else {
-                                                        phi_1857_ = _e2023;
-                                                    }
-                                                    let _e2029 = phi_1857_;
+                                                    let _e2013 = phi_1833_;
                                                     if (select(340282350000000000000000000000000000000f, _e1933, (_e1933 <= select(_e959.member_3, _e1973, (_e1973 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                        if (_e2029 < 64u) {
+                                                        if (_e2013 < 64u) {
                                                         } else {
-                                                            phi_5383_ = true;
-                                                            phi_3915_ = bool();
+                                                            phi_5365_ = true;
+                                                            phi_3901_ = bool();
                                                             break;
                                                         }
-                                                        local[_e2029] = _e1999;
-                                                        phi_1869_ = (_e2029 + 1u);
+                                                        local[_e2013] = _e2003;
+                                                        phi_1845_ = (_e2013 + 1u);
                                                     } else {
-                                                        phi_1869_ = _e2029;
+                                                        phi_1845_ = _e2013;
                                                     }
-                                                    let _e2035 = phi_1869_;
-                                                    phi_5385_ = _e1093;
-                                                    phi_2709_ = _e2035;
-                                                    phi_2710_ = true;
+                                                    let _e2019 = phi_1845_;
+                                                    if (select(340282350000000000000000000000000000000f, _e1931, (_e1931 <= select(_e959.member_3, _e1971, (_e1971 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                        if (_e2019 < 64u) {
+                                                        } else {
+                                                            phi_5365_ = true;
+                                                            phi_3901_ = bool();
+                                                            break;
+                                                        }
+                                                        local[_e2019] = _e1999;
+                                                        phi_1857_ = (_e2019 + 1u);
+                                                    } else {
+                                                        phi_1857_ = _e2019;
+                                                    }
+                                                    let _e2025 = phi_1857_;
+                                                    if (select(340282350000000000000000000000000000000f, _e1929, (_e1929 <= select(_e959.member_3, _e1969, (_e1969 < _e959.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                        if (_e2025 < 64u) {
+                                                        } else {
+                                                            phi_5365_ = true;
+                                                            phi_3901_ = bool();
+                                                            break;
+                                                        }
+                                                        local[_e2025] = _e1995;
+                                                        phi_1869_ = (_e2025 + 1u);
+                                                    } else {
+                                                        phi_1869_ = _e2025;
+                                                    }
+                                                    let _e2031 = phi_1869_;
+                                                    phi_5367_ = _e1093;
+                                                    phi_2695_ = _e2031;
+                                                    phi_2696_ = true;
                                                 } else {
                                                     phi_1873_ = type_12(_e1100, (_e1100 + _e1098));
                                                     loop {
@@ -1178,78 +1176,78 @@ fn function_() {
                                                             let _e1125 = (_e1120.member_1 < arrayLength((&triangles.member)));
                                                             if _e1125 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             if _e1005 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1129 = triangles.member[_e1120.member_1].member[_e996];
                                                             let _e1130 = (_e1129 - _e1022);
                                                             if _e1005 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1134 = triangles.member[_e1120.member_1].member_2[_e996];
                                                             let _e1135 = (_e1134 - _e1022);
                                                             if _e1005 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1139 = triangles.member[_e1120.member_1].member_4[_e996];
                                                             let _e1140 = (_e1139 - _e1022);
                                                             if _e1009 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1144 = triangles.member[_e1120.member_1].member[_e995];
                                                             let _e1147 = ((_e1144 - _e1018) - (_e1012 * _e1130));
                                                             if _e1013 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1151 = triangles.member[_e1120.member_1].member[_e994];
                                                             let _e1154 = ((_e1151 - _e1020) - (_e1016 * _e1130));
                                                             if _e1009 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1158 = triangles.member[_e1120.member_1].member_2[_e995];
                                                             let _e1161 = ((_e1158 - _e1018) - (_e1012 * _e1135));
                                                             if _e1013 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1165 = triangles.member[_e1120.member_1].member_2[_e994];
                                                             let _e1168 = ((_e1165 - _e1020) - (_e1016 * _e1135));
                                                             if _e1009 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1172 = triangles.member[_e1120.member_1].member_4[_e995];
                                                             let _e1175 = ((_e1172 - _e1018) - (_e1012 * _e1140));
                                                             if _e1013 {
                                                             } else {
-                                                                phi_5244_ = true;
-                                                                phi_3914_ = bool();
+                                                                phi_5230_ = true;
+                                                                phi_3900_ = bool();
                                                                 break;
                                                             }
                                                             let _e1179 = triangles.member[_e1120.member_1].member_4[_e994];
@@ -1470,79 +1468,79 @@ fn function_() {
                                                                     if _e1501 {
                                                                         if _e1125 {
                                                                         } else {
-                                                                            phi_5244_ = true;
-                                                                            phi_3914_ = bool();
+                                                                            phi_5230_ = true;
+                                                                            phi_3900_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1504 = triangles.member[_e1120.member_1].member_3;
                                                                         if ((_e1504 & 1u) == 0u) {
-                                                                            phi_2667_ = true;
+                                                                            phi_2653_ = true;
                                                                         } else {
                                                                             if _e1125 {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1509 = triangles.member[_e1120.member_1].member_1;
                                                                             let _e1510 = (_e1509 * 12u);
                                                                             if ((256u + _e1510) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e1510 + 257u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e1510 + 258u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1517 = (_e1510 + 259u);
                                                                             if (_e1517 < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1520 = surfaces.member[_e1517];
                                                                             if ((_e1510 + 260u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e1510 + 261u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e1510 + 262u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1527 = (_e1510 + 263u);
                                                                             if (_e1527 < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1530 = surfaces.member[_e1527];
                                                                             let _e1531 = (_e1510 + 264u);
                                                                             if (_e1531 < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1534 = surfaces.member[_e1531];
@@ -1550,31 +1548,31 @@ fn function_() {
                                                                             let _e1536 = (_e1510 + 265u);
                                                                             if (_e1536 < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1539 = surfaces.member[_e1536];
                                                                             let _e1540 = bitcast<f32>(_e1539);
                                                                             if ((_e1510 + 266u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if ((_e1510 + 267u) < _e128) {
                                                                             } else {
-                                                                                phi_5244_ = true;
-                                                                                phi_3914_ = bool();
+                                                                                phi_5230_ = true;
+                                                                                phi_3900_ = bool();
                                                                                 break;
                                                                             }
                                                                             if (_e1520 == 4294967295u) {
-                                                                                phi_2662_ = (_e1535 < _e1540);
+                                                                                phi_2648_ = (_e1535 < _e1540);
                                                                             } else {
                                                                                 if (_e1120.member_1 < arrayLength((&attributes.member))) {
                                                                                 } else {
-                                                                                    phi_5244_ = true;
-                                                                                    phi_3914_ = bool();
+                                                                                    phi_5230_ = true;
+                                                                                    phi_3900_ = bool();
                                                                                     break;
                                                                                 }
                                                                                 let _e1548 = ((1f - _e1494[1]) - _e1494[2]);
@@ -1605,935 +1603,923 @@ fn function_() {
                                                                                     phi_2401_ = _e1599;
                                                                                 }
                                                                                 let _e1606 = phi_2401_;
-                                                                                if (_e1606 >= 0f) {
-                                                                                    phi_2411_ = select(true, false, (_e1606 <= 1f));
+                                                                                let _e1613 = ((select(0f, _e1606, (abs((_e1606 - 0.5f)) <= 0.5f)) * f32(_e1583)) - 0.5f);
+                                                                                let _e1614 = floor(_e1613);
+                                                                                let _e1615 = (_e1614 < 0f);
+                                                                                if _e1615 {
+                                                                                    phi_2429_ = 0u;
                                                                                 } else {
-                                                                                    phi_2411_ = true;
+                                                                                    let _e1620 = select(select(u32(_e1614), 0u, (_e1614 < 0f)), 4294967295u, (_e1614 > 4294967000f));
+                                                                                    phi_2429_ = select(_e1620, _e1589, (_e1589 < _e1620));
                                                                                 }
-                                                                                let _e1611 = phi_2411_;
-                                                                                let _e1615 = ((select(_e1606, 0f, _e1611) * f32(_e1583)) - 0.5f);
-                                                                                let _e1616 = floor(_e1615);
-                                                                                let _e1617 = (_e1616 < 0f);
-                                                                                if _e1617 {
-                                                                                    phi_2436_ = 0u;
+                                                                                let _e1624 = phi_2429_;
+                                                                                if _e1615 {
+                                                                                    phi_2439_ = 0u;
                                                                                 } else {
-                                                                                    let _e1622 = select(select(u32(_e1616), 0u, (_e1616 < 0f)), 4294967295u, (_e1616 > 4294967000f));
-                                                                                    phi_2436_ = select(_e1622, _e1589, (_e1589 < _e1622));
+                                                                                    let _e1625 = (_e1624 + 1u);
+                                                                                    phi_2439_ = select(_e1625, _e1589, (_e1589 < _e1625));
                                                                                 }
-                                                                                let _e1626 = phi_2436_;
-                                                                                if _e1617 {
-                                                                                    phi_2446_ = 0u;
+                                                                                let _e1629 = phi_2439_;
+                                                                                let _e1630 = (_e1588 == 0u);
+                                                                                if _e1630 {
+                                                                                    phi_2448_ = select(true, false, _e1615);
                                                                                 } else {
-                                                                                    let _e1627 = (_e1626 + 1u);
-                                                                                    phi_2446_ = select(_e1627, _e1589, (_e1589 < _e1627));
+                                                                                    phi_2448_ = true;
                                                                                 }
-                                                                                let _e1631 = phi_2446_;
-                                                                                let _e1632 = (_e1588 == 0u);
-                                                                                if _e1632 {
-                                                                                    phi_2455_ = select(true, false, _e1617);
-                                                                                } else {
-                                                                                    phi_2455_ = true;
-                                                                                }
-                                                                                let _e1635 = phi_2455_;
-                                                                                let _e1636 = select(_e1589, _e1626, _e1635);
-                                                                                if _e1632 {
-                                                                                    if _e1617 {
-                                                                                        phi_2471_ = true;
+                                                                                let _e1633 = phi_2448_;
+                                                                                let _e1634 = select(_e1589, _e1624, _e1633);
+                                                                                if _e1630 {
+                                                                                    if _e1615 {
+                                                                                        phi_2464_ = true;
                                                                                     } else {
-                                                                                        phi_2471_ = select(true, false, (_e1636 == _e1589));
+                                                                                        phi_2464_ = select(true, false, (_e1634 == _e1589));
                                                                                     }
-                                                                                    let _e1640 = phi_2471_;
-                                                                                    phi_2472_ = _e1640;
+                                                                                    let _e1638 = phi_2464_;
+                                                                                    phi_2465_ = _e1638;
                                                                                 } else {
-                                                                                    phi_2472_ = true;
+                                                                                    phi_2465_ = true;
                                                                                 }
-                                                                                let _e1642 = phi_2472_;
-                                                                                let _e1643 = select(0u, _e1631, _e1642);
-                                                                                let _e1644 = (_e1615 - _e1616);
-                                                                                let _e1647 = ((_e1520 >> bitcast<u32>(30u)) & 3u);
-                                                                                let _e1648 = (_e1585 - 1u);
-                                                                                let _e1650 = select(1f, 2f, (_e1647 == 2u));
-                                                                                let _e1654 = (_e1582 - (floor((_e1582 / _e1650)) * _e1650));
-                                                                                if (_e1654 > 1f) {
-                                                                                    phi_2495_ = (_e1650 - _e1654);
+                                                                                let _e1640 = phi_2465_;
+                                                                                let _e1641 = select(0u, _e1629, _e1640);
+                                                                                let _e1642 = (_e1613 - _e1614);
+                                                                                let _e1645 = ((_e1520 >> bitcast<u32>(30u)) & 3u);
+                                                                                let _e1646 = (_e1585 - 1u);
+                                                                                let _e1648 = select(1f, 2f, (_e1645 == 2u));
+                                                                                let _e1652 = (_e1582 - (floor((_e1582 / _e1648)) * _e1648));
+                                                                                if (_e1652 > 1f) {
+                                                                                    phi_2488_ = (_e1648 - _e1652);
                                                                                 } else {
-                                                                                    phi_2495_ = _e1654;
+                                                                                    phi_2488_ = _e1652;
                                                                                 }
-                                                                                let _e1658 = phi_2495_;
-                                                                                if (_e1647 == 1u) {
-                                                                                    let _e1661 = select(0f, _e1582, (_e1582 > 0f));
-                                                                                    phi_2510_ = select(1f, _e1661, (_e1661 < 1f));
+                                                                                let _e1656 = phi_2488_;
+                                                                                if (_e1645 == 1u) {
+                                                                                    let _e1659 = select(0f, _e1582, (_e1582 > 0f));
+                                                                                    phi_2503_ = select(1f, _e1659, (_e1659 < 1f));
                                                                                 } else {
-                                                                                    phi_2510_ = _e1658;
+                                                                                    phi_2503_ = _e1656;
                                                                                 }
-                                                                                let _e1665 = phi_2510_;
-                                                                                if (_e1665 >= 0f) {
-                                                                                    phi_2520_ = select(true, false, (_e1665 <= 1f));
+                                                                                let _e1663 = phi_2503_;
+                                                                                let _e1670 = ((select(0f, _e1663, (abs((_e1663 - 0.5f)) <= 0.5f)) * f32(_e1585)) - 0.5f);
+                                                                                let _e1671 = floor(_e1670);
+                                                                                let _e1672 = (_e1671 < 0f);
+                                                                                if _e1672 {
+                                                                                    phi_2531_ = 0u;
                                                                                 } else {
-                                                                                    phi_2520_ = true;
+                                                                                    let _e1677 = select(select(u32(_e1671), 0u, (_e1671 < 0f)), 4294967295u, (_e1671 > 4294967000f));
+                                                                                    phi_2531_ = select(_e1677, _e1646, (_e1646 < _e1677));
                                                                                 }
-                                                                                let _e1670 = phi_2520_;
-                                                                                let _e1674 = ((select(_e1665, 0f, _e1670) * f32(_e1585)) - 0.5f);
-                                                                                let _e1675 = floor(_e1674);
-                                                                                let _e1676 = (_e1675 < 0f);
-                                                                                if _e1676 {
-                                                                                    phi_2545_ = 0u;
+                                                                                let _e1681 = phi_2531_;
+                                                                                if _e1672 {
+                                                                                    phi_2541_ = 0u;
                                                                                 } else {
-                                                                                    let _e1681 = select(select(u32(_e1675), 0u, (_e1675 < 0f)), 4294967295u, (_e1675 > 4294967000f));
-                                                                                    phi_2545_ = select(_e1681, _e1648, (_e1648 < _e1681));
+                                                                                    let _e1682 = (_e1681 + 1u);
+                                                                                    phi_2541_ = select(_e1682, _e1646, (_e1646 < _e1682));
                                                                                 }
-                                                                                let _e1685 = phi_2545_;
-                                                                                if _e1676 {
-                                                                                    phi_2555_ = 0u;
+                                                                                let _e1686 = phi_2541_;
+                                                                                let _e1687 = (_e1645 == 0u);
+                                                                                if _e1687 {
+                                                                                    phi_2550_ = select(true, false, _e1672);
                                                                                 } else {
-                                                                                    let _e1686 = (_e1685 + 1u);
-                                                                                    phi_2555_ = select(_e1686, _e1648, (_e1648 < _e1686));
+                                                                                    phi_2550_ = true;
                                                                                 }
-                                                                                let _e1690 = phi_2555_;
-                                                                                let _e1691 = (_e1647 == 0u);
-                                                                                if _e1691 {
-                                                                                    phi_2564_ = select(true, false, _e1676);
-                                                                                } else {
-                                                                                    phi_2564_ = true;
-                                                                                }
-                                                                                let _e1694 = phi_2564_;
-                                                                                let _e1695 = select(_e1648, _e1685, _e1694);
-                                                                                if _e1691 {
-                                                                                    if _e1676 {
-                                                                                        phi_2580_ = true;
+                                                                                let _e1690 = phi_2550_;
+                                                                                let _e1691 = select(_e1646, _e1681, _e1690);
+                                                                                if _e1687 {
+                                                                                    if _e1672 {
+                                                                                        phi_2566_ = true;
                                                                                     } else {
-                                                                                        phi_2580_ = select(true, false, (_e1695 == _e1648));
+                                                                                        phi_2566_ = select(true, false, (_e1691 == _e1646));
                                                                                     }
-                                                                                    let _e1699 = phi_2580_;
-                                                                                    phi_2581_ = _e1699;
+                                                                                    let _e1695 = phi_2566_;
+                                                                                    phi_2567_ = _e1695;
                                                                                 } else {
-                                                                                    phi_2581_ = true;
+                                                                                    phi_2567_ = true;
                                                                                 }
-                                                                                let _e1701 = phi_2581_;
-                                                                                let _e1703 = (_e1674 - _e1675);
-                                                                                let _e1704 = (_e1520 & 268435455u);
-                                                                                let _e1706 = (_e1704 + (_e1695 * _e1583));
-                                                                                let _e1708 = (_e1704 + (select(0u, _e1690, _e1701) * _e1583));
-                                                                                let _e1709 = (_e1706 + _e1636);
-                                                                                let _e1710 = (_e1706 + _e1643);
-                                                                                let _e1711 = (_e1708 + _e1636);
-                                                                                let _e1712 = (_e1708 + _e1643);
-                                                                                if (_e1709 < _e128) {
+                                                                                let _e1697 = phi_2567_;
+                                                                                let _e1699 = (_e1670 - _e1671);
+                                                                                let _e1700 = (_e1520 & 268435455u);
+                                                                                let _e1702 = (_e1700 + (_e1691 * _e1583));
+                                                                                let _e1704 = (_e1700 + (select(0u, _e1686, _e1697) * _e1583));
+                                                                                let _e1705 = (_e1702 + _e1634);
+                                                                                let _e1706 = (_e1702 + _e1641);
+                                                                                let _e1707 = (_e1704 + _e1634);
+                                                                                let _e1708 = (_e1704 + _e1641);
+                                                                                if (_e1705 < _e128) {
                                                                                 } else {
-                                                                                    phi_5244_ = true;
-                                                                                    phi_3914_ = bool();
+                                                                                    phi_5230_ = true;
+                                                                                    phi_3900_ = bool();
                                                                                     break;
                                                                                 }
-                                                                                let _e1715 = surfaces.member[_e1709];
-                                                                                if (_e1710 < _e128) {
+                                                                                let _e1711 = surfaces.member[_e1705];
+                                                                                if (_e1706 < _e128) {
                                                                                 } else {
-                                                                                    phi_5244_ = true;
-                                                                                    phi_3914_ = bool();
+                                                                                    phi_5230_ = true;
+                                                                                    phi_3900_ = bool();
                                                                                     break;
                                                                                 }
-                                                                                let _e1718 = surfaces.member[_e1710];
-                                                                                if (_e1711 < _e128) {
+                                                                                let _e1714 = surfaces.member[_e1706];
+                                                                                if (_e1707 < _e128) {
                                                                                 } else {
-                                                                                    phi_5244_ = true;
-                                                                                    phi_3914_ = bool();
+                                                                                    phi_5230_ = true;
+                                                                                    phi_3900_ = bool();
                                                                                     break;
                                                                                 }
-                                                                                let _e1721 = surfaces.member[_e1711];
-                                                                                if (_e1712 < _e128) {
+                                                                                let _e1717 = surfaces.member[_e1707];
+                                                                                if (_e1708 < _e128) {
                                                                                 } else {
-                                                                                    phi_5244_ = true;
-                                                                                    phi_3914_ = bool();
+                                                                                    phi_5230_ = true;
+                                                                                    phi_3900_ = bool();
                                                                                     break;
                                                                                 }
-                                                                                let _e1724 = surfaces.member[_e1712];
-                                                                                let _e1741 = (1f - _e1644);
-                                                                                phi_2662_ = ((_e1535 * (((((f32((_e1715 >> bitcast<u32>(24i))) * 0.003921569f) * _e1741) + ((f32((_e1718 >> bitcast<u32>(24i))) * 0.003921569f) * _e1644)) * (1f - _e1703)) + ((((f32((_e1721 >> bitcast<u32>(24i))) * 0.003921569f) * _e1741) + ((f32((_e1724 >> bitcast<u32>(24i))) * 0.003921569f) * _e1644)) * _e1703))) < _e1540);
+                                                                                let _e1720 = surfaces.member[_e1708];
+                                                                                let _e1737 = (1f - _e1642);
+                                                                                phi_2648_ = ((_e1535 * (((((f32((_e1711 >> bitcast<u32>(24i))) * 0.003921569f) * _e1737) + ((f32((_e1714 >> bitcast<u32>(24i))) * 0.003921569f) * _e1642)) * (1f - _e1699)) + ((((f32((_e1717 >> bitcast<u32>(24i))) * 0.003921569f) * _e1737) + ((f32((_e1720 >> bitcast<u32>(24i))) * 0.003921569f) * _e1642)) * _e1699))) < _e1540);
                                                                             }
-                                                                            let _e1756 = phi_2662_;
-                                                                            phi_2667_ = select(true, false, _e1756);
+                                                                            let _e1752 = phi_2648_;
+                                                                            phi_2653_ = select(true, false, _e1752);
                                                                         }
-                                                                        let _e1759 = phi_2667_;
-                                                                        if _e1759 {
-                                                                            phi_2672_ = type_51(_e1494[0], _e1120.member_1, _e1494[1], _e1494[2]);
+                                                                        let _e1755 = phi_2653_;
+                                                                        if _e1755 {
+                                                                            phi_2658_ = type_51(_e1494[0], _e1120.member_1, _e1494[1], _e1494[2]);
                                                                         } else {
-                                                                            phi_2672_ = type_51();
+                                                                            phi_2658_ = type_51();
                                                                         }
-                                                                        let _e1762 = phi_2672_;
-                                                                        phi_2674_ = _e1762;
-                                                                        phi_2676_ = select(true, false, _e1759);
+                                                                        let _e1758 = phi_2658_;
+                                                                        phi_2660_ = _e1758;
+                                                                        phi_2662_ = select(true, false, _e1755);
                                                                     } else {
-                                                                        phi_2674_ = type_51();
-                                                                        phi_2676_ = false;
+                                                                        phi_2660_ = type_51();
+                                                                        phi_2662_ = false;
                                                                     }
-                                                                    let _e1765 = phi_2674_;
-                                                                    let _e1767 = phi_2676_;
-                                                                    phi_2677_ = _e1765;
-                                                                    phi_2679_ = select(true, false, _e1501);
-                                                                    phi_2680_ = _e1767;
+                                                                    let _e1761 = phi_2660_;
+                                                                    let _e1763 = phi_2662_;
+                                                                    phi_2663_ = _e1761;
+                                                                    phi_2665_ = select(true, false, _e1501);
+                                                                    phi_2666_ = _e1763;
                                                                 } else {
-                                                                    phi_2677_ = type_51();
-                                                                    phi_2679_ = false;
-                                                                    phi_2680_ = false;
+                                                                    phi_2663_ = type_51();
+                                                                    phi_2665_ = false;
+                                                                    phi_2666_ = false;
                                                                 }
-                                                                let _e1770 = phi_2677_;
-                                                                let _e1772 = phi_2679_;
-                                                                let _e1774 = phi_2680_;
-                                                                phi_2681_ = _e1770;
-                                                                phi_2682_ = select(true, false, _e1500);
-                                                                phi_2683_ = _e1772;
-                                                                phi_2684_ = _e1774;
+                                                                let _e1766 = phi_2663_;
+                                                                let _e1768 = phi_2665_;
+                                                                let _e1770 = phi_2666_;
+                                                                phi_2667_ = _e1766;
+                                                                phi_2668_ = select(true, false, _e1500);
+                                                                phi_2669_ = _e1768;
+                                                                phi_2670_ = _e1770;
                                                             } else {
-                                                                phi_2681_ = type_51();
-                                                                phi_2682_ = true;
-                                                                phi_2683_ = false;
-                                                                phi_2684_ = false;
+                                                                phi_2667_ = type_51();
+                                                                phi_2668_ = true;
+                                                                phi_2669_ = false;
+                                                                phi_2670_ = false;
                                                             }
-                                                            let _e1777 = phi_2681_;
-                                                            let _e1779 = phi_2682_;
-                                                            let _e1781 = phi_2683_;
-                                                            let _e1783 = phi_2684_;
-                                                            if select(select(_e1783, false, _e1779), true, select(_e1781, true, _e1779)) {
-                                                                phi_2697_ = type_51(_e959.member_3, 4294967295u, 0f, 0f);
+                                                            let _e1773 = phi_2667_;
+                                                            let _e1775 = phi_2668_;
+                                                            let _e1777 = phi_2669_;
+                                                            let _e1779 = phi_2670_;
+                                                            if select(select(_e1779, false, _e1775), true, select(_e1777, true, _e1775)) {
+                                                                phi_2683_ = type_51(_e959.member_3, 4294967295u, 0f, 0f);
                                                             } else {
-                                                                phi_2697_ = _e1777;
+                                                                phi_2683_ = _e1773;
                                                             }
-                                                            let _e1788 = phi_2697_;
-                                                            phi_2704_ = select(true, false, (_e1788.member_1 != 4294967295u));
+                                                            let _e1784 = phi_2683_;
+                                                            phi_2690_ = select(true, false, (_e1784.member_1 != 4294967295u));
                                                         } else {
-                                                            phi_2704_ = false;
+                                                            phi_2690_ = false;
                                                         }
-                                                        let _e1793 = phi_2704_;
+                                                        let _e1789 = phi_2690_;
                                                         continue;
                                                         continuing {
                                                             phi_1873_ = _e1118;
-                                                            phi_5244_ = _e1093;
-                                                            phi_3914_ = select(true, false, _e1124);
-                                                            break if !(_e1793);
+                                                            phi_5230_ = _e1093;
+                                                            phi_3900_ = select(true, false, _e1124);
+                                                            break if !(_e1789);
                                                         }
                                                     }
-                                                    let _e1797 = phi_5244_;
-                                                    let _e1799 = phi_3914_;
-                                                    phi_5383_ = _e1797;
-                                                    phi_3915_ = bool();
-                                                    if _e1797 {
+                                                    let _e1793 = phi_5230_;
+                                                    let _e1795 = phi_3900_;
+                                                    phi_5365_ = _e1793;
+                                                    phi_3901_ = bool();
+                                                    if _e1793 {
                                                         break;
                                                     }
-                                                    phi_5385_ = _e1797;
-                                                    phi_2709_ = _e1097;
-                                                    phi_2710_ = _e1799;
+                                                    phi_5367_ = _e1793;
+                                                    phi_2695_ = _e1097;
+                                                    phi_2696_ = _e1795;
                                                 }
-                                                let _e2037 = phi_5385_;
-                                                let _e2039 = phi_2709_;
-                                                let _e2041 = phi_2710_;
-                                                if _e2041 {
-                                                    let _e2042 = (_e2039 == 0u);
-                                                    if _e2042 {
-                                                        phi_2726_ = u32();
-                                                        phi_2727_ = u32();
+                                                let _e2033 = phi_5367_;
+                                                let _e2035 = phi_2695_;
+                                                let _e2037 = phi_2696_;
+                                                if _e2037 {
+                                                    let _e2038 = (_e2035 == 0u);
+                                                    if _e2038 {
+                                                        phi_2712_ = u32();
+                                                        phi_2713_ = u32();
                                                     } else {
-                                                        let _e2043 = (_e2039 - 1u);
-                                                        if (_e2043 < 64u) {
+                                                        let _e2039 = (_e2035 - 1u);
+                                                        if (_e2039 < 64u) {
                                                         } else {
-                                                            phi_5383_ = true;
-                                                            phi_3915_ = bool();
+                                                            phi_5365_ = true;
+                                                            phi_3901_ = bool();
                                                             break;
                                                         }
-                                                        let _e2046 = local[_e2043];
-                                                        phi_2726_ = _e2046;
-                                                        phi_2727_ = _e2043;
+                                                        let _e2042 = local[_e2039];
+                                                        phi_2712_ = _e2042;
+                                                        phi_2713_ = _e2039;
                                                     }
-                                                    let _e2048 = phi_2726_;
-                                                    let _e2050 = phi_2727_;
-                                                    phi_1444_ = _e2048;
-                                                    phi_1447_ = _e2050;
-                                                    phi_2729_ = select(true, false, _e2042);
-                                                    phi_2730_ = _e2042;
+                                                    let _e2044 = phi_2712_;
+                                                    let _e2046 = phi_2713_;
+                                                    phi_1444_ = _e2044;
+                                                    phi_1447_ = _e2046;
+                                                    phi_2715_ = select(true, false, _e2038);
+                                                    phi_2716_ = _e2038;
                                                 } else {
                                                     phi_1444_ = u32();
                                                     phi_1447_ = u32();
-                                                    phi_2729_ = false;
-                                                    phi_2730_ = false;
+                                                    phi_2715_ = false;
+                                                    phi_2716_ = false;
                                                 }
-                                                let _e2053 = phi_1444_;
-                                                let _e2055 = phi_1447_;
-                                                let _e2057 = phi_2729_;
-                                                let _e2059 = phi_2730_;
+                                                let _e2049 = phi_1444_;
+                                                let _e2051 = phi_1447_;
+                                                let _e2053 = phi_2715_;
+                                                let _e2055 = phi_2716_;
                                                 continue;
                                                 continuing {
-                                                    phi_5248_ = _e2037;
-                                                    phi_1443_ = _e2053;
-                                                    phi_1446_ = _e2055;
-                                                    phi_5383_ = _e2037;
-                                                    phi_3915_ = _e2059;
-                                                    break if !(_e2057);
+                                                    phi_5234_ = _e2033;
+                                                    phi_1443_ = _e2049;
+                                                    phi_1446_ = _e2051;
+                                                    phi_5365_ = _e2033;
+                                                    phi_3901_ = _e2055;
+                                                    break if !(_e2053);
                                                 }
                                             }
-                                            let _e2062 = phi_5383_;
-                                            let _e2064 = phi_3915_;
-                                            phi_5443_ = _e2062;
-                                            if _e2062 {
+                                            let _e2058 = phi_5365_;
+                                            let _e2060 = phi_3901_;
+                                            phi_5425_ = _e2058;
+                                            if _e2058 {
                                                 break;
                                             }
-                                            if select(false, true, select(true, false, _e2064)) {
-                                                phi_2743_ = _e395;
+                                            if select(false, true, select(true, false, _e2060)) {
+                                                phi_2729_ = _e395;
                                             } else {
-                                                phi_2743_ = (_e395 + _e960);
+                                                phi_2729_ = (_e395 + _e960);
                                             }
-                                            let _e2069 = phi_2743_;
-                                            phi_5445_ = _e2062;
-                                            phi_2744_ = _e2069;
+                                            let _e2065 = phi_2729_;
+                                            phi_5427_ = _e2058;
+                                            phi_2730_ = _e2065;
                                         } else {
-                                            phi_5445_ = _e389;
-                                            phi_2744_ = _e395;
+                                            phi_5427_ = _e389;
+                                            phi_2730_ = _e395;
                                         }
-                                        let _e2071 = phi_5445_;
-                                        let _e2073 = phi_2744_;
-                                        phi_5444_ = _e2071;
+                                        let _e2067 = phi_5427_;
+                                        let _e2069 = phi_2730_;
+                                        phi_5426_ = _e2067;
                                         phi_547_ = select(_e961, _e393, (_e393 < _e961));
-                                        phi_549_ = _e2073;
+                                        phi_549_ = _e2069;
                                         phi_551_ = (_e397 + _e960);
                                     } else {
-                                        phi_5444_ = _e389;
+                                        phi_5426_ = _e389;
                                         phi_547_ = f32();
                                         phi_549_ = f32();
                                         phi_551_ = f32();
                                     }
-                                    let _e2075 = phi_5444_;
-                                    let _e2077 = phi_547_;
-                                    let _e2079 = phi_549_;
-                                    let _e2081 = phi_551_;
+                                    let _e2071 = phi_5426_;
+                                    let _e2073 = phi_547_;
+                                    let _e2075 = phi_549_;
+                                    let _e2077 = phi_551_;
                                     continue;
                                     continuing {
-                                        phi_5270_ = _e2075;
+                                        phi_5256_ = _e2071;
                                         phi_543_ = _e410;
-                                        phi_546_ = _e2077;
-                                        phi_548_ = _e2079;
-                                        phi_550_ = _e2081;
-                                        phi_5443_ = _e2075;
+                                        phi_546_ = _e2073;
+                                        phi_548_ = _e2075;
+                                        phi_550_ = _e2077;
+                                        phi_5425_ = _e2071;
                                         break if !(_e416);
                                     }
                                 }
-                                let _e2084 = phi_5443_;
-                                phi_5449_ = _e2084;
-                                if _e2084 {
+                                let _e2080 = phi_5425_;
+                                phi_5431_ = _e2080;
+                                if _e2080 {
                                     break;
                                 }
-                                let _e2086 = local_5;
-                                if (_e2086 <= 0f) {
-                                    phi_2811_ = vec3<f32>(0f, 0f, 0f);
+                                let _e2082 = local_5;
+                                if (_e2082 <= 0f) {
+                                    phi_2797_ = vec3<f32>(0f, 0f, 0f);
                                 } else {
                                     if (_e374.member_1 == 4294967295u) {
-                                        let _e2090 = local_6;
-                                        phi_2757_ = ((3.1415927f * _e2090) / f32(_e386));
+                                        let _e2086 = local_6;
+                                        phi_2743_ = ((3.1415927f * _e2086) / f32(_e386));
                                     } else {
-                                        let _e3109 = local_14;
-                                        phi_2757_ = _e3109;
+                                        let _e3103 = local_14;
+                                        phi_2743_ = _e3103;
                                     }
-                                    let _e2095 = phi_2757_;
+                                    let _e2091 = phi_2743_;
                                     if _e382 {
                                         if (_e386 == 1u) {
-                                            phi_2792_ = f32();
-                                            phi_2793_ = true;
+                                            phi_2778_ = f32();
+                                            phi_2779_ = true;
                                         } else {
-                                            let _e2099 = local_7;
-                                            let _e2101 = (_e374.member_3 < (0.01f * _e2099));
-                                            if _e2101 {
-                                                phi_2791_ = f32();
+                                            let _e2095 = local_7;
+                                            let _e2097 = (_e374.member_3 < (0.01f * _e2095));
+                                            if _e2097 {
+                                                phi_2777_ = f32();
                                             } else {
-                                                let _e2117 = (_e374.member[0] - _e146.member[0]);
-                                                let _e2118 = (_e374.member[1] - _e146.member[1]);
-                                                let _e2119 = (_e374.member[2] - _e146.member[2]);
-                                                let _e2120 = (vec3<f32>(_e374.member[0], _e374.member[1], _e374.member[2]) - _e153);
-                                                let _e2121 = (_e374.member_2[0] - _e146.member[0]);
-                                                let _e2122 = (_e374.member_2[1] - _e146.member[1]);
-                                                let _e2123 = (_e374.member_2[2] - _e146.member[2]);
-                                                let _e2124 = (vec3<f32>(_e374.member_2[0], _e374.member_2[1], _e374.member_2[2]) - _e153);
-                                                let _e2125 = (_e374.member_4[0] - _e146.member[0]);
-                                                let _e2126 = (_e374.member_4[1] - _e146.member[1]);
-                                                let _e2127 = (_e374.member_4[2] - _e146.member[2]);
-                                                let _e2128 = (vec3<f32>(_e374.member_4[0], _e374.member_4[1], _e374.member_4[2]) - _e153);
-                                                let _e2133 = (((_e146.member_2[0] * _e2117) + (_e146.member_2[1] * _e2118)) + (_e146.member_2[2] * _e2119));
-                                                let _e2138 = (((_e146.member_2[0] * _e2121) + (_e146.member_2[1] * _e2122)) + (_e146.member_2[2] * _e2123));
-                                                let _e2143 = (((_e146.member_2[0] * _e2125) + (_e146.member_2[1] * _e2126)) + (_e146.member_2[2] * _e2127));
-                                                let _e2144 = (_e2133 <= 0f);
+                                                let _e2113 = (_e374.member[0] - _e146.member[0]);
+                                                let _e2114 = (_e374.member[1] - _e146.member[1]);
+                                                let _e2115 = (_e374.member[2] - _e146.member[2]);
+                                                let _e2116 = (vec3<f32>(_e374.member[0], _e374.member[1], _e374.member[2]) - _e153);
+                                                let _e2117 = (_e374.member_2[0] - _e146.member[0]);
+                                                let _e2118 = (_e374.member_2[1] - _e146.member[1]);
+                                                let _e2119 = (_e374.member_2[2] - _e146.member[2]);
+                                                let _e2120 = (vec3<f32>(_e374.member_2[0], _e374.member_2[1], _e374.member_2[2]) - _e153);
+                                                let _e2121 = (_e374.member_4[0] - _e146.member[0]);
+                                                let _e2122 = (_e374.member_4[1] - _e146.member[1]);
+                                                let _e2123 = (_e374.member_4[2] - _e146.member[2]);
+                                                let _e2124 = (vec3<f32>(_e374.member_4[0], _e374.member_4[1], _e374.member_4[2]) - _e153);
+                                                let _e2129 = (((_e146.member_2[0] * _e2113) + (_e146.member_2[1] * _e2114)) + (_e146.member_2[2] * _e2115));
+                                                let _e2134 = (((_e146.member_2[0] * _e2117) + (_e146.member_2[1] * _e2118)) + (_e146.member_2[2] * _e2119));
+                                                let _e2139 = (((_e146.member_2[0] * _e2121) + (_e146.member_2[1] * _e2122)) + (_e146.member_2[2] * _e2123));
+                                                let _e2140 = (_e2129 <= 0f);
+                                                if _e2140 {
+                                                    phi_4243_ = select(true, false, (_e2134 <= 0f));
+                                                } else {
+                                                    phi_4243_ = true;
+                                                }
+                                                let _e2144 = phi_4243_;
                                                 if _e2144 {
-                                                    phi_4257_ = select(true, false, (_e2138 <= 0f));
-                                                } else {
-                                                    phi_4257_ = true;
-                                                }
-                                                let _e2148 = phi_4257_;
-                                                if _e2148 {
-                                                    if _e2144 {
-                                                        phi_4268_ = true;
+                                                    if _e2140 {
+                                                        phi_4254_ = true;
                                                     } else {
-                                                        phi_4268_ = (_e2138 <= 0f);
+                                                        phi_4254_ = (_e2134 <= 0f);
                                                     }
-                                                    let _e2151 = phi_4268_;
-                                                    if _e2151 {
-                                                        let _e2156 = (_e2133 / (_e2133 - _e2138));
-                                                        let _e2163 = vec3<f32>((_e2117 + ((_e2121 - _e2117) * _e2156)), (_e2118 + ((_e2122 - _e2118) * _e2156)), (_e2119 + ((_e2123 - _e2119) * _e2156)));
-                                                        if _e2144 {
-                                                            phi_4289_ = type_61(0f, vec3<f32>(0f, 0f, 0f), _e2163);
+                                                    let _e2147 = phi_4254_;
+                                                    if _e2147 {
+                                                        let _e2152 = (_e2129 / (_e2129 - _e2134));
+                                                        let _e2159 = vec3<f32>((_e2113 + ((_e2117 - _e2113) * _e2152)), (_e2114 + ((_e2118 - _e2114) * _e2152)), (_e2115 + ((_e2119 - _e2115) * _e2152)));
+                                                        if _e2140 {
+                                                            phi_4275_ = type_61(0f, vec3<f32>(0f, 0f, 0f), _e2159);
                                                         } else {
-                                                            phi_4289_ = type_61(0f, _e2163, vec3<f32>(0f, 0f, 0f));
+                                                            phi_4275_ = type_61(0f, _e2159, vec3<f32>(0f, 0f, 0f));
                                                         }
-                                                        let _e2167 = phi_4289_;
-                                                        let _e2168 = vec3(_e2144);
-                                                        phi_4293_ = _e2167;
-                                                        phi_4294_ = select(_e2163, _e2124, _e2168);
-                                                        phi_4295_ = select(_e2120, _e2163, _e2168);
+                                                        let _e2163 = phi_4275_;
+                                                        let _e2164 = vec3(_e2140);
+                                                        phi_4279_ = _e2163;
+                                                        phi_4280_ = select(_e2159, _e2120, _e2164);
+                                                        phi_4281_ = select(_e2116, _e2159, _e2164);
                                                     } else {
-                                                        phi_4293_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                                                        phi_4294_ = _e2124;
-                                                        phi_4295_ = _e2120;
+                                                        phi_4279_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                        phi_4280_ = _e2120;
+                                                        phi_4281_ = _e2116;
                                                     }
-                                                    let _e2172 = phi_4293_;
-                                                    let _e2174 = phi_4294_;
-                                                    let _e2176 = phi_4295_;
-                                                    let _e2178 = abs(_e2176.x);
-                                                    let _e2180 = abs(_e2176.y);
+                                                    let _e2168 = phi_4279_;
+                                                    let _e2170 = phi_4280_;
+                                                    let _e2172 = phi_4281_;
+                                                    let _e2174 = abs(_e2172.x);
+                                                    let _e2176 = abs(_e2172.y);
+                                                    let _e2178 = select(_e2176, _e2174, (_e2174 > _e2176));
+                                                    let _e2180 = abs(_e2172.z);
                                                     let _e2182 = select(_e2180, _e2178, (_e2178 > _e2180));
-                                                    let _e2184 = abs(_e2176.z);
-                                                    let _e2186 = select(_e2184, _e2182, (_e2182 > _e2184));
-                                                    if (_e2186 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2188 = (_e2186 < 340282350000000000000000000000000000000f);
-                                                        if _e2188 {
-                                                            let _e2189 = (_e2176.x / _e2186);
-                                                            let _e2190 = (_e2176.y / _e2186);
-                                                            let _e2191 = (_e2176.z / _e2186);
-                                                            let _e2197 = sqrt((((_e2189 * _e2189) + (_e2190 * _e2190)) + (_e2191 * _e2191)));
-                                                            phi_4335_ = vec3<f32>((_e2189 / _e2197), (_e2190 / _e2197), (_e2191 / _e2197));
+                                                    if (_e2182 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2184 = (_e2182 < 340282350000000000000000000000000000000f);
+                                                        if _e2184 {
+                                                            let _e2185 = (_e2172.x / _e2182);
+                                                            let _e2186 = (_e2172.y / _e2182);
+                                                            let _e2187 = (_e2172.z / _e2182);
+                                                            let _e2193 = sqrt((((_e2185 * _e2185) + (_e2186 * _e2186)) + (_e2187 * _e2187)));
+                                                            phi_4321_ = vec3<f32>((_e2185 / _e2193), (_e2186 / _e2193), (_e2187 / _e2193));
                                                         } else {
-                                                            phi_4335_ = vec3<f32>();
+                                                            phi_4321_ = vec3<f32>();
                                                         }
-                                                        let _e2203 = phi_4335_;
-                                                        phi_4338_ = _e2203;
-                                                        phi_4339_ = select(true, false, _e2188);
+                                                        let _e2199 = phi_4321_;
+                                                        phi_4324_ = _e2199;
+                                                        phi_4325_ = select(true, false, _e2184);
                                                     } else {
-                                                        phi_4338_ = vec3<f32>();
-                                                        phi_4339_ = true;
+                                                        phi_4324_ = vec3<f32>();
+                                                        phi_4325_ = true;
                                                     }
-                                                    let _e2206 = phi_4338_;
-                                                    let _e2208 = phi_4339_;
-                                                    let _e2210 = select(_e2206, vec3<f32>(0f, 0f, 0f), vec3(_e2208));
-                                                    let _e2212 = abs(_e2174.x);
-                                                    let _e2214 = abs(_e2174.y);
+                                                    let _e2202 = phi_4324_;
+                                                    let _e2204 = phi_4325_;
+                                                    let _e2206 = select(_e2202, vec3<f32>(0f, 0f, 0f), vec3(_e2204));
+                                                    let _e2208 = abs(_e2170.x);
+                                                    let _e2210 = abs(_e2170.y);
+                                                    let _e2212 = select(_e2210, _e2208, (_e2208 > _e2210));
+                                                    let _e2214 = abs(_e2170.z);
                                                     let _e2216 = select(_e2214, _e2212, (_e2212 > _e2214));
-                                                    let _e2218 = abs(_e2174.z);
-                                                    let _e2220 = select(_e2218, _e2216, (_e2216 > _e2218));
-                                                    if (_e2220 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2222 = (_e2220 < 340282350000000000000000000000000000000f);
-                                                        if _e2222 {
-                                                            let _e2223 = (_e2174.x / _e2220);
-                                                            let _e2224 = (_e2174.y / _e2220);
-                                                            let _e2225 = (_e2174.z / _e2220);
-                                                            let _e2231 = sqrt((((_e2223 * _e2223) + (_e2224 * _e2224)) + (_e2225 * _e2225)));
-                                                            phi_4383_ = vec3<f32>((_e2223 / _e2231), (_e2224 / _e2231), (_e2225 / _e2231));
+                                                    if (_e2216 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2218 = (_e2216 < 340282350000000000000000000000000000000f);
+                                                        if _e2218 {
+                                                            let _e2219 = (_e2170.x / _e2216);
+                                                            let _e2220 = (_e2170.y / _e2216);
+                                                            let _e2221 = (_e2170.z / _e2216);
+                                                            let _e2227 = sqrt((((_e2219 * _e2219) + (_e2220 * _e2220)) + (_e2221 * _e2221)));
+                                                            phi_4369_ = vec3<f32>((_e2219 / _e2227), (_e2220 / _e2227), (_e2221 / _e2227));
                                                         } else {
-                                                            phi_4383_ = vec3<f32>();
+                                                            phi_4369_ = vec3<f32>();
                                                         }
-                                                        let _e2237 = phi_4383_;
-                                                        phi_4386_ = _e2237;
-                                                        phi_4387_ = select(true, false, _e2222);
+                                                        let _e2233 = phi_4369_;
+                                                        phi_4372_ = _e2233;
+                                                        phi_4373_ = select(true, false, _e2218);
                                                     } else {
-                                                        phi_4386_ = vec3<f32>();
-                                                        phi_4387_ = true;
+                                                        phi_4372_ = vec3<f32>();
+                                                        phi_4373_ = true;
                                                     }
-                                                    let _e2240 = phi_4386_;
-                                                    let _e2242 = phi_4387_;
-                                                    let _e2244 = select(_e2240, vec3<f32>(0f, 0f, 0f), vec3(_e2242));
-                                                    let _e2251 = ((_e2210.y * _e2244.z) - (_e2244.y * _e2210.z));
-                                                    let _e2256 = ((_e2210.z * _e2244.x) - (_e2244.z * _e2210.x));
-                                                    let _e2259 = ((_e2210.x * _e2244.y) - (_e2244.x * _e2210.y));
-                                                    let _e2265 = sqrt((((_e2251 * _e2251) + (_e2256 * _e2256)) + (_e2259 * _e2259)));
-                                                    if (_e2265 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_4501_ = 0f;
+                                                    let _e2236 = phi_4372_;
+                                                    let _e2238 = phi_4373_;
+                                                    let _e2240 = select(_e2236, vec3<f32>(0f, 0f, 0f), vec3(_e2238));
+                                                    let _e2247 = ((_e2206.y * _e2240.z) - (_e2240.y * _e2206.z));
+                                                    let _e2252 = ((_e2206.z * _e2240.x) - (_e2240.z * _e2206.x));
+                                                    let _e2255 = ((_e2206.x * _e2240.y) - (_e2240.x * _e2206.y));
+                                                    let _e2261 = sqrt((((_e2247 * _e2247) + (_e2252 * _e2252)) + (_e2255 * _e2255)));
+                                                    if (_e2261 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_4487_ = 0f;
                                                     } else {
-                                                        let _e2277 = (((_e2210.x * _e2244.x) + (_e2210.y * _e2244.y)) + (_e2210.z * _e2244.z));
-                                                        let _e2278 = abs(_e2277);
-                                                        let _e2279 = abs(_e2265);
-                                                        let _e2280 = (_e2279 > _e2278);
-                                                        let _e2281 = select(_e2278, _e2279, _e2280);
-                                                        if (_e2281 > 0f) {
-                                                            phi_4454_ = (select(_e2279, _e2278, _e2280) / _e2281);
+                                                        let _e2273 = (((_e2206.x * _e2240.x) + (_e2206.y * _e2240.y)) + (_e2206.z * _e2240.z));
+                                                        let _e2274 = abs(_e2273);
+                                                        let _e2275 = abs(_e2261);
+                                                        let _e2276 = (_e2275 > _e2274);
+                                                        let _e2277 = select(_e2274, _e2275, _e2276);
+                                                        if (_e2277 > 0f) {
+                                                            phi_4440_ = (select(_e2275, _e2274, _e2276) / _e2277);
                                                         } else {
-                                                            phi_4454_ = 0f;
+                                                            phi_4440_ = 0f;
                                                         }
-                                                        let _e2286 = phi_4454_;
-                                                        let _e2287 = (_e2286 > 0.41421357f);
-                                                        if _e2287 {
-                                                            phi_4462_ = ((_e2286 - 1f) / (_e2286 + 1f));
+                                                        let _e2282 = phi_4440_;
+                                                        let _e2283 = (_e2282 > 0.41421357f);
+                                                        if _e2283 {
+                                                            phi_4448_ = ((_e2282 - 1f) / (_e2282 + 1f));
                                                         } else {
-                                                            phi_4462_ = _e2286;
+                                                            phi_4448_ = _e2282;
                                                         }
-                                                        let _e2292 = phi_4462_;
-                                                        let _e2293 = (_e2292 * _e2292);
-                                                        let _e2302 = (_e2292 + ((_e2292 * _e2293) * (-0.3333295f + (_e2293 * (0.19977711f + (_e2293 * (-0.13877685f + (_e2293 * 0.080537446f))))))));
-                                                        if _e2287 {
-                                                            phi_4477_ = (_e2302 + 0.7853982f);
+                                                        let _e2288 = phi_4448_;
+                                                        let _e2289 = (_e2288 * _e2288);
+                                                        let _e2298 = (_e2288 + ((_e2288 * _e2289) * (-0.3333295f + (_e2289 * (0.19977711f + (_e2289 * (-0.13877685f + (_e2289 * 0.080537446f))))))));
+                                                        if _e2283 {
+                                                            phi_4463_ = (_e2298 + 0.7853982f);
                                                         } else {
-                                                            phi_4477_ = _e2302;
+                                                            phi_4463_ = _e2298;
                                                         }
-                                                        let _e2305 = phi_4477_;
-                                                        if _e2280 {
-                                                            phi_4483_ = (1.5707964f - _e2305);
+                                                        let _e2301 = phi_4463_;
+                                                        if _e2276 {
+                                                            phi_4469_ = (1.5707964f - _e2301);
                                                         } else {
-                                                            phi_4483_ = _e2305;
+                                                            phi_4469_ = _e2301;
                                                         }
-                                                        let _e2308 = phi_4483_;
-                                                        if ((bitcast<u32>(_e2277) & 2147483648u) == 0u) {
-                                                            phi_4491_ = _e2308;
+                                                        let _e2304 = phi_4469_;
+                                                        if ((bitcast<u32>(_e2273) & 2147483648u) == 0u) {
+                                                            phi_4477_ = _e2304;
                                                         } else {
-                                                            phi_4491_ = (3.1415927f - _e2308);
+                                                            phi_4477_ = (3.1415927f - _e2304);
                                                         }
-                                                        let _e2314 = phi_4491_;
-                                                        phi_4501_ = (((((_e146.member_2[0] * _e2251) + (_e146.member_2[1] * _e2256)) + (_e146.member_2[2] * _e2259)) / _e2265) * bitcast<f32>(((bitcast<u32>(_e2314) & 2147483647u) | (bitcast<u32>(_e2265) & 2147483648u))));
+                                                        let _e2310 = phi_4477_;
+                                                        phi_4487_ = (((((_e146.member_2[0] * _e2247) + (_e146.member_2[1] * _e2252)) + (_e146.member_2[2] * _e2255)) / _e2261) * bitcast<f32>(((bitcast<u32>(_e2310) & 2147483647u) | (bitcast<u32>(_e2261) & 2147483648u))));
                                                     }
-                                                    let _e2323 = phi_4501_;
-                                                    phi_4506_ = type_61((_e2172.member + _e2323), _e2172.member_1, _e2172.member_2);
+                                                    let _e2319 = phi_4487_;
+                                                    phi_4492_ = type_61((_e2168.member + _e2319), _e2168.member_1, _e2168.member_2);
                                                 } else {
-                                                    phi_4506_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                    phi_4492_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                                                 }
-                                                let _e2331 = phi_4506_;
-                                                let _e2332 = (_e2138 <= 0f);
+                                                let _e2327 = phi_4492_;
+                                                let _e2328 = (_e2134 <= 0f);
+                                                if _e2328 {
+                                                    phi_4502_ = select(true, false, (_e2139 <= 0f));
+                                                } else {
+                                                    phi_4502_ = true;
+                                                }
+                                                let _e2332 = phi_4502_;
                                                 if _e2332 {
-                                                    phi_4516_ = select(true, false, (_e2143 <= 0f));
-                                                } else {
-                                                    phi_4516_ = true;
-                                                }
-                                                let _e2336 = phi_4516_;
-                                                if _e2336 {
-                                                    if _e2332 {
-                                                        phi_4527_ = true;
+                                                    if _e2328 {
+                                                        phi_4513_ = true;
                                                     } else {
-                                                        phi_4527_ = (_e2143 <= 0f);
+                                                        phi_4513_ = (_e2139 <= 0f);
                                                     }
-                                                    let _e2339 = phi_4527_;
-                                                    if _e2339 {
-                                                        let _e2344 = (_e2138 / (_e2138 - _e2143));
-                                                        let _e2351 = vec3<f32>((_e2121 + ((_e2125 - _e2121) * _e2344)), (_e2122 + ((_e2126 - _e2122) * _e2344)), (_e2123 + ((_e2127 - _e2123) * _e2344)));
-                                                        if _e2332 {
-                                                            phi_4548_ = type_61(_e2331.member, _e2331.member_1, _e2351);
+                                                    let _e2335 = phi_4513_;
+                                                    if _e2335 {
+                                                        let _e2340 = (_e2134 / (_e2134 - _e2139));
+                                                        let _e2347 = vec3<f32>((_e2117 + ((_e2121 - _e2117) * _e2340)), (_e2118 + ((_e2122 - _e2118) * _e2340)), (_e2119 + ((_e2123 - _e2119) * _e2340)));
+                                                        if _e2328 {
+                                                            phi_4534_ = type_61(_e2327.member, _e2327.member_1, _e2347);
                                                         } else {
-                                                            phi_4548_ = type_61(_e2331.member, _e2351, _e2331.member_2);
+                                                            phi_4534_ = type_61(_e2327.member, _e2347, _e2327.member_2);
                                                         }
-                                                        let _e2361 = phi_4548_;
-                                                        let _e2362 = vec3(_e2332);
-                                                        phi_4552_ = _e2361;
-                                                        phi_4553_ = select(_e2351, _e2128, _e2362);
-                                                        phi_4554_ = select(_e2124, _e2351, _e2362);
+                                                        let _e2357 = phi_4534_;
+                                                        let _e2358 = vec3(_e2328);
+                                                        phi_4538_ = _e2357;
+                                                        phi_4539_ = select(_e2347, _e2124, _e2358);
+                                                        phi_4540_ = select(_e2120, _e2347, _e2358);
                                                     } else {
-                                                        phi_4552_ = _e2331;
-                                                        phi_4553_ = _e2128;
-                                                        phi_4554_ = _e2124;
+                                                        phi_4538_ = _e2327;
+                                                        phi_4539_ = _e2124;
+                                                        phi_4540_ = _e2120;
                                                     }
-                                                    let _e2366 = phi_4552_;
-                                                    let _e2368 = phi_4553_;
-                                                    let _e2370 = phi_4554_;
-                                                    let _e2372 = abs(_e2370.x);
-                                                    let _e2374 = abs(_e2370.y);
+                                                    let _e2362 = phi_4538_;
+                                                    let _e2364 = phi_4539_;
+                                                    let _e2366 = phi_4540_;
+                                                    let _e2368 = abs(_e2366.x);
+                                                    let _e2370 = abs(_e2366.y);
+                                                    let _e2372 = select(_e2370, _e2368, (_e2368 > _e2370));
+                                                    let _e2374 = abs(_e2366.z);
                                                     let _e2376 = select(_e2374, _e2372, (_e2372 > _e2374));
-                                                    let _e2378 = abs(_e2370.z);
-                                                    let _e2380 = select(_e2378, _e2376, (_e2376 > _e2378));
-                                                    if (_e2380 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2382 = (_e2380 < 340282350000000000000000000000000000000f);
-                                                        if _e2382 {
-                                                            let _e2383 = (_e2370.x / _e2380);
-                                                            let _e2384 = (_e2370.y / _e2380);
-                                                            let _e2385 = (_e2370.z / _e2380);
-                                                            let _e2391 = sqrt((((_e2383 * _e2383) + (_e2384 * _e2384)) + (_e2385 * _e2385)));
-                                                            phi_4594_ = vec3<f32>((_e2383 / _e2391), (_e2384 / _e2391), (_e2385 / _e2391));
+                                                    if (_e2376 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2378 = (_e2376 < 340282350000000000000000000000000000000f);
+                                                        if _e2378 {
+                                                            let _e2379 = (_e2366.x / _e2376);
+                                                            let _e2380 = (_e2366.y / _e2376);
+                                                            let _e2381 = (_e2366.z / _e2376);
+                                                            let _e2387 = sqrt((((_e2379 * _e2379) + (_e2380 * _e2380)) + (_e2381 * _e2381)));
+                                                            phi_4580_ = vec3<f32>((_e2379 / _e2387), (_e2380 / _e2387), (_e2381 / _e2387));
                                                         } else {
-                                                            phi_4594_ = vec3<f32>();
+                                                            phi_4580_ = vec3<f32>();
                                                         }
-                                                        let _e2397 = phi_4594_;
-                                                        phi_4597_ = _e2397;
-                                                        phi_4598_ = select(true, false, _e2382);
+                                                        let _e2393 = phi_4580_;
+                                                        phi_4583_ = _e2393;
+                                                        phi_4584_ = select(true, false, _e2378);
                                                     } else {
-                                                        phi_4597_ = vec3<f32>();
-                                                        phi_4598_ = true;
+                                                        phi_4583_ = vec3<f32>();
+                                                        phi_4584_ = true;
                                                     }
-                                                    let _e2400 = phi_4597_;
-                                                    let _e2402 = phi_4598_;
-                                                    let _e2404 = select(_e2400, vec3<f32>(0f, 0f, 0f), vec3(_e2402));
-                                                    let _e2406 = abs(_e2368.x);
-                                                    let _e2408 = abs(_e2368.y);
+                                                    let _e2396 = phi_4583_;
+                                                    let _e2398 = phi_4584_;
+                                                    let _e2400 = select(_e2396, vec3<f32>(0f, 0f, 0f), vec3(_e2398));
+                                                    let _e2402 = abs(_e2364.x);
+                                                    let _e2404 = abs(_e2364.y);
+                                                    let _e2406 = select(_e2404, _e2402, (_e2402 > _e2404));
+                                                    let _e2408 = abs(_e2364.z);
                                                     let _e2410 = select(_e2408, _e2406, (_e2406 > _e2408));
-                                                    let _e2412 = abs(_e2368.z);
-                                                    let _e2414 = select(_e2412, _e2410, (_e2410 > _e2412));
-                                                    if (_e2414 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2416 = (_e2414 < 340282350000000000000000000000000000000f);
-                                                        if _e2416 {
-                                                            let _e2417 = (_e2368.x / _e2414);
-                                                            let _e2418 = (_e2368.y / _e2414);
-                                                            let _e2419 = (_e2368.z / _e2414);
-                                                            let _e2425 = sqrt((((_e2417 * _e2417) + (_e2418 * _e2418)) + (_e2419 * _e2419)));
-                                                            phi_4642_ = vec3<f32>((_e2417 / _e2425), (_e2418 / _e2425), (_e2419 / _e2425));
+                                                    if (_e2410 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2412 = (_e2410 < 340282350000000000000000000000000000000f);
+                                                        if _e2412 {
+                                                            let _e2413 = (_e2364.x / _e2410);
+                                                            let _e2414 = (_e2364.y / _e2410);
+                                                            let _e2415 = (_e2364.z / _e2410);
+                                                            let _e2421 = sqrt((((_e2413 * _e2413) + (_e2414 * _e2414)) + (_e2415 * _e2415)));
+                                                            phi_4628_ = vec3<f32>((_e2413 / _e2421), (_e2414 / _e2421), (_e2415 / _e2421));
                                                         } else {
-                                                            phi_4642_ = vec3<f32>();
+                                                            phi_4628_ = vec3<f32>();
                                                         }
-                                                        let _e2431 = phi_4642_;
-                                                        phi_4645_ = _e2431;
-                                                        phi_4646_ = select(true, false, _e2416);
+                                                        let _e2427 = phi_4628_;
+                                                        phi_4631_ = _e2427;
+                                                        phi_4632_ = select(true, false, _e2412);
                                                     } else {
-                                                        phi_4645_ = vec3<f32>();
-                                                        phi_4646_ = true;
+                                                        phi_4631_ = vec3<f32>();
+                                                        phi_4632_ = true;
                                                     }
-                                                    let _e2434 = phi_4645_;
-                                                    let _e2436 = phi_4646_;
-                                                    let _e2438 = select(_e2434, vec3<f32>(0f, 0f, 0f), vec3(_e2436));
-                                                    let _e2445 = ((_e2404.y * _e2438.z) - (_e2438.y * _e2404.z));
-                                                    let _e2450 = ((_e2404.z * _e2438.x) - (_e2438.z * _e2404.x));
-                                                    let _e2453 = ((_e2404.x * _e2438.y) - (_e2438.x * _e2404.y));
-                                                    let _e2459 = sqrt((((_e2445 * _e2445) + (_e2450 * _e2450)) + (_e2453 * _e2453)));
-                                                    if (_e2459 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_4760_ = 0f;
+                                                    let _e2430 = phi_4631_;
+                                                    let _e2432 = phi_4632_;
+                                                    let _e2434 = select(_e2430, vec3<f32>(0f, 0f, 0f), vec3(_e2432));
+                                                    let _e2441 = ((_e2400.y * _e2434.z) - (_e2434.y * _e2400.z));
+                                                    let _e2446 = ((_e2400.z * _e2434.x) - (_e2434.z * _e2400.x));
+                                                    let _e2449 = ((_e2400.x * _e2434.y) - (_e2434.x * _e2400.y));
+                                                    let _e2455 = sqrt((((_e2441 * _e2441) + (_e2446 * _e2446)) + (_e2449 * _e2449)));
+                                                    if (_e2455 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_4746_ = 0f;
                                                     } else {
-                                                        let _e2471 = (((_e2404.x * _e2438.x) + (_e2404.y * _e2438.y)) + (_e2404.z * _e2438.z));
-                                                        let _e2472 = abs(_e2471);
-                                                        let _e2473 = abs(_e2459);
-                                                        let _e2474 = (_e2473 > _e2472);
-                                                        let _e2475 = select(_e2472, _e2473, _e2474);
-                                                        if (_e2475 > 0f) {
-                                                            phi_4713_ = (select(_e2473, _e2472, _e2474) / _e2475);
+                                                        let _e2467 = (((_e2400.x * _e2434.x) + (_e2400.y * _e2434.y)) + (_e2400.z * _e2434.z));
+                                                        let _e2468 = abs(_e2467);
+                                                        let _e2469 = abs(_e2455);
+                                                        let _e2470 = (_e2469 > _e2468);
+                                                        let _e2471 = select(_e2468, _e2469, _e2470);
+                                                        if (_e2471 > 0f) {
+                                                            phi_4699_ = (select(_e2469, _e2468, _e2470) / _e2471);
                                                         } else {
-                                                            phi_4713_ = 0f;
+                                                            phi_4699_ = 0f;
                                                         }
-                                                        let _e2480 = phi_4713_;
-                                                        let _e2481 = (_e2480 > 0.41421357f);
-                                                        if _e2481 {
-                                                            phi_4721_ = ((_e2480 - 1f) / (_e2480 + 1f));
+                                                        let _e2476 = phi_4699_;
+                                                        let _e2477 = (_e2476 > 0.41421357f);
+                                                        if _e2477 {
+                                                            phi_4707_ = ((_e2476 - 1f) / (_e2476 + 1f));
                                                         } else {
-                                                            phi_4721_ = _e2480;
+                                                            phi_4707_ = _e2476;
                                                         }
-                                                        let _e2486 = phi_4721_;
-                                                        let _e2487 = (_e2486 * _e2486);
-                                                        let _e2496 = (_e2486 + ((_e2486 * _e2487) * (-0.3333295f + (_e2487 * (0.19977711f + (_e2487 * (-0.13877685f + (_e2487 * 0.080537446f))))))));
-                                                        if _e2481 {
-                                                            phi_4736_ = (_e2496 + 0.7853982f);
+                                                        let _e2482 = phi_4707_;
+                                                        let _e2483 = (_e2482 * _e2482);
+                                                        let _e2492 = (_e2482 + ((_e2482 * _e2483) * (-0.3333295f + (_e2483 * (0.19977711f + (_e2483 * (-0.13877685f + (_e2483 * 0.080537446f))))))));
+                                                        if _e2477 {
+                                                            phi_4722_ = (_e2492 + 0.7853982f);
                                                         } else {
-                                                            phi_4736_ = _e2496;
+                                                            phi_4722_ = _e2492;
                                                         }
-                                                        let _e2499 = phi_4736_;
-                                                        if _e2474 {
-                                                            phi_4742_ = (1.5707964f - _e2499);
+                                                        let _e2495 = phi_4722_;
+                                                        if _e2470 {
+                                                            phi_4728_ = (1.5707964f - _e2495);
                                                         } else {
-                                                            phi_4742_ = _e2499;
+                                                            phi_4728_ = _e2495;
                                                         }
-                                                        let _e2502 = phi_4742_;
-                                                        if ((bitcast<u32>(_e2471) & 2147483648u) == 0u) {
-                                                            phi_4750_ = _e2502;
+                                                        let _e2498 = phi_4728_;
+                                                        if ((bitcast<u32>(_e2467) & 2147483648u) == 0u) {
+                                                            phi_4736_ = _e2498;
                                                         } else {
-                                                            phi_4750_ = (3.1415927f - _e2502);
+                                                            phi_4736_ = (3.1415927f - _e2498);
                                                         }
-                                                        let _e2508 = phi_4750_;
-                                                        phi_4760_ = (((((_e146.member_2[0] * _e2445) + (_e146.member_2[1] * _e2450)) + (_e146.member_2[2] * _e2453)) / _e2459) * bitcast<f32>(((bitcast<u32>(_e2508) & 2147483647u) | (bitcast<u32>(_e2459) & 2147483648u))));
+                                                        let _e2504 = phi_4736_;
+                                                        phi_4746_ = (((((_e146.member_2[0] * _e2441) + (_e146.member_2[1] * _e2446)) + (_e146.member_2[2] * _e2449)) / _e2455) * bitcast<f32>(((bitcast<u32>(_e2504) & 2147483647u) | (bitcast<u32>(_e2455) & 2147483648u))));
                                                     }
-                                                    let _e2517 = phi_4760_;
-                                                    phi_4765_ = type_61((_e2366.member + _e2517), _e2366.member_1, _e2366.member_2);
+                                                    let _e2513 = phi_4746_;
+                                                    phi_4751_ = type_61((_e2362.member + _e2513), _e2362.member_1, _e2362.member_2);
                                                 } else {
-                                                    phi_4765_ = _e2331;
+                                                    phi_4751_ = _e2327;
                                                 }
-                                                let _e2525 = phi_4765_;
-                                                let _e2526 = (_e2143 <= 0f);
-                                                if _e2526 {
-                                                    phi_4775_ = select(true, false, _e2144);
+                                                let _e2521 = phi_4751_;
+                                                let _e2522 = (_e2139 <= 0f);
+                                                if _e2522 {
+                                                    phi_4761_ = select(true, false, _e2140);
                                                 } else {
-                                                    phi_4775_ = true;
+                                                    phi_4761_ = true;
                                                 }
-                                                let _e2529 = phi_4775_;
-                                                if _e2529 {
-                                                    if select(_e2144, true, _e2526) {
-                                                        let _e2535 = (_e2143 / (_e2143 - _e2133));
-                                                        let _e2542 = vec3<f32>((_e2125 + ((_e2117 - _e2125) * _e2535)), (_e2126 + ((_e2118 - _e2126) * _e2535)), (_e2127 + ((_e2119 - _e2127) * _e2535)));
-                                                        if _e2526 {
-                                                            phi_4807_ = type_61(_e2525.member, _e2525.member_1, _e2542);
+                                                let _e2525 = phi_4761_;
+                                                if _e2525 {
+                                                    if select(_e2140, true, _e2522) {
+                                                        let _e2531 = (_e2139 / (_e2139 - _e2129));
+                                                        let _e2538 = vec3<f32>((_e2121 + ((_e2113 - _e2121) * _e2531)), (_e2122 + ((_e2114 - _e2122) * _e2531)), (_e2123 + ((_e2115 - _e2123) * _e2531)));
+                                                        if _e2522 {
+                                                            phi_4793_ = type_61(_e2521.member, _e2521.member_1, _e2538);
                                                         } else {
-                                                            phi_4807_ = type_61(_e2525.member, _e2542, _e2525.member_2);
+                                                            phi_4793_ = type_61(_e2521.member, _e2538, _e2521.member_2);
                                                         }
-                                                        let _e2552 = phi_4807_;
-                                                        let _e2553 = vec3(_e2526);
-                                                        phi_4811_ = _e2552;
-                                                        phi_4812_ = select(_e2542, _e2120, _e2553);
-                                                        phi_4813_ = select(_e2128, _e2542, _e2553);
+                                                        let _e2548 = phi_4793_;
+                                                        let _e2549 = vec3(_e2522);
+                                                        phi_4797_ = _e2548;
+                                                        phi_4798_ = select(_e2538, _e2116, _e2549);
+                                                        phi_4799_ = select(_e2124, _e2538, _e2549);
                                                     } else {
-                                                        phi_4811_ = _e2525;
-                                                        phi_4812_ = _e2120;
-                                                        phi_4813_ = _e2128;
+                                                        phi_4797_ = _e2521;
+                                                        phi_4798_ = _e2116;
+                                                        phi_4799_ = _e2124;
                                                     }
-                                                    let _e2557 = phi_4811_;
-                                                    let _e2559 = phi_4812_;
-                                                    let _e2561 = phi_4813_;
-                                                    let _e2563 = abs(_e2561.x);
-                                                    let _e2565 = abs(_e2561.y);
+                                                    let _e2553 = phi_4797_;
+                                                    let _e2555 = phi_4798_;
+                                                    let _e2557 = phi_4799_;
+                                                    let _e2559 = abs(_e2557.x);
+                                                    let _e2561 = abs(_e2557.y);
+                                                    let _e2563 = select(_e2561, _e2559, (_e2559 > _e2561));
+                                                    let _e2565 = abs(_e2557.z);
                                                     let _e2567 = select(_e2565, _e2563, (_e2563 > _e2565));
-                                                    let _e2569 = abs(_e2561.z);
-                                                    let _e2571 = select(_e2569, _e2567, (_e2567 > _e2569));
-                                                    if (_e2571 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2573 = (_e2571 < 340282350000000000000000000000000000000f);
-                                                        if _e2573 {
-                                                            let _e2574 = (_e2561.x / _e2571);
-                                                            let _e2575 = (_e2561.y / _e2571);
-                                                            let _e2576 = (_e2561.z / _e2571);
-                                                            let _e2582 = sqrt((((_e2574 * _e2574) + (_e2575 * _e2575)) + (_e2576 * _e2576)));
-                                                            phi_4853_ = vec3<f32>((_e2574 / _e2582), (_e2575 / _e2582), (_e2576 / _e2582));
+                                                    if (_e2567 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2569 = (_e2567 < 340282350000000000000000000000000000000f);
+                                                        if _e2569 {
+                                                            let _e2570 = (_e2557.x / _e2567);
+                                                            let _e2571 = (_e2557.y / _e2567);
+                                                            let _e2572 = (_e2557.z / _e2567);
+                                                            let _e2578 = sqrt((((_e2570 * _e2570) + (_e2571 * _e2571)) + (_e2572 * _e2572)));
+                                                            phi_4839_ = vec3<f32>((_e2570 / _e2578), (_e2571 / _e2578), (_e2572 / _e2578));
                                                         } else {
-                                                            phi_4853_ = vec3<f32>();
+                                                            phi_4839_ = vec3<f32>();
                                                         }
-                                                        let _e2588 = phi_4853_;
-                                                        phi_4856_ = _e2588;
-                                                        phi_4857_ = select(true, false, _e2573);
+                                                        let _e2584 = phi_4839_;
+                                                        phi_4842_ = _e2584;
+                                                        phi_4843_ = select(true, false, _e2569);
                                                     } else {
-                                                        phi_4856_ = vec3<f32>();
-                                                        phi_4857_ = true;
+                                                        phi_4842_ = vec3<f32>();
+                                                        phi_4843_ = true;
                                                     }
-                                                    let _e2591 = phi_4856_;
-                                                    let _e2593 = phi_4857_;
-                                                    let _e2595 = select(_e2591, vec3<f32>(0f, 0f, 0f), vec3(_e2593));
-                                                    let _e2597 = abs(_e2559.x);
-                                                    let _e2599 = abs(_e2559.y);
+                                                    let _e2587 = phi_4842_;
+                                                    let _e2589 = phi_4843_;
+                                                    let _e2591 = select(_e2587, vec3<f32>(0f, 0f, 0f), vec3(_e2589));
+                                                    let _e2593 = abs(_e2555.x);
+                                                    let _e2595 = abs(_e2555.y);
+                                                    let _e2597 = select(_e2595, _e2593, (_e2593 > _e2595));
+                                                    let _e2599 = abs(_e2555.z);
                                                     let _e2601 = select(_e2599, _e2597, (_e2597 > _e2599));
-                                                    let _e2603 = abs(_e2559.z);
-                                                    let _e2605 = select(_e2603, _e2601, (_e2601 > _e2603));
-                                                    if (_e2605 > 0.000000000000000000000000000000000000011754944f) {
-                                                        let _e2607 = (_e2605 < 340282350000000000000000000000000000000f);
-                                                        if _e2607 {
-                                                            let _e2608 = (_e2559.x / _e2605);
-                                                            let _e2609 = (_e2559.y / _e2605);
-                                                            let _e2610 = (_e2559.z / _e2605);
-                                                            let _e2616 = sqrt((((_e2608 * _e2608) + (_e2609 * _e2609)) + (_e2610 * _e2610)));
-                                                            phi_4901_ = vec3<f32>((_e2608 / _e2616), (_e2609 / _e2616), (_e2610 / _e2616));
+                                                    if (_e2601 > 0.000000000000000000000000000000000000011754944f) {
+                                                        let _e2603 = (_e2601 < 340282350000000000000000000000000000000f);
+                                                        if _e2603 {
+                                                            let _e2604 = (_e2555.x / _e2601);
+                                                            let _e2605 = (_e2555.y / _e2601);
+                                                            let _e2606 = (_e2555.z / _e2601);
+                                                            let _e2612 = sqrt((((_e2604 * _e2604) + (_e2605 * _e2605)) + (_e2606 * _e2606)));
+                                                            phi_4887_ = vec3<f32>((_e2604 / _e2612), (_e2605 / _e2612), (_e2606 / _e2612));
                                                         } else {
-                                                            phi_4901_ = vec3<f32>();
+                                                            phi_4887_ = vec3<f32>();
                                                         }
-                                                        let _e2622 = phi_4901_;
-                                                        phi_4904_ = _e2622;
-                                                        phi_4905_ = select(true, false, _e2607);
+                                                        let _e2618 = phi_4887_;
+                                                        phi_4890_ = _e2618;
+                                                        phi_4891_ = select(true, false, _e2603);
                                                     } else {
-                                                        phi_4904_ = vec3<f32>();
-                                                        phi_4905_ = true;
+                                                        phi_4890_ = vec3<f32>();
+                                                        phi_4891_ = true;
                                                     }
-                                                    let _e2625 = phi_4904_;
-                                                    let _e2627 = phi_4905_;
-                                                    let _e2629 = select(_e2625, vec3<f32>(0f, 0f, 0f), vec3(_e2627));
-                                                    let _e2636 = ((_e2595.y * _e2629.z) - (_e2629.y * _e2595.z));
-                                                    let _e2641 = ((_e2595.z * _e2629.x) - (_e2629.z * _e2595.x));
-                                                    let _e2644 = ((_e2595.x * _e2629.y) - (_e2629.x * _e2595.y));
-                                                    let _e2650 = sqrt((((_e2636 * _e2636) + (_e2641 * _e2641)) + (_e2644 * _e2644)));
-                                                    if (_e2650 <= 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_5019_ = 0f;
+                                                    let _e2621 = phi_4890_;
+                                                    let _e2623 = phi_4891_;
+                                                    let _e2625 = select(_e2621, vec3<f32>(0f, 0f, 0f), vec3(_e2623));
+                                                    let _e2632 = ((_e2591.y * _e2625.z) - (_e2625.y * _e2591.z));
+                                                    let _e2637 = ((_e2591.z * _e2625.x) - (_e2625.z * _e2591.x));
+                                                    let _e2640 = ((_e2591.x * _e2625.y) - (_e2625.x * _e2591.y));
+                                                    let _e2646 = sqrt((((_e2632 * _e2632) + (_e2637 * _e2637)) + (_e2640 * _e2640)));
+                                                    if (_e2646 <= 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_5005_ = 0f;
                                                     } else {
-                                                        let _e2662 = (((_e2595.x * _e2629.x) + (_e2595.y * _e2629.y)) + (_e2595.z * _e2629.z));
-                                                        let _e2663 = abs(_e2662);
-                                                        let _e2664 = abs(_e2650);
-                                                        let _e2665 = (_e2664 > _e2663);
-                                                        let _e2666 = select(_e2663, _e2664, _e2665);
-                                                        if (_e2666 > 0f) {
-                                                            phi_4972_ = (select(_e2664, _e2663, _e2665) / _e2666);
+                                                        let _e2658 = (((_e2591.x * _e2625.x) + (_e2591.y * _e2625.y)) + (_e2591.z * _e2625.z));
+                                                        let _e2659 = abs(_e2658);
+                                                        let _e2660 = abs(_e2646);
+                                                        let _e2661 = (_e2660 > _e2659);
+                                                        let _e2662 = select(_e2659, _e2660, _e2661);
+                                                        if (_e2662 > 0f) {
+                                                            phi_4958_ = (select(_e2660, _e2659, _e2661) / _e2662);
                                                         } else {
-                                                            phi_4972_ = 0f;
+                                                            phi_4958_ = 0f;
                                                         }
-                                                        let _e2671 = phi_4972_;
-                                                        let _e2672 = (_e2671 > 0.41421357f);
-                                                        if _e2672 {
-                                                            phi_4980_ = ((_e2671 - 1f) / (_e2671 + 1f));
+                                                        let _e2667 = phi_4958_;
+                                                        let _e2668 = (_e2667 > 0.41421357f);
+                                                        if _e2668 {
+                                                            phi_4966_ = ((_e2667 - 1f) / (_e2667 + 1f));
                                                         } else {
-                                                            phi_4980_ = _e2671;
+                                                            phi_4966_ = _e2667;
                                                         }
-                                                        let _e2677 = phi_4980_;
-                                                        let _e2678 = (_e2677 * _e2677);
-                                                        let _e2687 = (_e2677 + ((_e2677 * _e2678) * (-0.3333295f + (_e2678 * (0.19977711f + (_e2678 * (-0.13877685f + (_e2678 * 0.080537446f))))))));
-                                                        if _e2672 {
-                                                            phi_4995_ = (_e2687 + 0.7853982f);
+                                                        let _e2673 = phi_4966_;
+                                                        let _e2674 = (_e2673 * _e2673);
+                                                        let _e2683 = (_e2673 + ((_e2673 * _e2674) * (-0.3333295f + (_e2674 * (0.19977711f + (_e2674 * (-0.13877685f + (_e2674 * 0.080537446f))))))));
+                                                        if _e2668 {
+                                                            phi_4981_ = (_e2683 + 0.7853982f);
                                                         } else {
-                                                            phi_4995_ = _e2687;
+                                                            phi_4981_ = _e2683;
                                                         }
-                                                        let _e2690 = phi_4995_;
-                                                        if _e2665 {
-                                                            phi_5001_ = (1.5707964f - _e2690);
+                                                        let _e2686 = phi_4981_;
+                                                        if _e2661 {
+                                                            phi_4987_ = (1.5707964f - _e2686);
                                                         } else {
-                                                            phi_5001_ = _e2690;
+                                                            phi_4987_ = _e2686;
                                                         }
-                                                        let _e2693 = phi_5001_;
-                                                        if ((bitcast<u32>(_e2662) & 2147483648u) == 0u) {
-                                                            phi_5009_ = _e2693;
+                                                        let _e2689 = phi_4987_;
+                                                        if ((bitcast<u32>(_e2658) & 2147483648u) == 0u) {
+                                                            phi_4995_ = _e2689;
                                                         } else {
-                                                            phi_5009_ = (3.1415927f - _e2693);
+                                                            phi_4995_ = (3.1415927f - _e2689);
                                                         }
-                                                        let _e2699 = phi_5009_;
-                                                        phi_5019_ = (((((_e146.member_2[0] * _e2636) + (_e146.member_2[1] * _e2641)) + (_e146.member_2[2] * _e2644)) / _e2650) * bitcast<f32>(((bitcast<u32>(_e2699) & 2147483647u) | (bitcast<u32>(_e2650) & 2147483648u))));
+                                                        let _e2695 = phi_4995_;
+                                                        phi_5005_ = (((((_e146.member_2[0] * _e2632) + (_e146.member_2[1] * _e2637)) + (_e146.member_2[2] * _e2640)) / _e2646) * bitcast<f32>(((bitcast<u32>(_e2695) & 2147483647u) | (bitcast<u32>(_e2646) & 2147483648u))));
                                                     }
-                                                    let _e2708 = phi_5019_;
-                                                    phi_5024_ = type_61((_e2557.member + _e2708), _e2557.member_1, _e2557.member_2);
+                                                    let _e2704 = phi_5005_;
+                                                    phi_5010_ = type_61((_e2553.member + _e2704), _e2553.member_1, _e2553.member_2);
                                                 } else {
-                                                    phi_5024_ = _e2525;
+                                                    phi_5010_ = _e2521;
                                                 }
-                                                let _e2716 = phi_5024_;
-                                                let _e2720 = abs(_e2716.member_1.x);
-                                                let _e2722 = abs(_e2716.member_1.y);
+                                                let _e2712 = phi_5010_;
+                                                let _e2716 = abs(_e2712.member_1.x);
+                                                let _e2718 = abs(_e2712.member_1.y);
+                                                let _e2720 = select(_e2718, _e2716, (_e2716 > _e2718));
+                                                let _e2722 = abs(_e2712.member_1.z);
                                                 let _e2724 = select(_e2722, _e2720, (_e2720 > _e2722));
-                                                let _e2726 = abs(_e2716.member_1.z);
-                                                let _e2728 = select(_e2726, _e2724, (_e2724 > _e2726));
-                                                if (_e2728 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2730 = (_e2728 < 340282350000000000000000000000000000000f);
-                                                    if _e2730 {
-                                                        let _e2731 = (_e2716.member_1.x / _e2728);
-                                                        let _e2732 = (_e2716.member_1.y / _e2728);
-                                                        let _e2733 = (_e2716.member_1.z / _e2728);
-                                                        let _e2739 = sqrt((((_e2731 * _e2731) + (_e2732 * _e2732)) + (_e2733 * _e2733)));
-                                                        phi_5066_ = vec3<f32>((_e2731 / _e2739), (_e2732 / _e2739), (_e2733 / _e2739));
+                                                if (_e2724 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2726 = (_e2724 < 340282350000000000000000000000000000000f);
+                                                    if _e2726 {
+                                                        let _e2727 = (_e2712.member_1.x / _e2724);
+                                                        let _e2728 = (_e2712.member_1.y / _e2724);
+                                                        let _e2729 = (_e2712.member_1.z / _e2724);
+                                                        let _e2735 = sqrt((((_e2727 * _e2727) + (_e2728 * _e2728)) + (_e2729 * _e2729)));
+                                                        phi_5052_ = vec3<f32>((_e2727 / _e2735), (_e2728 / _e2735), (_e2729 / _e2735));
                                                     } else {
-                                                        phi_5066_ = vec3<f32>();
+                                                        phi_5052_ = vec3<f32>();
                                                     }
-                                                    let _e2745 = phi_5066_;
-                                                    phi_5069_ = _e2745;
-                                                    phi_5070_ = select(true, false, _e2730);
+                                                    let _e2741 = phi_5052_;
+                                                    phi_5055_ = _e2741;
+                                                    phi_5056_ = select(true, false, _e2726);
                                                 } else {
-                                                    phi_5069_ = vec3<f32>();
-                                                    phi_5070_ = true;
+                                                    phi_5055_ = vec3<f32>();
+                                                    phi_5056_ = true;
                                                 }
-                                                let _e2748 = phi_5069_;
-                                                let _e2750 = phi_5070_;
-                                                let _e2752 = select(_e2748, vec3<f32>(0f, 0f, 0f), vec3(_e2750));
-                                                let _e2754 = abs(_e2716.member_2.x);
-                                                let _e2756 = abs(_e2716.member_2.y);
+                                                let _e2744 = phi_5055_;
+                                                let _e2746 = phi_5056_;
+                                                let _e2748 = select(_e2744, vec3<f32>(0f, 0f, 0f), vec3(_e2746));
+                                                let _e2750 = abs(_e2712.member_2.x);
+                                                let _e2752 = abs(_e2712.member_2.y);
+                                                let _e2754 = select(_e2752, _e2750, (_e2750 > _e2752));
+                                                let _e2756 = abs(_e2712.member_2.z);
                                                 let _e2758 = select(_e2756, _e2754, (_e2754 > _e2756));
-                                                let _e2760 = abs(_e2716.member_2.z);
-                                                let _e2762 = select(_e2760, _e2758, (_e2758 > _e2760));
-                                                if (_e2762 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2764 = (_e2762 < 340282350000000000000000000000000000000f);
-                                                    if _e2764 {
-                                                        let _e2765 = (_e2716.member_2.x / _e2762);
-                                                        let _e2766 = (_e2716.member_2.y / _e2762);
-                                                        let _e2767 = (_e2716.member_2.z / _e2762);
-                                                        let _e2773 = sqrt((((_e2765 * _e2765) + (_e2766 * _e2766)) + (_e2767 * _e2767)));
-                                                        phi_5114_ = vec3<f32>((_e2765 / _e2773), (_e2766 / _e2773), (_e2767 / _e2773));
+                                                if (_e2758 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2760 = (_e2758 < 340282350000000000000000000000000000000f);
+                                                    if _e2760 {
+                                                        let _e2761 = (_e2712.member_2.x / _e2758);
+                                                        let _e2762 = (_e2712.member_2.y / _e2758);
+                                                        let _e2763 = (_e2712.member_2.z / _e2758);
+                                                        let _e2769 = sqrt((((_e2761 * _e2761) + (_e2762 * _e2762)) + (_e2763 * _e2763)));
+                                                        phi_5100_ = vec3<f32>((_e2761 / _e2769), (_e2762 / _e2769), (_e2763 / _e2769));
                                                     } else {
-                                                        phi_5114_ = vec3<f32>();
+                                                        phi_5100_ = vec3<f32>();
                                                     }
-                                                    let _e2779 = phi_5114_;
-                                                    phi_5117_ = _e2779;
-                                                    phi_5118_ = select(true, false, _e2764);
+                                                    let _e2775 = phi_5100_;
+                                                    phi_5103_ = _e2775;
+                                                    phi_5104_ = select(true, false, _e2760);
                                                 } else {
-                                                    phi_5117_ = vec3<f32>();
-                                                    phi_5118_ = true;
+                                                    phi_5103_ = vec3<f32>();
+                                                    phi_5104_ = true;
                                                 }
-                                                let _e2782 = phi_5117_;
-                                                let _e2784 = phi_5118_;
-                                                let _e2786 = select(_e2782, vec3<f32>(0f, 0f, 0f), vec3(_e2784));
-                                                let _e2793 = ((_e2752.y * _e2786.z) - (_e2786.y * _e2752.z));
-                                                let _e2798 = ((_e2752.z * _e2786.x) - (_e2786.z * _e2752.x));
-                                                let _e2801 = ((_e2752.x * _e2786.y) - (_e2786.x * _e2752.y));
-                                                let _e2807 = sqrt((((_e2793 * _e2793) + (_e2798 * _e2798)) + (_e2801 * _e2801)));
-                                                if (_e2807 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_5232_ = 0f;
+                                                let _e2778 = phi_5103_;
+                                                let _e2780 = phi_5104_;
+                                                let _e2782 = select(_e2778, vec3<f32>(0f, 0f, 0f), vec3(_e2780));
+                                                let _e2789 = ((_e2748.y * _e2782.z) - (_e2782.y * _e2748.z));
+                                                let _e2794 = ((_e2748.z * _e2782.x) - (_e2782.z * _e2748.x));
+                                                let _e2797 = ((_e2748.x * _e2782.y) - (_e2782.x * _e2748.y));
+                                                let _e2803 = sqrt((((_e2789 * _e2789) + (_e2794 * _e2794)) + (_e2797 * _e2797)));
+                                                if (_e2803 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_5218_ = 0f;
                                                 } else {
-                                                    let _e2819 = (((_e2752.x * _e2786.x) + (_e2752.y * _e2786.y)) + (_e2752.z * _e2786.z));
-                                                    let _e2820 = abs(_e2819);
-                                                    let _e2821 = abs(_e2807);
-                                                    let _e2822 = (_e2821 > _e2820);
-                                                    let _e2823 = select(_e2820, _e2821, _e2822);
-                                                    if (_e2823 > 0f) {
-                                                        phi_5185_ = (select(_e2821, _e2820, _e2822) / _e2823);
+                                                    let _e2815 = (((_e2748.x * _e2782.x) + (_e2748.y * _e2782.y)) + (_e2748.z * _e2782.z));
+                                                    let _e2816 = abs(_e2815);
+                                                    let _e2817 = abs(_e2803);
+                                                    let _e2818 = (_e2817 > _e2816);
+                                                    let _e2819 = select(_e2816, _e2817, _e2818);
+                                                    if (_e2819 > 0f) {
+                                                        phi_5171_ = (select(_e2817, _e2816, _e2818) / _e2819);
                                                     } else {
-                                                        phi_5185_ = 0f;
+                                                        phi_5171_ = 0f;
                                                     }
-                                                    let _e2828 = phi_5185_;
-                                                    let _e2829 = (_e2828 > 0.41421357f);
-                                                    if _e2829 {
-                                                        phi_5193_ = ((_e2828 - 1f) / (_e2828 + 1f));
+                                                    let _e2824 = phi_5171_;
+                                                    let _e2825 = (_e2824 > 0.41421357f);
+                                                    if _e2825 {
+                                                        phi_5179_ = ((_e2824 - 1f) / (_e2824 + 1f));
                                                     } else {
-                                                        phi_5193_ = _e2828;
+                                                        phi_5179_ = _e2824;
                                                     }
-                                                    let _e2834 = phi_5193_;
-                                                    let _e2835 = (_e2834 * _e2834);
-                                                    let _e2844 = (_e2834 + ((_e2834 * _e2835) * (-0.3333295f + (_e2835 * (0.19977711f + (_e2835 * (-0.13877685f + (_e2835 * 0.080537446f))))))));
-                                                    if _e2829 {
-                                                        phi_5208_ = (_e2844 + 0.7853982f);
+                                                    let _e2830 = phi_5179_;
+                                                    let _e2831 = (_e2830 * _e2830);
+                                                    let _e2840 = (_e2830 + ((_e2830 * _e2831) * (-0.3333295f + (_e2831 * (0.19977711f + (_e2831 * (-0.13877685f + (_e2831 * 0.080537446f))))))));
+                                                    if _e2825 {
+                                                        phi_5194_ = (_e2840 + 0.7853982f);
                                                     } else {
-                                                        phi_5208_ = _e2844;
+                                                        phi_5194_ = _e2840;
                                                     }
-                                                    let _e2847 = phi_5208_;
-                                                    if _e2822 {
-                                                        phi_5214_ = (1.5707964f - _e2847);
+                                                    let _e2843 = phi_5194_;
+                                                    if _e2818 {
+                                                        phi_5200_ = (1.5707964f - _e2843);
                                                     } else {
-                                                        phi_5214_ = _e2847;
+                                                        phi_5200_ = _e2843;
                                                     }
-                                                    let _e2850 = phi_5214_;
-                                                    if ((bitcast<u32>(_e2819) & 2147483648u) == 0u) {
-                                                        phi_5222_ = _e2850;
+                                                    let _e2846 = phi_5200_;
+                                                    if ((bitcast<u32>(_e2815) & 2147483648u) == 0u) {
+                                                        phi_5208_ = _e2846;
                                                     } else {
-                                                        phi_5222_ = (3.1415927f - _e2850);
+                                                        phi_5208_ = (3.1415927f - _e2846);
                                                     }
-                                                    let _e2856 = phi_5222_;
-                                                    phi_5232_ = (((((_e146.member_2[0] * _e2793) + (_e146.member_2[1] * _e2798)) + (_e146.member_2[2] * _e2801)) / _e2807) * bitcast<f32>(((bitcast<u32>(_e2856) & 2147483647u) | (bitcast<u32>(_e2807) & 2147483648u))));
+                                                    let _e2852 = phi_5208_;
+                                                    phi_5218_ = (((((_e146.member_2[0] * _e2789) + (_e146.member_2[1] * _e2794)) + (_e146.member_2[2] * _e2797)) / _e2803) * bitcast<f32>(((bitcast<u32>(_e2852) & 2147483647u) | (bitcast<u32>(_e2803) & 2147483648u))));
                                                 }
-                                                let _e2865 = phi_5232_;
-                                                let _e2871 = local_8;
-                                                let _e2873 = local_9;
-                                                phi_2791_ = ((abs((_e2716.member + _e2865)) * 0.5f) * (_e2871 / _e2873));
+                                                let _e2861 = phi_5218_;
+                                                let _e2867 = local_8;
+                                                let _e2869 = local_9;
+                                                phi_2777_ = ((abs((_e2712.member + _e2861)) * 0.5f) * (_e2867 / _e2869));
                                             }
-                                            let _e2877 = phi_2791_;
-                                            phi_2792_ = _e2877;
-                                            phi_2793_ = _e2101;
+                                            let _e2873 = phi_2777_;
+                                            phi_2778_ = _e2873;
+                                            phi_2779_ = _e2097;
                                         }
-                                        let _e2879 = phi_2792_;
-                                        let _e2881 = phi_2793_;
-                                        if _e2881 {
-                                            let _e2884 = local_10;
-                                            phi_2801_ = ((_e2884 * _e374.member_3) / f32(_e386));
+                                        let _e2875 = phi_2778_;
+                                        let _e2877 = phi_2779_;
+                                        if _e2877 {
+                                            let _e2880 = local_10;
+                                            phi_2787_ = ((_e2880 * _e374.member_3) / f32(_e386));
                                         } else {
-                                            phi_2801_ = _e2879;
+                                            phi_2787_ = _e2875;
                                         }
-                                        let _e2889 = phi_2801_;
-                                        phi_2802_ = _e2889;
+                                        let _e2885 = phi_2787_;
+                                        phi_2788_ = _e2885;
                                     } else {
-                                        phi_2802_ = _e2095;
+                                        phi_2788_ = _e2091;
                                     }
-                                    let _e2891 = phi_2802_;
-                                    phi_2811_ = vec3<f32>((_e374.member_6[0] * _e2891), (_e374.member_6[1] * _e2891), (_e374.member_6[2] * _e2891));
+                                    let _e2887 = phi_2788_;
+                                    phi_2797_ = vec3<f32>((_e374.member_6[0] * _e2887), (_e374.member_6[1] * _e2887), (_e374.member_6[2] * _e2887));
                                 }
-                                let _e2901 = phi_2811_;
-                                phi_5451_ = _e2084;
-                                phi_2827_ = vec3<f32>((_e233.x + (_e2901.x * _e379)), (_e233.y + (_e2901.y * _e379)), (_e233.z + (_e2901.z * _e379)));
+                                let _e2897 = phi_2797_;
+                                phi_5433_ = _e2080;
+                                phi_2813_ = vec3<f32>((_e233.x + (_e2897.x * _e379)), (_e233.y + (_e2897.y * _e379)), (_e233.z + (_e2897.z * _e379)));
                             } else {
-                                phi_5451_ = _e332;
-                                phi_2827_ = _e233;
+                                phi_5433_ = _e332;
+                                phi_2813_ = _e233;
                             }
-                            let _e2916 = phi_5451_;
-                            let _e2918 = phi_2827_;
-                            phi_5450_ = _e2916;
-                            phi_361_ = _e2918;
+                            let _e2912 = phi_5433_;
+                            let _e2914 = phi_2813_;
+                            phi_5432_ = _e2912;
+                            phi_361_ = _e2914;
                         } else {
-                            phi_5450_ = _e229;
+                            phi_5432_ = _e229;
                             phi_361_ = vec3<f32>();
                         }
-                        let _e2920 = phi_5450_;
-                        let _e2922 = phi_361_;
+                        let _e2916 = phi_5432_;
+                        let _e2918 = phi_361_;
                         continue;
                         continuing {
-                            phi_5241_ = _e2920;
+                            phi_5227_ = _e2916;
                             phi_357_ = _e246;
-                            phi_360_ = _e2922;
-                            phi_5449_ = _e2920;
+                            phi_360_ = _e2918;
+                            phi_5431_ = _e2916;
                             break if !(_e252);
                         }
                     }
-                    let _e2925 = phi_5449_;
-                    if _e2925 {
+                    let _e2921 = phi_5431_;
+                    if _e2921 {
                         break;
                     }
-                    let _e2927 = local_11;
-                    let _e2930 = local_12;
-                    let _e2933 = local_13;
-                    phi_2832_ = vec4<f32>(_e2927.x, _e2930.y, _e2933.z, 0f);
+                    let _e2923 = local_11;
+                    let _e2926 = local_12;
+                    let _e2929 = local_13;
+                    phi_2818_ = vec4<f32>(_e2923.x, _e2926.y, _e2929.z, 0f);
                 }
-                let _e2937 = phi_2832_;
+                let _e2933 = phi_2818_;
                 if (_e141 < arrayLength((&irradiance.member))) {
                 } else {
                     break;
                 }
-                irradiance.member[_e141] = _e2937;
+                irradiance.member[_e141] = _e2933;
             }
             break;
         }

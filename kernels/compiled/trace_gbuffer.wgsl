@@ -126,7 +126,7 @@ fn function_() {
     var phi_506_: f32;
     var phi_514_: f32;
     var phi_522_: f32;
-    var phi_3370_: bool;
+    var phi_3342_: bool;
     var phi_525_: u32;
     var phi_528_: u32;
     var phi_530_: type_44;
@@ -162,35 +162,33 @@ fn function_() {
     var phi_1338_: array<f32, 3>;
     var phi_1537_: f32;
     var phi_1552_: f32;
-    var phi_1562_: bool;
-    var phi_1587_: u32;
-    var phi_1597_: u32;
-    var phi_1606_: bool;
-    var phi_1622_: bool;
-    var phi_1623_: bool;
-    var phi_1646_: f32;
-    var phi_1661_: f32;
-    var phi_1671_: bool;
-    var phi_1696_: u32;
-    var phi_1706_: u32;
-    var phi_1715_: bool;
-    var phi_1731_: bool;
-    var phi_1732_: bool;
+    var phi_1580_: u32;
+    var phi_1590_: u32;
+    var phi_1599_: bool;
+    var phi_1615_: bool;
+    var phi_1616_: bool;
+    var phi_1639_: f32;
+    var phi_1654_: f32;
+    var phi_1682_: u32;
+    var phi_1692_: u32;
+    var phi_1701_: bool;
+    var phi_1717_: bool;
+    var phi_1718_: bool;
+    var phi_1799_: bool;
+    var phi_1804_: bool;
+    var phi_1809_: type_44;
+    var phi_1811_: type_44;
     var phi_1813_: bool;
-    var phi_1818_: bool;
-    var phi_1823_: type_44;
-    var phi_1825_: type_44;
-    var phi_1827_: bool;
-    var phi_1828_: type_44;
-    var phi_1830_: bool;
-    var phi_1831_: bool;
-    var phi_1832_: type_44;
-    var phi_1833_: bool;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1848_: type_44;
+    var phi_1814_: type_44;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1818_: type_44;
+    var phi_1819_: bool;
+    var phi_1820_: bool;
+    var phi_1821_: bool;
+    var phi_1834_: type_44;
     var phi_1026_: type_44;
-    var phi_3366_: bool;
+    var phi_3338_: bool;
     var phi_911_: type_45;
     var phi_922_: type_45;
     var phi_933_: type_45;
@@ -199,54 +197,52 @@ fn function_() {
     var phi_977_: u32;
     var phi_995_: u32;
     var phi_1013_: u32;
-    var phi_3461_: bool;
-    var phi_1849_: u32;
-    var phi_1850_: u32;
+    var phi_3429_: bool;
+    var phi_1835_: u32;
+    var phi_1836_: u32;
     var phi_531_: type_44;
     var phi_526_: u32;
     var phi_529_: u32;
-    var phi_1885_: u32;
-    var phi_1886_: u32;
-    var phi_1887_: u32;
-    var phi_1852_: u32;
-    var phi_1854_: u32;
-    var phi_1888_: bool;
-    var phi_3458_: bool;
+    var phi_1871_: u32;
+    var phi_1872_: u32;
+    var phi_1873_: u32;
+    var phi_1838_: u32;
+    var phi_1840_: u32;
+    var phi_1874_: bool;
+    var phi_3426_: bool;
     var local_4: bool;
-    var phi_3525_: bool;
-    var phi_3122_: type_44;
-    var phi_1990_: vec3<f32>;
-    var phi_1992_: vec3<f32>;
-    var phi_1993_: bool;
-    var phi_2014_: vec3<f32>;
-    var phi_2186_: f32;
-    var phi_2201_: f32;
-    var phi_2211_: bool;
-    var phi_2236_: u32;
-    var phi_2246_: u32;
-    var phi_2255_: bool;
-    var phi_2271_: bool;
-    var phi_2272_: bool;
-    var phi_2295_: f32;
-    var phi_2310_: f32;
-    var phi_2320_: bool;
-    var phi_2345_: u32;
-    var phi_2355_: u32;
-    var phi_2364_: bool;
-    var phi_2380_: bool;
-    var phi_2381_: bool;
-    var phi_2604_: type_47;
-    var phi_2711_: vec3<f32>;
-    var phi_2786_: vec3<f32>;
-    var phi_2860_: vec3<f32>;
-    var phi_2934_: vec3<f32>;
-    var phi_2979_: vec3<f32>;
-    var phi_2981_: vec3<f32>;
-    var phi_2982_: bool;
-    var phi_3003_: vec3<f32>;
-    var phi_3033_: array<f32, 3>;
-    var phi_3079_: type_48;
-    var phi_3092_: type_48;
+    var phi_3493_: bool;
+    var phi_3094_: type_44;
+    var phi_1976_: vec3<f32>;
+    var phi_1978_: vec3<f32>;
+    var phi_1979_: bool;
+    var phi_2000_: vec3<f32>;
+    var phi_2172_: f32;
+    var phi_2187_: f32;
+    var phi_2215_: u32;
+    var phi_2225_: u32;
+    var phi_2234_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2274_: f32;
+    var phi_2289_: f32;
+    var phi_2317_: u32;
+    var phi_2327_: u32;
+    var phi_2336_: bool;
+    var phi_2352_: bool;
+    var phi_2353_: bool;
+    var phi_2576_: type_47;
+    var phi_2683_: vec3<f32>;
+    var phi_2758_: vec3<f32>;
+    var phi_2832_: vec3<f32>;
+    var phi_2906_: vec3<f32>;
+    var phi_2951_: vec3<f32>;
+    var phi_2953_: vec3<f32>;
+    var phi_2954_: bool;
+    var phi_2975_: vec3<f32>;
+    var phi_3005_: array<f32, 3>;
+    var phi_3051_: type_48;
+    var phi_3064_: type_48;
     var local_5: u32;
     var local_6: u32;
     var local_7: type_44;
@@ -416,12 +412,12 @@ fn function_() {
                 let _e309 = phi_522_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_3370_ = false;
+                phi_3342_ = false;
                 phi_525_ = 0u;
                 phi_528_ = 0u;
                 phi_530_ = type_44(340282350000000000000000000000000000000f, 4294967295u, 0f, 0f);
                 loop {
-                    let _e311 = phi_3370_;
+                    let _e311 = phi_3342_;
                     let _e313 = phi_525_;
                     let _e315 = phi_528_;
                     let _e317 = phi_530_;
@@ -430,188 +426,188 @@ fn function_() {
                     if (_e318 == 0u) {
                         if (_e320 < _e92) {
                         } else {
-                            phi_3525_ = true;
-                            phi_3122_ = type_44();
+                            phi_3493_ = true;
+                            phi_3094_ = type_44();
                             break;
                         }
-                        let _e1019 = nodes.member[_e320].member;
-                        let _e1028 = ((_e1019.x - _e289) * _e299);
-                        let _e1029 = ((_e1019.y - _e289) * _e299);
-                        let _e1030 = ((_e1019.z - _e289) * _e299);
-                        let _e1031 = ((_e1019.w - _e289) * _e299);
-                        let _e1034 = nodes.member[_e320].member_3;
-                        let _e1043 = ((_e1034.x - _e292) * _e299);
-                        let _e1044 = ((_e1034.y - _e292) * _e299);
-                        let _e1045 = ((_e1034.z - _e292) * _e299);
-                        let _e1046 = ((_e1034.w - _e292) * _e299);
-                        let _e1049 = nodes.member[_e320].member_1;
-                        let _e1058 = ((_e1049.x - _e290) * _e304);
-                        let _e1059 = ((_e1049.y - _e290) * _e304);
-                        let _e1060 = ((_e1049.z - _e290) * _e304);
-                        let _e1061 = ((_e1049.w - _e290) * _e304);
-                        let _e1064 = nodes.member[_e320].member_4;
-                        let _e1073 = ((_e1064.x - _e293) * _e304);
-                        let _e1074 = ((_e1064.y - _e293) * _e304);
-                        let _e1075 = ((_e1064.z - _e293) * _e304);
-                        let _e1076 = ((_e1064.w - _e293) * _e304);
-                        let _e1079 = nodes.member[_e320].member_2;
-                        let _e1088 = ((_e1079.x - _e291) * _e309);
-                        let _e1089 = ((_e1079.y - _e291) * _e309);
-                        let _e1090 = ((_e1079.z - _e291) * _e309);
-                        let _e1091 = ((_e1079.w - _e291) * _e309);
-                        let _e1094 = nodes.member[_e320].member_5;
-                        let _e1103 = ((_e1094.x - _e294) * _e309);
-                        let _e1104 = ((_e1094.y - _e294) * _e309);
-                        let _e1105 = ((_e1094.z - _e294) * _e309);
-                        let _e1106 = ((_e1094.w - _e294) * _e309);
-                        let _e1108 = select(_e1043, _e1028, (_e1028 < _e1043));
-                        let _e1110 = select(_e1044, _e1029, (_e1029 < _e1044));
-                        let _e1112 = select(_e1045, _e1030, (_e1030 < _e1045));
-                        let _e1114 = select(_e1046, _e1031, (_e1031 < _e1046));
-                        let _e1116 = select(_e1073, _e1058, (_e1058 < _e1073));
-                        let _e1118 = select(_e1074, _e1059, (_e1059 < _e1074));
-                        let _e1120 = select(_e1075, _e1060, (_e1060 < _e1075));
-                        let _e1122 = select(_e1076, _e1061, (_e1061 < _e1076));
+                        let _e1015 = nodes.member[_e320].member;
+                        let _e1024 = ((_e1015.x - _e289) * _e299);
+                        let _e1025 = ((_e1015.y - _e289) * _e299);
+                        let _e1026 = ((_e1015.z - _e289) * _e299);
+                        let _e1027 = ((_e1015.w - _e289) * _e299);
+                        let _e1030 = nodes.member[_e320].member_3;
+                        let _e1039 = ((_e1030.x - _e292) * _e299);
+                        let _e1040 = ((_e1030.y - _e292) * _e299);
+                        let _e1041 = ((_e1030.z - _e292) * _e299);
+                        let _e1042 = ((_e1030.w - _e292) * _e299);
+                        let _e1045 = nodes.member[_e320].member_1;
+                        let _e1054 = ((_e1045.x - _e290) * _e304);
+                        let _e1055 = ((_e1045.y - _e290) * _e304);
+                        let _e1056 = ((_e1045.z - _e290) * _e304);
+                        let _e1057 = ((_e1045.w - _e290) * _e304);
+                        let _e1060 = nodes.member[_e320].member_4;
+                        let _e1069 = ((_e1060.x - _e293) * _e304);
+                        let _e1070 = ((_e1060.y - _e293) * _e304);
+                        let _e1071 = ((_e1060.z - _e293) * _e304);
+                        let _e1072 = ((_e1060.w - _e293) * _e304);
+                        let _e1075 = nodes.member[_e320].member_2;
+                        let _e1084 = ((_e1075.x - _e291) * _e309);
+                        let _e1085 = ((_e1075.y - _e291) * _e309);
+                        let _e1086 = ((_e1075.z - _e291) * _e309);
+                        let _e1087 = ((_e1075.w - _e291) * _e309);
+                        let _e1090 = nodes.member[_e320].member_5;
+                        let _e1099 = ((_e1090.x - _e294) * _e309);
+                        let _e1100 = ((_e1090.y - _e294) * _e309);
+                        let _e1101 = ((_e1090.z - _e294) * _e309);
+                        let _e1102 = ((_e1090.w - _e294) * _e309);
+                        let _e1104 = select(_e1039, _e1024, (_e1024 < _e1039));
+                        let _e1106 = select(_e1040, _e1025, (_e1025 < _e1040));
+                        let _e1108 = select(_e1041, _e1026, (_e1026 < _e1041));
+                        let _e1110 = select(_e1042, _e1027, (_e1027 < _e1042));
+                        let _e1112 = select(_e1069, _e1054, (_e1054 < _e1069));
+                        let _e1114 = select(_e1070, _e1055, (_e1055 < _e1070));
+                        let _e1116 = select(_e1071, _e1056, (_e1056 < _e1071));
+                        let _e1118 = select(_e1072, _e1057, (_e1057 < _e1072));
+                        let _e1120 = select(_e1112, _e1104, (_e1104 > _e1112));
+                        let _e1122 = select(_e1114, _e1106, (_e1106 > _e1114));
                         let _e1124 = select(_e1116, _e1108, (_e1108 > _e1116));
                         let _e1126 = select(_e1118, _e1110, (_e1110 > _e1118));
-                        let _e1128 = select(_e1120, _e1112, (_e1112 > _e1120));
-                        let _e1130 = select(_e1122, _e1114, (_e1114 > _e1122));
-                        let _e1132 = select(_e1103, _e1088, (_e1088 < _e1103));
-                        let _e1134 = select(_e1104, _e1089, (_e1089 < _e1104));
-                        let _e1136 = select(_e1105, _e1090, (_e1090 < _e1105));
-                        let _e1138 = select(_e1106, _e1091, (_e1091 < _e1106));
+                        let _e1128 = select(_e1099, _e1084, (_e1084 < _e1099));
+                        let _e1130 = select(_e1100, _e1085, (_e1085 < _e1100));
+                        let _e1132 = select(_e1101, _e1086, (_e1086 < _e1101));
+                        let _e1134 = select(_e1102, _e1087, (_e1087 < _e1102));
+                        let _e1136 = select(_e1128, _e1120, (_e1120 > _e1128));
+                        let _e1138 = select(_e1130, _e1122, (_e1122 > _e1130));
                         let _e1140 = select(_e1132, _e1124, (_e1124 > _e1132));
                         let _e1142 = select(_e1134, _e1126, (_e1126 > _e1134));
-                        let _e1144 = select(_e1136, _e1128, (_e1128 > _e1136));
-                        let _e1146 = select(_e1138, _e1130, (_e1130 > _e1138));
+                        let _e1144 = select(0f, _e1136, (_e1136 > 0f));
+                        let _e1146 = select(0f, _e1138, (_e1138 > 0f));
                         let _e1148 = select(0f, _e1140, (_e1140 > 0f));
                         let _e1150 = select(0f, _e1142, (_e1142 > 0f));
-                        let _e1152 = select(0f, _e1144, (_e1144 > 0f));
-                        let _e1154 = select(0f, _e1146, (_e1146 > 0f));
-                        let _e1156 = select(_e1043, _e1028, (_e1028 > _e1043));
-                        let _e1158 = select(_e1044, _e1029, (_e1029 > _e1044));
-                        let _e1160 = select(_e1045, _e1030, (_e1030 > _e1045));
-                        let _e1162 = select(_e1046, _e1031, (_e1031 > _e1046));
-                        let _e1164 = select(_e1073, _e1058, (_e1058 > _e1073));
-                        let _e1166 = select(_e1074, _e1059, (_e1059 > _e1074));
-                        let _e1168 = select(_e1075, _e1060, (_e1060 > _e1075));
-                        let _e1170 = select(_e1076, _e1061, (_e1061 > _e1076));
+                        let _e1152 = select(_e1039, _e1024, (_e1024 > _e1039));
+                        let _e1154 = select(_e1040, _e1025, (_e1025 > _e1040));
+                        let _e1156 = select(_e1041, _e1026, (_e1026 > _e1041));
+                        let _e1158 = select(_e1042, _e1027, (_e1027 > _e1042));
+                        let _e1160 = select(_e1069, _e1054, (_e1054 > _e1069));
+                        let _e1162 = select(_e1070, _e1055, (_e1055 > _e1070));
+                        let _e1164 = select(_e1071, _e1056, (_e1056 > _e1071));
+                        let _e1166 = select(_e1072, _e1057, (_e1057 > _e1072));
+                        let _e1168 = select(_e1160, _e1152, (_e1152 < _e1160));
+                        let _e1170 = select(_e1162, _e1154, (_e1154 < _e1162));
                         let _e1172 = select(_e1164, _e1156, (_e1156 < _e1164));
                         let _e1174 = select(_e1166, _e1158, (_e1158 < _e1166));
-                        let _e1176 = select(_e1168, _e1160, (_e1160 < _e1168));
-                        let _e1178 = select(_e1170, _e1162, (_e1162 < _e1170));
-                        let _e1180 = select(_e1103, _e1088, (_e1088 > _e1103));
-                        let _e1182 = select(_e1104, _e1089, (_e1089 > _e1104));
-                        let _e1184 = select(_e1105, _e1090, (_e1090 > _e1105));
-                        let _e1186 = select(_e1106, _e1091, (_e1091 > _e1106));
+                        let _e1176 = select(_e1099, _e1084, (_e1084 > _e1099));
+                        let _e1178 = select(_e1100, _e1085, (_e1085 > _e1100));
+                        let _e1180 = select(_e1101, _e1086, (_e1086 > _e1101));
+                        let _e1182 = select(_e1102, _e1087, (_e1087 > _e1102));
+                        let _e1184 = select(_e1176, _e1168, (_e1168 < _e1176));
+                        let _e1186 = select(_e1178, _e1170, (_e1170 < _e1178));
                         let _e1188 = select(_e1180, _e1172, (_e1172 < _e1180));
                         let _e1190 = select(_e1182, _e1174, (_e1174 < _e1182));
-                        let _e1192 = select(_e1184, _e1176, (_e1176 < _e1184));
-                        let _e1194 = select(_e1186, _e1178, (_e1178 < _e1186));
+                        let _e1200 = select(340282350000000000000000000000000000000f, _e1144, (_e1144 <= select(_e317.member, _e1184, (_e1184 < _e317.member))));
+                        let _e1202 = select(340282350000000000000000000000000000000f, _e1146, (_e1146 <= select(_e317.member, _e1186, (_e1186 < _e317.member))));
                         let _e1204 = select(340282350000000000000000000000000000000f, _e1148, (_e1148 <= select(_e317.member, _e1188, (_e1188 < _e317.member))));
                         let _e1206 = select(340282350000000000000000000000000000000f, _e1150, (_e1150 <= select(_e317.member, _e1190, (_e1190 < _e317.member))));
-                        let _e1208 = select(340282350000000000000000000000000000000f, _e1152, (_e1152 <= select(_e317.member, _e1192, (_e1192 < _e317.member))));
-                        let _e1210 = select(340282350000000000000000000000000000000f, _e1154, (_e1154 <= select(_e317.member, _e1194, (_e1194 < _e317.member))));
-                        let _e1214 = nodes.member[_e320].member_6[0u];
-                        let _e1218 = nodes.member[_e320].member_6[1u];
-                        let _e1222 = nodes.member[_e320].member_6[2u];
-                        let _e1226 = nodes.member[_e320].member_6[3u];
+                        let _e1210 = nodes.member[_e320].member_6[0u];
+                        let _e1214 = nodes.member[_e320].member_6[1u];
+                        let _e1218 = nodes.member[_e320].member_6[2u];
+                        let _e1222 = nodes.member[_e320].member_6[3u];
+                        if (_e1202 < _e1200) {
+                            phi_911_ = type_45(_e1202, _e1214, _e1200, _e1210);
+                        } else {
+                            phi_911_ = type_45(_e1200, _e1210, _e1202, _e1214);
+                        }
+                        let _e1227 = phi_911_;
                         if (_e1206 < _e1204) {
-                            phi_911_ = type_45(_e1206, _e1218, _e1204, _e1214);
+                            phi_922_ = type_45(_e1206, _e1222, _e1204, _e1218);
                         } else {
-                            phi_911_ = type_45(_e1204, _e1214, _e1206, _e1218);
+                            phi_922_ = type_45(_e1204, _e1218, _e1206, _e1222);
                         }
-                        let _e1231 = phi_911_;
-                        if (_e1210 < _e1208) {
-                            phi_922_ = type_45(_e1210, _e1226, _e1208, _e1222);
+                        let _e1236 = phi_922_;
+                        if (_e1236.member < _e1227.member) {
+                            phi_933_ = type_45(_e1236.member, _e1236.member_1, _e1227.member, _e1227.member_1);
                         } else {
-                            phi_922_ = type_45(_e1208, _e1222, _e1210, _e1226);
+                            phi_933_ = type_45(_e1227.member, _e1227.member_1, _e1236.member, _e1236.member_1);
                         }
-                        let _e1240 = phi_922_;
-                        if (_e1240.member < _e1231.member) {
-                            phi_933_ = type_45(_e1240.member, _e1240.member_1, _e1231.member, _e1231.member_1);
+                        let _e1245 = phi_933_;
+                        if (_e1236.member_2 < _e1227.member_2) {
+                            phi_944_ = type_45(_e1236.member_2, _e1236.member_3, _e1227.member_2, _e1227.member_3);
                         } else {
-                            phi_933_ = type_45(_e1231.member, _e1231.member_1, _e1240.member, _e1240.member_1);
+                            phi_944_ = type_45(_e1227.member_2, _e1227.member_3, _e1236.member_2, _e1236.member_3);
                         }
-                        let _e1249 = phi_933_;
-                        if (_e1240.member_2 < _e1231.member_2) {
-                            phi_944_ = type_45(_e1240.member_2, _e1240.member_3, _e1231.member_2, _e1231.member_3);
+                        let _e1254 = phi_944_;
+                        if (_e1245.member_2 < _e1254.member) {
+                            phi_955_ = type_45(_e1245.member_2, _e1245.member_3, _e1254.member, _e1254.member_1);
                         } else {
-                            phi_944_ = type_45(_e1231.member_2, _e1231.member_3, _e1240.member_2, _e1240.member_3);
+                            phi_955_ = type_45(_e1254.member, _e1254.member_1, _e1245.member_2, _e1245.member_3);
                         }
-                        let _e1258 = phi_944_;
-                        if (_e1249.member_2 < _e1258.member) {
-                            phi_955_ = type_45(_e1249.member_2, _e1249.member_3, _e1258.member, _e1258.member_1);
-                        } else {
-                            phi_955_ = type_45(_e1258.member, _e1258.member_1, _e1249.member_2, _e1249.member_3);
-                        }
-                        let _e1267 = phi_955_;
-                        if (_e1258.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1273 = (_e315 < 64u);
-                            if _e1273 {
+                        let _e1263 = phi_955_;
+                        if (_e1254.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1269 = (_e315 < 64u);
+                            if _e1269 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local[_e315] = _e1258.member_3;
-                            if _e1273 {
+                            local[_e315] = _e1254.member_3;
+                            if _e1269 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local_1[_e315] = _e1258.member_2;
+                            local_1[_e315] = _e1254.member_2;
                             phi_977_ = (_e315 + 1u);
                         } else {
                             phi_977_ = _e315;
                         }
-                        let _e1278 = phi_977_;
-                        if (_e1267.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1280 = (_e1278 < 64u);
-                            if _e1280 {
+                        let _e1274 = phi_977_;
+                        if (_e1263.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1276 = (_e1274 < 64u);
+                            if _e1276 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local[_e1278] = _e1267.member_3;
-                            if _e1280 {
+                            local[_e1274] = _e1263.member_3;
+                            if _e1276 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local_1[_e1278] = _e1267.member_2;
-                            phi_995_ = (_e1278 + 1u);
+                            local_1[_e1274] = _e1263.member_2;
+                            phi_995_ = (_e1274 + 1u);
                         } else {
-                            phi_995_ = _e1278;
+                            phi_995_ = _e1274;
                         }
-                        let _e1285 = phi_995_;
-                        if (_e1267.member < 340282350000000000000000000000000000000f) {
-                            let _e1287 = (_e1285 < 64u);
-                            if _e1287 {
+                        let _e1281 = phi_995_;
+                        if (_e1263.member < 340282350000000000000000000000000000000f) {
+                            let _e1283 = (_e1281 < 64u);
+                            if _e1283 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local[_e1285] = _e1267.member_1;
-                            if _e1287 {
+                            local[_e1281] = _e1263.member_1;
+                            if _e1283 {
                             } else {
-                                phi_3525_ = true;
-                                phi_3122_ = type_44();
+                                phi_3493_ = true;
+                                phi_3094_ = type_44();
                                 break;
                             }
-                            local_1[_e1285] = _e1267.member;
-                            phi_1013_ = (_e1285 + 1u);
+                            local_1[_e1281] = _e1263.member;
+                            phi_1013_ = (_e1281 + 1u);
                         } else {
-                            phi_1013_ = _e1285;
+                            phi_1013_ = _e1281;
                         }
-                        let _e1292 = phi_1013_;
-                        phi_3461_ = _e311;
-                        phi_1849_ = select(0u, _e1249.member_1, (_e1249.member < 340282350000000000000000000000000000000f));
-                        phi_1850_ = _e1292;
+                        let _e1288 = phi_1013_;
+                        phi_3429_ = _e311;
+                        phi_1835_ = select(0u, _e1245.member_1, (_e1245.member < 340282350000000000000000000000000000000f));
+                        phi_1836_ = _e1288;
                         phi_531_ = _e317;
                     } else {
                         phi_1022_ = type_12(_e320, (_e320 + _e318));
@@ -634,68 +630,68 @@ fn function_() {
                                 let _e347 = (_e342.member_1 < _e95);
                                 if _e347 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 if _e229 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e351 = triangles.member[_e342.member_1].member[_e226];
                                 let _e352 = (_e351 - _e246);
                                 if _e229 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e356 = triangles.member[_e342.member_1].member_2[_e226];
                                 let _e357 = (_e356 - _e246);
                                 if _e229 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e361 = triangles.member[_e342.member_1].member_4[_e226];
                                 let _e362 = (_e361 - _e246);
                                 if _e233 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e366 = triangles.member[_e342.member_1].member[_e225];
                                 let _e369 = ((_e366 - _e242) - (_e236 * _e352));
                                 if _e237 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e373 = triangles.member[_e342.member_1].member[_e224];
                                 let _e376 = ((_e373 - _e244) - (_e240 * _e352));
                                 if _e233 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e380 = triangles.member[_e342.member_1].member_2[_e225];
                                 let _e383 = ((_e380 - _e242) - (_e236 * _e357));
                                 if _e237 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e387 = triangles.member[_e342.member_1].member_2[_e224];
                                 let _e390 = ((_e387 - _e244) - (_e240 * _e357));
                                 if _e233 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e394 = triangles.member[_e342.member_1].member_4[_e225];
                                 let _e397 = ((_e394 - _e242) - (_e236 * _e362));
                                 if _e237 {
                                 } else {
-                                    phi_3366_ = true;
+                                    phi_3338_ = true;
                                     break;
                                 }
                                 let _e401 = triangles.member[_e342.member_1].member_4[_e224];
@@ -916,68 +912,68 @@ fn function_() {
                                         if _e720 {
                                             if _e347 {
                                             } else {
-                                                phi_3366_ = true;
+                                                phi_3338_ = true;
                                                 break;
                                             }
                                             let _e725 = triangles.member[_e342.member_1].member_3;
                                             if ((_e725 & 1u) == 0u) {
-                                                phi_1818_ = true;
+                                                phi_1804_ = true;
                                             } else {
                                                 if _e347 {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e730 = triangles.member[_e342.member_1].member_1;
                                                 let _e731 = (_e730 * 12u);
                                                 if ((256u + _e731) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if ((_e731 + 257u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if ((_e731 + 258u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e738 = (_e731 + 259u);
                                                 if (_e738 < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e741 = surfaces.member[_e738];
                                                 if ((_e731 + 260u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if ((_e731 + 261u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if ((_e731 + 262u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e748 = (_e731 + 263u);
                                                 if (_e748 < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e751 = surfaces.member[_e748];
                                                 let _e752 = (_e731 + 264u);
                                                 if (_e752 < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e755 = surfaces.member[_e752];
@@ -985,27 +981,27 @@ fn function_() {
                                                 let _e757 = (_e731 + 265u);
                                                 if (_e757 < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 let _e760 = surfaces.member[_e757];
                                                 let _e761 = bitcast<f32>(_e760);
                                                 if ((_e731 + 266u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if ((_e731 + 267u) < _e101) {
                                                 } else {
-                                                    phi_3366_ = true;
+                                                    phi_3338_ = true;
                                                     break;
                                                 }
                                                 if (_e741 == 4294967295u) {
-                                                    phi_1813_ = (_e756 < _e761);
+                                                    phi_1799_ = (_e756 < _e761);
                                                 } else {
                                                     if (_e342.member_1 < _e98) {
                                                     } else {
-                                                        phi_3366_ = true;
+                                                        phi_3338_ = true;
                                                         break;
                                                     }
                                                     let _e769 = ((1f - _e716[1]) - _e716[2]);
@@ -1036,818 +1032,794 @@ fn function_() {
                                                         phi_1552_ = _e820;
                                                     }
                                                     let _e827 = phi_1552_;
-                                                    if (_e827 >= 0f) {
-                                                        phi_1562_ = select(true, false, (_e827 <= 1f));
+                                                    let _e834 = ((select(0f, _e827, (abs((_e827 - 0.5f)) <= 0.5f)) * f32(_e804)) - 0.5f);
+                                                    let _e835 = floor(_e834);
+                                                    let _e836 = (_e835 < 0f);
+                                                    if _e836 {
+                                                        phi_1580_ = 0u;
                                                     } else {
-                                                        phi_1562_ = true;
+                                                        let _e841 = select(select(u32(_e835), 0u, (_e835 < 0f)), 4294967295u, (_e835 > 4294967000f));
+                                                        phi_1580_ = select(_e841, _e810, (_e810 < _e841));
                                                     }
-                                                    let _e832 = phi_1562_;
-                                                    let _e836 = ((select(_e827, 0f, _e832) * f32(_e804)) - 0.5f);
-                                                    let _e837 = floor(_e836);
-                                                    let _e838 = (_e837 < 0f);
-                                                    if _e838 {
-                                                        phi_1587_ = 0u;
+                                                    let _e845 = phi_1580_;
+                                                    if _e836 {
+                                                        phi_1590_ = 0u;
                                                     } else {
-                                                        let _e843 = select(select(u32(_e837), 0u, (_e837 < 0f)), 4294967295u, (_e837 > 4294967000f));
-                                                        phi_1587_ = select(_e843, _e810, (_e810 < _e843));
+                                                        let _e846 = (_e845 + 1u);
+                                                        phi_1590_ = select(_e846, _e810, (_e810 < _e846));
                                                     }
-                                                    let _e847 = phi_1587_;
-                                                    if _e838 {
-                                                        phi_1597_ = 0u;
+                                                    let _e850 = phi_1590_;
+                                                    let _e851 = (_e809 == 0u);
+                                                    if _e851 {
+                                                        phi_1599_ = select(true, false, _e836);
                                                     } else {
-                                                        let _e848 = (_e847 + 1u);
-                                                        phi_1597_ = select(_e848, _e810, (_e810 < _e848));
+                                                        phi_1599_ = true;
                                                     }
-                                                    let _e852 = phi_1597_;
-                                                    let _e853 = (_e809 == 0u);
-                                                    if _e853 {
-                                                        phi_1606_ = select(true, false, _e838);
-                                                    } else {
-                                                        phi_1606_ = true;
-                                                    }
-                                                    let _e856 = phi_1606_;
-                                                    let _e857 = select(_e810, _e847, _e856);
-                                                    if _e853 {
-                                                        if _e838 {
-                                                            phi_1622_ = true;
+                                                    let _e854 = phi_1599_;
+                                                    let _e855 = select(_e810, _e845, _e854);
+                                                    if _e851 {
+                                                        if _e836 {
+                                                            phi_1615_ = true;
                                                         } else {
-                                                            phi_1622_ = select(true, false, (_e857 == _e810));
+                                                            phi_1615_ = select(true, false, (_e855 == _e810));
                                                         }
-                                                        let _e861 = phi_1622_;
-                                                        phi_1623_ = _e861;
+                                                        let _e859 = phi_1615_;
+                                                        phi_1616_ = _e859;
                                                     } else {
-                                                        phi_1623_ = true;
+                                                        phi_1616_ = true;
                                                     }
-                                                    let _e863 = phi_1623_;
-                                                    let _e864 = select(0u, _e852, _e863);
-                                                    let _e865 = (_e836 - _e837);
-                                                    let _e868 = ((_e741 >> bitcast<u32>(30u)) & 3u);
-                                                    let _e869 = (_e806 - 1u);
-                                                    let _e871 = select(1f, 2f, (_e868 == 2u));
-                                                    let _e875 = (_e803 - (floor((_e803 / _e871)) * _e871));
-                                                    if (_e875 > 1f) {
-                                                        phi_1646_ = (_e871 - _e875);
+                                                    let _e861 = phi_1616_;
+                                                    let _e862 = select(0u, _e850, _e861);
+                                                    let _e863 = (_e834 - _e835);
+                                                    let _e866 = ((_e741 >> bitcast<u32>(30u)) & 3u);
+                                                    let _e867 = (_e806 - 1u);
+                                                    let _e869 = select(1f, 2f, (_e866 == 2u));
+                                                    let _e873 = (_e803 - (floor((_e803 / _e869)) * _e869));
+                                                    if (_e873 > 1f) {
+                                                        phi_1639_ = (_e869 - _e873);
                                                     } else {
-                                                        phi_1646_ = _e875;
+                                                        phi_1639_ = _e873;
                                                     }
-                                                    let _e879 = phi_1646_;
-                                                    if (_e868 == 1u) {
-                                                        let _e882 = select(0f, _e803, (_e803 > 0f));
-                                                        phi_1661_ = select(1f, _e882, (_e882 < 1f));
+                                                    let _e877 = phi_1639_;
+                                                    if (_e866 == 1u) {
+                                                        let _e880 = select(0f, _e803, (_e803 > 0f));
+                                                        phi_1654_ = select(1f, _e880, (_e880 < 1f));
                                                     } else {
-                                                        phi_1661_ = _e879;
+                                                        phi_1654_ = _e877;
                                                     }
-                                                    let _e886 = phi_1661_;
-                                                    if (_e886 >= 0f) {
-                                                        phi_1671_ = select(true, false, (_e886 <= 1f));
+                                                    let _e884 = phi_1654_;
+                                                    let _e891 = ((select(0f, _e884, (abs((_e884 - 0.5f)) <= 0.5f)) * f32(_e806)) - 0.5f);
+                                                    let _e892 = floor(_e891);
+                                                    let _e893 = (_e892 < 0f);
+                                                    if _e893 {
+                                                        phi_1682_ = 0u;
                                                     } else {
-                                                        phi_1671_ = true;
+                                                        let _e898 = select(select(u32(_e892), 0u, (_e892 < 0f)), 4294967295u, (_e892 > 4294967000f));
+                                                        phi_1682_ = select(_e898, _e867, (_e867 < _e898));
                                                     }
-                                                    let _e891 = phi_1671_;
-                                                    let _e895 = ((select(_e886, 0f, _e891) * f32(_e806)) - 0.5f);
-                                                    let _e896 = floor(_e895);
-                                                    let _e897 = (_e896 < 0f);
-                                                    if _e897 {
-                                                        phi_1696_ = 0u;
+                                                    let _e902 = phi_1682_;
+                                                    if _e893 {
+                                                        phi_1692_ = 0u;
                                                     } else {
-                                                        let _e902 = select(select(u32(_e896), 0u, (_e896 < 0f)), 4294967295u, (_e896 > 4294967000f));
-                                                        phi_1696_ = select(_e902, _e869, (_e869 < _e902));
+                                                        let _e903 = (_e902 + 1u);
+                                                        phi_1692_ = select(_e903, _e867, (_e867 < _e903));
                                                     }
-                                                    let _e906 = phi_1696_;
-                                                    if _e897 {
-                                                        phi_1706_ = 0u;
+                                                    let _e907 = phi_1692_;
+                                                    let _e908 = (_e866 == 0u);
+                                                    if _e908 {
+                                                        phi_1701_ = select(true, false, _e893);
                                                     } else {
-                                                        let _e907 = (_e906 + 1u);
-                                                        phi_1706_ = select(_e907, _e869, (_e869 < _e907));
+                                                        phi_1701_ = true;
                                                     }
-                                                    let _e911 = phi_1706_;
-                                                    let _e912 = (_e868 == 0u);
-                                                    if _e912 {
-                                                        phi_1715_ = select(true, false, _e897);
-                                                    } else {
-                                                        phi_1715_ = true;
-                                                    }
-                                                    let _e915 = phi_1715_;
-                                                    let _e916 = select(_e869, _e906, _e915);
-                                                    if _e912 {
-                                                        if _e897 {
-                                                            phi_1731_ = true;
+                                                    let _e911 = phi_1701_;
+                                                    let _e912 = select(_e867, _e902, _e911);
+                                                    if _e908 {
+                                                        if _e893 {
+                                                            phi_1717_ = true;
                                                         } else {
-                                                            phi_1731_ = select(true, false, (_e916 == _e869));
+                                                            phi_1717_ = select(true, false, (_e912 == _e867));
                                                         }
-                                                        let _e920 = phi_1731_;
-                                                        phi_1732_ = _e920;
+                                                        let _e916 = phi_1717_;
+                                                        phi_1718_ = _e916;
                                                     } else {
-                                                        phi_1732_ = true;
+                                                        phi_1718_ = true;
                                                     }
-                                                    let _e922 = phi_1732_;
-                                                    let _e924 = (_e895 - _e896);
-                                                    let _e925 = (_e741 & 268435455u);
-                                                    let _e927 = (_e925 + (_e916 * _e804));
-                                                    let _e929 = (_e925 + (select(0u, _e911, _e922) * _e804));
-                                                    let _e930 = (_e927 + _e857);
-                                                    let _e931 = (_e927 + _e864);
-                                                    let _e932 = (_e929 + _e857);
-                                                    let _e933 = (_e929 + _e864);
-                                                    if (_e930 < _e101) {
+                                                    let _e918 = phi_1718_;
+                                                    let _e920 = (_e891 - _e892);
+                                                    let _e921 = (_e741 & 268435455u);
+                                                    let _e923 = (_e921 + (_e912 * _e804));
+                                                    let _e925 = (_e921 + (select(0u, _e907, _e918) * _e804));
+                                                    let _e926 = (_e923 + _e855);
+                                                    let _e927 = (_e923 + _e862);
+                                                    let _e928 = (_e925 + _e855);
+                                                    let _e929 = (_e925 + _e862);
+                                                    if (_e926 < _e101) {
                                                     } else {
-                                                        phi_3366_ = true;
+                                                        phi_3338_ = true;
                                                         break;
                                                     }
-                                                    let _e936 = surfaces.member[_e930];
-                                                    if (_e931 < _e101) {
+                                                    let _e932 = surfaces.member[_e926];
+                                                    if (_e927 < _e101) {
                                                     } else {
-                                                        phi_3366_ = true;
+                                                        phi_3338_ = true;
                                                         break;
                                                     }
-                                                    let _e939 = surfaces.member[_e931];
-                                                    if (_e932 < _e101) {
+                                                    let _e935 = surfaces.member[_e927];
+                                                    if (_e928 < _e101) {
                                                     } else {
-                                                        phi_3366_ = true;
+                                                        phi_3338_ = true;
                                                         break;
                                                     }
-                                                    let _e942 = surfaces.member[_e932];
-                                                    if (_e933 < _e101) {
+                                                    let _e938 = surfaces.member[_e928];
+                                                    if (_e929 < _e101) {
                                                     } else {
-                                                        phi_3366_ = true;
+                                                        phi_3338_ = true;
                                                         break;
                                                     }
-                                                    let _e945 = surfaces.member[_e933];
-                                                    let _e962 = (1f - _e865);
-                                                    phi_1813_ = ((_e756 * (((((f32((_e936 >> bitcast<u32>(24i))) * 0.003921569f) * _e962) + ((f32((_e939 >> bitcast<u32>(24i))) * 0.003921569f) * _e865)) * (1f - _e924)) + ((((f32((_e942 >> bitcast<u32>(24i))) * 0.003921569f) * _e962) + ((f32((_e945 >> bitcast<u32>(24i))) * 0.003921569f) * _e865)) * _e924))) < _e761);
+                                                    let _e941 = surfaces.member[_e929];
+                                                    let _e958 = (1f - _e863);
+                                                    phi_1799_ = ((_e756 * (((((f32((_e932 >> bitcast<u32>(24i))) * 0.003921569f) * _e958) + ((f32((_e935 >> bitcast<u32>(24i))) * 0.003921569f) * _e863)) * (1f - _e920)) + ((((f32((_e938 >> bitcast<u32>(24i))) * 0.003921569f) * _e958) + ((f32((_e941 >> bitcast<u32>(24i))) * 0.003921569f) * _e863)) * _e920))) < _e761);
                                                 }
-                                                let _e977 = phi_1813_;
-                                                phi_1818_ = select(true, false, _e977);
+                                                let _e973 = phi_1799_;
+                                                phi_1804_ = select(true, false, _e973);
                                             }
-                                            let _e980 = phi_1818_;
-                                            if _e980 {
-                                                phi_1823_ = type_44(_e716[0], _e342.member_1, _e716[1], _e716[2]);
+                                            let _e976 = phi_1804_;
+                                            if _e976 {
+                                                phi_1809_ = type_44(_e716[0], _e342.member_1, _e716[1], _e716[2]);
                                             } else {
-                                                phi_1823_ = type_44();
+                                                phi_1809_ = type_44();
                                             }
-                                            let _e983 = phi_1823_;
-                                            phi_1825_ = _e983;
-                                            phi_1827_ = select(true, false, _e980);
+                                            let _e979 = phi_1809_;
+                                            phi_1811_ = _e979;
+                                            phi_1813_ = select(true, false, _e976);
                                         } else {
-                                            phi_1825_ = type_44();
-                                            phi_1827_ = false;
+                                            phi_1811_ = type_44();
+                                            phi_1813_ = false;
                                         }
-                                        let _e986 = phi_1825_;
-                                        let _e988 = phi_1827_;
-                                        phi_1828_ = _e986;
-                                        phi_1830_ = select(true, false, _e720);
-                                        phi_1831_ = _e988;
+                                        let _e982 = phi_1811_;
+                                        let _e984 = phi_1813_;
+                                        phi_1814_ = _e982;
+                                        phi_1816_ = select(true, false, _e720);
+                                        phi_1817_ = _e984;
                                     } else {
-                                        phi_1828_ = type_44();
-                                        phi_1830_ = false;
-                                        phi_1831_ = false;
+                                        phi_1814_ = type_44();
+                                        phi_1816_ = false;
+                                        phi_1817_ = false;
                                     }
-                                    let _e991 = phi_1828_;
-                                    let _e993 = phi_1830_;
-                                    let _e995 = phi_1831_;
-                                    phi_1832_ = _e991;
-                                    phi_1833_ = select(true, false, _e722);
-                                    phi_1834_ = _e993;
-                                    phi_1835_ = _e995;
+                                    let _e987 = phi_1814_;
+                                    let _e989 = phi_1816_;
+                                    let _e991 = phi_1817_;
+                                    phi_1818_ = _e987;
+                                    phi_1819_ = select(true, false, _e722);
+                                    phi_1820_ = _e989;
+                                    phi_1821_ = _e991;
                                 } else {
-                                    phi_1832_ = type_44();
-                                    phi_1833_ = true;
-                                    phi_1834_ = false;
-                                    phi_1835_ = false;
+                                    phi_1818_ = type_44();
+                                    phi_1819_ = true;
+                                    phi_1820_ = false;
+                                    phi_1821_ = false;
                                 }
-                                let _e998 = phi_1832_;
-                                let _e1000 = phi_1833_;
-                                let _e1002 = phi_1834_;
-                                let _e1004 = phi_1835_;
-                                if select(select(_e1004, false, _e1000), true, select(_e1002, true, _e1000)) {
-                                    phi_1848_ = _e327;
+                                let _e994 = phi_1818_;
+                                let _e996 = phi_1819_;
+                                let _e998 = phi_1820_;
+                                let _e1000 = phi_1821_;
+                                if select(select(_e1000, false, _e996), true, select(_e998, true, _e996)) {
+                                    phi_1834_ = _e327;
                                 } else {
-                                    phi_1848_ = _e998;
+                                    phi_1834_ = _e994;
                                 }
-                                let _e1009 = phi_1848_;
-                                phi_1026_ = _e1009;
+                                let _e1005 = phi_1834_;
+                                phi_1026_ = _e1005;
                             } else {
                                 phi_1026_ = type_44();
                             }
-                            let _e1011 = phi_1026_;
+                            let _e1007 = phi_1026_;
                             continue;
                             continuing {
                                 phi_1022_ = _e340;
-                                phi_1025_ = _e1011;
-                                phi_3366_ = _e311;
+                                phi_1025_ = _e1007;
+                                phi_3338_ = _e311;
                                 break if !(_e346);
                             }
                         }
-                        let _e1014 = phi_3366_;
-                        phi_3525_ = _e1014;
-                        phi_3122_ = type_44();
-                        if _e1014 {
+                        let _e1010 = phi_3338_;
+                        phi_3493_ = _e1010;
+                        phi_3094_ = type_44();
+                        if _e1010 {
                             break;
                         }
-                        phi_3461_ = _e1014;
-                        phi_1849_ = 0u;
-                        phi_1850_ = _e315;
-                        let _e2297 = local_7;
-                        phi_531_ = _e2297;
+                        phi_3429_ = _e1010;
+                        phi_1835_ = 0u;
+                        phi_1836_ = _e315;
+                        let _e2287 = local_7;
+                        phi_531_ = _e2287;
                     }
-                    let _e1296 = phi_3461_;
-                    let _e1298 = phi_1849_;
-                    let _e1300 = phi_1850_;
-                    let _e1302 = phi_531_;
-                    phi_526_ = _e1298;
-                    phi_529_ = _e1300;
+                    let _e1292 = phi_3429_;
+                    let _e1294 = phi_1835_;
+                    let _e1296 = phi_1836_;
+                    let _e1298 = phi_531_;
+                    phi_526_ = _e1294;
+                    phi_529_ = _e1296;
                     loop {
-                        let _e1304 = phi_526_;
-                        let _e1306 = phi_529_;
-                        local_5 = _e1304;
-                        local_6 = _e1306;
-                        let _e1307 = (_e1304 == 0u);
-                        local_4 = _e1307;
-                        if _e1307 {
-                            let _e1308 = (_e1306 > 0u);
-                            if _e1308 {
-                                let _e1309 = (_e1306 - 1u);
-                                let _e1310 = (_e1309 < 64u);
-                                if _e1310 {
+                        let _e1300 = phi_526_;
+                        let _e1302 = phi_529_;
+                        local_5 = _e1300;
+                        local_6 = _e1302;
+                        let _e1303 = (_e1300 == 0u);
+                        local_4 = _e1303;
+                        if _e1303 {
+                            let _e1304 = (_e1302 > 0u);
+                            if _e1304 {
+                                let _e1305 = (_e1302 - 1u);
+                                let _e1306 = (_e1305 < 64u);
+                                if _e1306 {
                                 } else {
-                                    phi_3458_ = true;
+                                    phi_3426_ = true;
                                     break;
                                 }
-                                let _e1312 = local_1[_e1309];
-                                if (_e1312 <= _e1302.member) {
-                                    if _e1310 {
+                                let _e1308 = local_1[_e1305];
+                                if (_e1308 <= _e1298.member) {
+                                    if _e1306 {
                                     } else {
-                                        phi_3458_ = true;
+                                        phi_3426_ = true;
                                         break;
                                     }
-                                    let _e1316 = local[_e1309];
-                                    phi_1885_ = _e1316;
+                                    let _e1312 = local[_e1305];
+                                    phi_1871_ = _e1312;
                                 } else {
-                                    phi_1885_ = _e1304;
+                                    phi_1871_ = _e1300;
                                 }
-                                let _e1318 = phi_1885_;
-                                phi_1886_ = _e1318;
-                                phi_1887_ = _e1309;
+                                let _e1314 = phi_1871_;
+                                phi_1872_ = _e1314;
+                                phi_1873_ = _e1305;
                             } else {
-                                phi_1886_ = u32();
-                                phi_1887_ = u32();
+                                phi_1872_ = u32();
+                                phi_1873_ = u32();
                             }
-                            let _e1320 = phi_1886_;
-                            let _e1322 = phi_1887_;
-                            phi_1852_ = _e1320;
-                            phi_1854_ = _e1322;
-                            phi_1888_ = _e1308;
+                            let _e1316 = phi_1872_;
+                            let _e1318 = phi_1873_;
+                            phi_1838_ = _e1316;
+                            phi_1840_ = _e1318;
+                            phi_1874_ = _e1304;
                         } else {
-                            phi_1852_ = u32();
-                            phi_1854_ = u32();
-                            phi_1888_ = false;
+                            phi_1838_ = u32();
+                            phi_1840_ = u32();
+                            phi_1874_ = false;
                         }
-                        let _e1324 = phi_1852_;
-                        let _e1326 = phi_1854_;
-                        let _e1328 = phi_1888_;
+                        let _e1320 = phi_1838_;
+                        let _e1322 = phi_1840_;
+                        let _e1324 = phi_1874_;
                         continue;
                         continuing {
-                            phi_526_ = _e1324;
-                            phi_529_ = _e1326;
-                            phi_3458_ = _e1296;
-                            break if !(_e1328);
+                            phi_526_ = _e1320;
+                            phi_529_ = _e1322;
+                            phi_3426_ = _e1292;
+                            break if !(_e1324);
                         }
                     }
-                    let _e1331 = phi_3458_;
-                    phi_3525_ = _e1331;
-                    phi_3122_ = type_44();
-                    if _e1331 {
+                    let _e1327 = phi_3426_;
+                    phi_3493_ = _e1327;
+                    phi_3094_ = type_44();
+                    if _e1327 {
                         break;
                     }
-                    let _e1333 = local_4;
+                    let _e1329 = local_4;
                     continue;
                     continuing {
-                        phi_3370_ = _e1331;
-                        let _e2218 = local_5;
-                        phi_525_ = _e2218;
-                        let _e2221 = local_6;
-                        phi_528_ = _e2221;
-                        phi_530_ = _e1302;
-                        phi_3525_ = _e1331;
-                        phi_3122_ = _e1302;
-                        break if !(select(true, false, _e1333));
+                        phi_3342_ = _e1327;
+                        let _e2210 = local_5;
+                        phi_525_ = _e2210;
+                        let _e2213 = local_6;
+                        phi_528_ = _e2213;
+                        phi_530_ = _e1298;
+                        phi_3493_ = _e1327;
+                        phi_3094_ = _e1298;
+                        break if !(select(true, false, _e1329));
                     }
                 }
-                let _e1337 = phi_3525_;
-                let _e1339 = phi_3122_;
-                if _e1337 {
+                let _e1333 = phi_3493_;
+                let _e1335 = phi_3094_;
+                if _e1333 {
                     break;
                 }
-                let _e1341 = (_e1339.member_1 != 4294967295u);
-                if _e1341 {
-                    if (_e1339.member_1 < _e95) {
+                let _e1337 = (_e1335.member_1 != 4294967295u);
+                if _e1337 {
+                    if (_e1335.member_1 < _e95) {
                     } else {
                         break;
                     }
-                    let _e1345 = triangles.member[_e1339.member_1].member;
-                    let _e1351 = triangles.member[_e1339.member_1].member_2;
-                    let _e1357 = triangles.member[_e1339.member_1].member_4;
-                    let _e1361 = (_e1351[0] - _e1345[0]);
-                    let _e1362 = (_e1351[1] - _e1345[1]);
-                    let _e1363 = (_e1351[2] - _e1345[2]);
-                    let _e1364 = (_e1357[0] - _e1345[0]);
-                    let _e1365 = (_e1357[1] - _e1345[1]);
-                    let _e1366 = (_e1357[2] - _e1345[2]);
-                    let _e1383 = ((_e1362 * _e1366) - (_e1365 * _e1363));
-                    let _e1386 = ((_e1363 * _e1364) - (_e1366 * _e1361));
-                    let _e1389 = ((_e1361 * _e1365) - (_e1364 * _e1362));
-                    let _e1390 = abs(_e1383);
-                    let _e1391 = abs(_e1386);
-                    let _e1393 = select(_e1391, _e1390, (_e1390 > _e1391));
-                    let _e1394 = abs(_e1389);
-                    let _e1396 = select(_e1394, _e1393, (_e1393 > _e1394));
-                    if (_e1396 > 0.000000000000000000000000000000000000011754944f) {
-                        let _e1398 = (_e1396 < 340282350000000000000000000000000000000f);
-                        if _e1398 {
-                            let _e1399 = (_e1383 / _e1396);
-                            let _e1400 = (_e1386 / _e1396);
-                            let _e1401 = (_e1389 / _e1396);
-                            let _e1407 = sqrt((((_e1399 * _e1399) + (_e1400 * _e1400)) + (_e1401 * _e1401)));
-                            phi_1990_ = vec3<f32>((_e1399 / _e1407), (_e1400 / _e1407), (_e1401 / _e1407));
+                    let _e1341 = triangles.member[_e1335.member_1].member;
+                    let _e1347 = triangles.member[_e1335.member_1].member_2;
+                    let _e1353 = triangles.member[_e1335.member_1].member_4;
+                    let _e1357 = (_e1347[0] - _e1341[0]);
+                    let _e1358 = (_e1347[1] - _e1341[1]);
+                    let _e1359 = (_e1347[2] - _e1341[2]);
+                    let _e1360 = (_e1353[0] - _e1341[0]);
+                    let _e1361 = (_e1353[1] - _e1341[1]);
+                    let _e1362 = (_e1353[2] - _e1341[2]);
+                    let _e1379 = ((_e1358 * _e1362) - (_e1361 * _e1359));
+                    let _e1382 = ((_e1359 * _e1360) - (_e1362 * _e1357));
+                    let _e1385 = ((_e1357 * _e1361) - (_e1360 * _e1358));
+                    let _e1386 = abs(_e1379);
+                    let _e1387 = abs(_e1382);
+                    let _e1389 = select(_e1387, _e1386, (_e1386 > _e1387));
+                    let _e1390 = abs(_e1385);
+                    let _e1392 = select(_e1390, _e1389, (_e1389 > _e1390));
+                    if (_e1392 > 0.000000000000000000000000000000000000011754944f) {
+                        let _e1394 = (_e1392 < 340282350000000000000000000000000000000f);
+                        if _e1394 {
+                            let _e1395 = (_e1379 / _e1392);
+                            let _e1396 = (_e1382 / _e1392);
+                            let _e1397 = (_e1385 / _e1392);
+                            let _e1403 = sqrt((((_e1395 * _e1395) + (_e1396 * _e1396)) + (_e1397 * _e1397)));
+                            phi_1976_ = vec3<f32>((_e1395 / _e1403), (_e1396 / _e1403), (_e1397 / _e1403));
                         } else {
-                            phi_1990_ = vec3<f32>();
+                            phi_1976_ = vec3<f32>();
                         }
-                        let _e1413 = phi_1990_;
-                        phi_1992_ = _e1413;
-                        phi_1993_ = select(true, false, _e1398);
+                        let _e1409 = phi_1976_;
+                        phi_1978_ = _e1409;
+                        phi_1979_ = select(true, false, _e1394);
                     } else {
-                        phi_1992_ = vec3<f32>();
-                        phi_1993_ = true;
+                        phi_1978_ = vec3<f32>();
+                        phi_1979_ = true;
                     }
-                    let _e1416 = phi_1992_;
-                    let _e1418 = phi_1993_;
-                    let _e1420 = select(_e1416, vec3<f32>(0f, 1f, 0f), vec3(_e1418));
-                    let _e1429 = ((((_e1420.x * _e198.x) + (_e1420.y * _e198.y)) + (_e1420.z * _e198.z)) < 0f);
-                    if _e1429 {
-                        phi_2014_ = _e1420;
+                    let _e1412 = phi_1978_;
+                    let _e1414 = phi_1979_;
+                    let _e1416 = select(_e1412, vec3<f32>(0f, 1f, 0f), vec3(_e1414));
+                    let _e1425 = ((((_e1416.x * _e198.x) + (_e1416.y * _e198.y)) + (_e1416.z * _e198.z)) < 0f);
+                    if _e1425 {
+                        phi_2000_ = _e1416;
                     } else {
-                        phi_2014_ = -(_e1420);
+                        phi_2000_ = -(_e1416);
                     }
-                    let _e1432 = phi_2014_;
-                    if (_e1339.member_1 < _e98) {
-                    } else {
-                        break;
-                    }
-                    let _e1436 = triangles.member[_e1339.member_1].member_1;
-                    let _e1437 = (_e1436 * 12u);
-                    let _e1438 = (256u + _e1437);
-                    if (_e1438 < _e101) {
+                    let _e1428 = phi_2000_;
+                    if (_e1335.member_1 < _e98) {
                     } else {
                         break;
                     }
-                    let _e1441 = surfaces.member[_e1438];
-                    let _e1442 = bitcast<f32>(_e1441);
-                    let _e1443 = (_e1437 + 257u);
-                    if (_e1443 < _e101) {
+                    let _e1432 = triangles.member[_e1335.member_1].member_1;
+                    let _e1433 = (_e1432 * 12u);
+                    let _e1434 = (256u + _e1433);
+                    if (_e1434 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1446 = surfaces.member[_e1443];
-                    let _e1447 = bitcast<f32>(_e1446);
-                    let _e1448 = (_e1437 + 258u);
-                    if (_e1448 < _e101) {
+                    let _e1437 = surfaces.member[_e1434];
+                    let _e1438 = bitcast<f32>(_e1437);
+                    let _e1439 = (_e1433 + 257u);
+                    if (_e1439 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1451 = surfaces.member[_e1448];
-                    let _e1452 = bitcast<f32>(_e1451);
-                    let _e1453 = (_e1437 + 259u);
+                    let _e1442 = surfaces.member[_e1439];
+                    let _e1443 = bitcast<f32>(_e1442);
+                    let _e1444 = (_e1433 + 258u);
+                    if (_e1444 < _e101) {
+                    } else {
+                        break;
+                    }
+                    let _e1447 = surfaces.member[_e1444];
+                    let _e1448 = bitcast<f32>(_e1447);
+                    let _e1449 = (_e1433 + 259u);
+                    if (_e1449 < _e101) {
+                    } else {
+                        break;
+                    }
+                    let _e1452 = surfaces.member[_e1449];
+                    let _e1453 = (_e1433 + 260u);
                     if (_e1453 < _e101) {
                     } else {
                         break;
                     }
                     let _e1456 = surfaces.member[_e1453];
-                    let _e1457 = (_e1437 + 260u);
-                    if (_e1457 < _e101) {
+                    let _e1458 = (_e1433 + 261u);
+                    if (_e1458 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1460 = surfaces.member[_e1457];
-                    let _e1462 = (_e1437 + 261u);
-                    if (_e1462 < _e101) {
+                    let _e1461 = surfaces.member[_e1458];
+                    let _e1463 = (_e1433 + 262u);
+                    if (_e1463 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1465 = surfaces.member[_e1462];
-                    let _e1467 = (_e1437 + 262u);
-                    if (_e1467 < _e101) {
+                    let _e1466 = surfaces.member[_e1463];
+                    let _e1469 = (_e1433 + 263u);
+                    if (_e1469 < _e101) {
                     } else {
                         break;
                     }
-                    let _e1470 = surfaces.member[_e1467];
-                    let _e1473 = (_e1437 + 263u);
+                    let _e1472 = surfaces.member[_e1469];
+                    let _e1473 = (_e1433 + 264u);
                     if (_e1473 < _e101) {
                     } else {
                         break;
                     }
                     let _e1476 = surfaces.member[_e1473];
-                    let _e1477 = (_e1437 + 264u);
-                    if (_e1477 < _e101) {
+                    let _e1477 = bitcast<f32>(_e1476);
+                    if ((_e1433 + 265u) < _e101) {
                     } else {
                         break;
                     }
-                    let _e1480 = surfaces.member[_e1477];
-                    let _e1481 = bitcast<f32>(_e1480);
-                    if ((_e1437 + 265u) < _e101) {
+                    if ((_e1433 + 266u) < _e101) {
                     } else {
                         break;
                     }
-                    if ((_e1437 + 266u) < _e101) {
+                    if ((_e1433 + 267u) < _e101) {
                     } else {
                         break;
                     }
-                    if ((_e1437 + 267u) < _e101) {
+                    let _e1485 = ((1f - _e1335.member_2) - _e1335.member_3);
+                    let _e1489 = attributes.member[_e1335.member_1].member[0u];
+                    let _e1494 = attributes.member[_e1335.member_1].member[2u];
+                    let _e1500 = attributes.member[_e1335.member_1].member[4u];
+                    let _e1502 = (((_e1489 * _e1485) + (_e1494 * _e1335.member_2)) + (_e1500 * _e1335.member_3));
+                    let _e1506 = attributes.member[_e1335.member_1].member[1u];
+                    let _e1511 = attributes.member[_e1335.member_1].member[3u];
+                    let _e1517 = attributes.member[_e1335.member_1].member[5u];
+                    let _e1519 = (((_e1506 * _e1485) + (_e1511 * _e1335.member_2)) + (_e1517 * _e1335.member_3));
+                    if (_e1452 == 4294967295u) {
+                        phi_2576_ = type_47(vec3<f32>(_e1438, _e1443, _e1448), _e1477);
                     } else {
-                        break;
-                    }
-                    let _e1489 = ((1f - _e1339.member_2) - _e1339.member_3);
-                    let _e1493 = attributes.member[_e1339.member_1].member[0u];
-                    let _e1498 = attributes.member[_e1339.member_1].member[2u];
-                    let _e1504 = attributes.member[_e1339.member_1].member[4u];
-                    let _e1506 = (((_e1493 * _e1489) + (_e1498 * _e1339.member_2)) + (_e1504 * _e1339.member_3));
-                    let _e1510 = attributes.member[_e1339.member_1].member[1u];
-                    let _e1515 = attributes.member[_e1339.member_1].member[3u];
-                    let _e1521 = attributes.member[_e1339.member_1].member[5u];
-                    let _e1523 = (((_e1510 * _e1489) + (_e1515 * _e1339.member_2)) + (_e1521 * _e1339.member_3));
-                    if (_e1456 == 4294967295u) {
-                        phi_2604_ = type_47(vec3<f32>(_e1442, _e1447, _e1452), _e1481);
-                    } else {
-                        let _e1526 = (_e1476 & 65535u);
-                        let _e1528 = (_e1476 >> bitcast<u32>(16i));
-                        let _e1531 = ((_e1456 >> bitcast<u32>(28u)) & 3u);
-                        let _e1532 = (_e1526 - 1u);
-                        let _e1534 = select(1f, 2f, (_e1531 == 2u));
-                        let _e1538 = (_e1506 - (floor((_e1506 / _e1534)) * _e1534));
-                        if (_e1538 > 1f) {
-                            phi_2186_ = (_e1534 - _e1538);
+                        let _e1522 = (_e1472 & 65535u);
+                        let _e1524 = (_e1472 >> bitcast<u32>(16i));
+                        let _e1527 = ((_e1452 >> bitcast<u32>(28u)) & 3u);
+                        let _e1528 = (_e1522 - 1u);
+                        let _e1530 = select(1f, 2f, (_e1527 == 2u));
+                        let _e1534 = (_e1502 - (floor((_e1502 / _e1530)) * _e1530));
+                        if (_e1534 > 1f) {
+                            phi_2172_ = (_e1530 - _e1534);
                         } else {
-                            phi_2186_ = _e1538;
+                            phi_2172_ = _e1534;
                         }
-                        let _e1542 = phi_2186_;
-                        if (_e1531 == 1u) {
-                            let _e1545 = select(0f, _e1506, (_e1506 > 0f));
-                            phi_2201_ = select(1f, _e1545, (_e1545 < 1f));
+                        let _e1538 = phi_2172_;
+                        if (_e1527 == 1u) {
+                            let _e1541 = select(0f, _e1502, (_e1502 > 0f));
+                            phi_2187_ = select(1f, _e1541, (_e1541 < 1f));
                         } else {
-                            phi_2201_ = _e1542;
+                            phi_2187_ = _e1538;
                         }
-                        let _e1549 = phi_2201_;
-                        if (_e1549 >= 0f) {
-                            phi_2211_ = select(true, false, (_e1549 <= 1f));
+                        let _e1545 = phi_2187_;
+                        let _e1552 = ((select(0f, _e1545, (abs((_e1545 - 0.5f)) <= 0.5f)) * f32(_e1522)) - 0.5f);
+                        let _e1553 = floor(_e1552);
+                        let _e1554 = (_e1553 < 0f);
+                        if _e1554 {
+                            phi_2215_ = 0u;
                         } else {
-                            phi_2211_ = true;
+                            let _e1559 = select(select(u32(_e1553), 0u, (_e1553 < 0f)), 4294967295u, (_e1553 > 4294967000f));
+                            phi_2215_ = select(_e1559, _e1528, (_e1528 < _e1559));
                         }
-                        let _e1554 = phi_2211_;
-                        let _e1558 = ((select(_e1549, 0f, _e1554) * f32(_e1526)) - 0.5f);
-                        let _e1559 = floor(_e1558);
-                        let _e1560 = (_e1559 < 0f);
-                        if _e1560 {
-                            phi_2236_ = 0u;
+                        let _e1563 = phi_2215_;
+                        if _e1554 {
+                            phi_2225_ = 0u;
                         } else {
-                            let _e1565 = select(select(u32(_e1559), 0u, (_e1559 < 0f)), 4294967295u, (_e1559 > 4294967000f));
-                            phi_2236_ = select(_e1565, _e1532, (_e1532 < _e1565));
+                            let _e1564 = (_e1563 + 1u);
+                            phi_2225_ = select(_e1564, _e1528, (_e1528 < _e1564));
                         }
-                        let _e1569 = phi_2236_;
-                        if _e1560 {
-                            phi_2246_ = 0u;
+                        let _e1568 = phi_2225_;
+                        let _e1569 = (_e1527 == 0u);
+                        if _e1569 {
+                            phi_2234_ = select(true, false, _e1554);
                         } else {
-                            let _e1570 = (_e1569 + 1u);
-                            phi_2246_ = select(_e1570, _e1532, (_e1532 < _e1570));
+                            phi_2234_ = true;
                         }
-                        let _e1574 = phi_2246_;
-                        let _e1575 = (_e1531 == 0u);
-                        if _e1575 {
-                            phi_2255_ = select(true, false, _e1560);
-                        } else {
-                            phi_2255_ = true;
-                        }
-                        let _e1578 = phi_2255_;
-                        let _e1579 = select(_e1532, _e1569, _e1578);
-                        if _e1575 {
-                            if _e1560 {
-                                phi_2271_ = true;
+                        let _e1572 = phi_2234_;
+                        let _e1573 = select(_e1528, _e1563, _e1572);
+                        if _e1569 {
+                            if _e1554 {
+                                phi_2250_ = true;
                             } else {
-                                phi_2271_ = select(true, false, (_e1579 == _e1532));
+                                phi_2250_ = select(true, false, (_e1573 == _e1528));
                             }
-                            let _e1583 = phi_2271_;
-                            phi_2272_ = _e1583;
+                            let _e1577 = phi_2250_;
+                            phi_2251_ = _e1577;
                         } else {
-                            phi_2272_ = true;
+                            phi_2251_ = true;
                         }
-                        let _e1585 = phi_2272_;
-                        let _e1586 = select(0u, _e1574, _e1585);
-                        let _e1587 = (_e1558 - _e1559);
-                        let _e1590 = ((_e1456 >> bitcast<u32>(30u)) & 3u);
-                        let _e1591 = (_e1528 - 1u);
-                        let _e1593 = select(1f, 2f, (_e1590 == 2u));
-                        let _e1597 = (_e1523 - (floor((_e1523 / _e1593)) * _e1593));
-                        if (_e1597 > 1f) {
-                            phi_2295_ = (_e1593 - _e1597);
+                        let _e1579 = phi_2251_;
+                        let _e1580 = select(0u, _e1568, _e1579);
+                        let _e1581 = (_e1552 - _e1553);
+                        let _e1584 = ((_e1452 >> bitcast<u32>(30u)) & 3u);
+                        let _e1585 = (_e1524 - 1u);
+                        let _e1587 = select(1f, 2f, (_e1584 == 2u));
+                        let _e1591 = (_e1519 - (floor((_e1519 / _e1587)) * _e1587));
+                        if (_e1591 > 1f) {
+                            phi_2274_ = (_e1587 - _e1591);
                         } else {
-                            phi_2295_ = _e1597;
+                            phi_2274_ = _e1591;
                         }
-                        let _e1601 = phi_2295_;
-                        if (_e1590 == 1u) {
-                            let _e1604 = select(0f, _e1523, (_e1523 > 0f));
-                            phi_2310_ = select(1f, _e1604, (_e1604 < 1f));
+                        let _e1595 = phi_2274_;
+                        if (_e1584 == 1u) {
+                            let _e1598 = select(0f, _e1519, (_e1519 > 0f));
+                            phi_2289_ = select(1f, _e1598, (_e1598 < 1f));
                         } else {
-                            phi_2310_ = _e1601;
+                            phi_2289_ = _e1595;
                         }
-                        let _e1608 = phi_2310_;
-                        if (_e1608 >= 0f) {
-                            phi_2320_ = select(true, false, (_e1608 <= 1f));
+                        let _e1602 = phi_2289_;
+                        let _e1609 = ((select(0f, _e1602, (abs((_e1602 - 0.5f)) <= 0.5f)) * f32(_e1524)) - 0.5f);
+                        let _e1610 = floor(_e1609);
+                        let _e1611 = (_e1610 < 0f);
+                        if _e1611 {
+                            phi_2317_ = 0u;
                         } else {
-                            phi_2320_ = true;
+                            let _e1616 = select(select(u32(_e1610), 0u, (_e1610 < 0f)), 4294967295u, (_e1610 > 4294967000f));
+                            phi_2317_ = select(_e1616, _e1585, (_e1585 < _e1616));
                         }
-                        let _e1613 = phi_2320_;
-                        let _e1617 = ((select(_e1608, 0f, _e1613) * f32(_e1528)) - 0.5f);
-                        let _e1618 = floor(_e1617);
-                        let _e1619 = (_e1618 < 0f);
-                        if _e1619 {
-                            phi_2345_ = 0u;
+                        let _e1620 = phi_2317_;
+                        if _e1611 {
+                            phi_2327_ = 0u;
                         } else {
-                            let _e1624 = select(select(u32(_e1618), 0u, (_e1618 < 0f)), 4294967295u, (_e1618 > 4294967000f));
-                            phi_2345_ = select(_e1624, _e1591, (_e1591 < _e1624));
+                            let _e1621 = (_e1620 + 1u);
+                            phi_2327_ = select(_e1621, _e1585, (_e1585 < _e1621));
                         }
-                        let _e1628 = phi_2345_;
-                        if _e1619 {
-                            phi_2355_ = 0u;
+                        let _e1625 = phi_2327_;
+                        let _e1626 = (_e1584 == 0u);
+                        if _e1626 {
+                            phi_2336_ = select(true, false, _e1611);
                         } else {
-                            let _e1629 = (_e1628 + 1u);
-                            phi_2355_ = select(_e1629, _e1591, (_e1591 < _e1629));
+                            phi_2336_ = true;
                         }
-                        let _e1633 = phi_2355_;
-                        let _e1634 = (_e1590 == 0u);
-                        if _e1634 {
-                            phi_2364_ = select(true, false, _e1619);
-                        } else {
-                            phi_2364_ = true;
-                        }
-                        let _e1637 = phi_2364_;
-                        let _e1638 = select(_e1591, _e1628, _e1637);
-                        if _e1634 {
-                            if _e1619 {
-                                phi_2380_ = true;
+                        let _e1629 = phi_2336_;
+                        let _e1630 = select(_e1585, _e1620, _e1629);
+                        if _e1626 {
+                            if _e1611 {
+                                phi_2352_ = true;
                             } else {
-                                phi_2380_ = select(true, false, (_e1638 == _e1591));
+                                phi_2352_ = select(true, false, (_e1630 == _e1585));
                             }
-                            let _e1642 = phi_2380_;
-                            phi_2381_ = _e1642;
+                            let _e1634 = phi_2352_;
+                            phi_2353_ = _e1634;
                         } else {
-                            phi_2381_ = true;
+                            phi_2353_ = true;
                         }
-                        let _e1644 = phi_2381_;
-                        let _e1646 = (_e1617 - _e1618);
-                        let _e1647 = (_e1456 & 268435455u);
-                        let _e1649 = (_e1647 + (_e1638 * _e1526));
-                        let _e1651 = (_e1647 + (select(0u, _e1633, _e1644) * _e1526));
-                        let _e1652 = (_e1649 + _e1579);
-                        let _e1653 = (_e1649 + _e1586);
-                        let _e1654 = (_e1651 + _e1579);
-                        let _e1655 = (_e1651 + _e1586);
-                        if (_e1652 < _e101) {
-                        } else {
-                            break;
-                        }
-                        let _e1658 = surfaces.member[_e1652];
-                        if (_e1653 < _e101) {
+                        let _e1636 = phi_2353_;
+                        let _e1638 = (_e1609 - _e1610);
+                        let _e1639 = (_e1452 & 268435455u);
+                        let _e1641 = (_e1639 + (_e1630 * _e1522));
+                        let _e1643 = (_e1639 + (select(0u, _e1625, _e1636) * _e1522));
+                        let _e1644 = (_e1641 + _e1573);
+                        let _e1645 = (_e1641 + _e1580);
+                        let _e1646 = (_e1643 + _e1573);
+                        let _e1647 = (_e1643 + _e1580);
+                        if (_e1644 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1661 = surfaces.member[_e1653];
-                        if (_e1654 < _e101) {
+                        let _e1650 = surfaces.member[_e1644];
+                        if (_e1645 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1664 = surfaces.member[_e1654];
-                        if (_e1655 < _e101) {
+                        let _e1653 = surfaces.member[_e1645];
+                        if (_e1646 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1667 = surfaces.member[_e1655];
-                        let _e1668 = (_e1658 & 255u);
-                        if (_e1668 < _e101) {
+                        let _e1656 = surfaces.member[_e1646];
+                        if (_e1647 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1671 = surfaces.member[_e1668];
-                        let _e1675 = ((_e1658 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1675 < _e101) {
+                        let _e1659 = surfaces.member[_e1647];
+                        let _e1660 = (_e1650 & 255u);
+                        if (_e1660 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1678 = surfaces.member[_e1675];
-                        let _e1682 = ((_e1658 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1682 < _e101) {
+                        let _e1663 = surfaces.member[_e1660];
+                        let _e1667 = ((_e1650 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1667 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1685 = surfaces.member[_e1682];
-                        let _e1687 = (1f - _e1587);
-                        let _e1691 = (_e1661 & 255u);
-                        if (_e1691 < _e101) {
+                        let _e1670 = surfaces.member[_e1667];
+                        let _e1674 = ((_e1650 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1674 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1694 = surfaces.member[_e1691];
-                        let _e1698 = ((_e1661 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1698 < _e101) {
+                        let _e1677 = surfaces.member[_e1674];
+                        let _e1679 = (1f - _e1581);
+                        let _e1683 = (_e1653 & 255u);
+                        if (_e1683 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1701 = surfaces.member[_e1698];
-                        let _e1705 = ((_e1661 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1705 < _e101) {
+                        let _e1686 = surfaces.member[_e1683];
+                        let _e1690 = ((_e1653 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1690 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1708 = surfaces.member[_e1705];
-                        let _e1716 = (_e1664 & 255u);
-                        if (_e1716 < _e101) {
+                        let _e1693 = surfaces.member[_e1690];
+                        let _e1697 = ((_e1653 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1697 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1719 = surfaces.member[_e1716];
-                        let _e1723 = ((_e1664 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1723 < _e101) {
+                        let _e1700 = surfaces.member[_e1697];
+                        let _e1708 = (_e1656 & 255u);
+                        if (_e1708 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1726 = surfaces.member[_e1723];
-                        let _e1730 = ((_e1664 >> bitcast<u32>(16i)) & 255u);
+                        let _e1711 = surfaces.member[_e1708];
+                        let _e1715 = ((_e1656 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1715 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1718 = surfaces.member[_e1715];
+                        let _e1722 = ((_e1656 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1722 < _e101) {
+                        } else {
+                            break;
+                        }
+                        let _e1725 = surfaces.member[_e1722];
+                        let _e1730 = (_e1659 & 255u);
                         if (_e1730 < _e101) {
                         } else {
                             break;
                         }
                         let _e1733 = surfaces.member[_e1730];
-                        let _e1738 = (_e1667 & 255u);
-                        if (_e1738 < _e101) {
+                        let _e1737 = ((_e1659 >> bitcast<u32>(8i)) & 255u);
+                        if (_e1737 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1741 = surfaces.member[_e1738];
-                        let _e1745 = ((_e1667 >> bitcast<u32>(8i)) & 255u);
-                        if (_e1745 < _e101) {
+                        let _e1740 = surfaces.member[_e1737];
+                        let _e1744 = ((_e1659 >> bitcast<u32>(16i)) & 255u);
+                        if (_e1744 < _e101) {
                         } else {
                             break;
                         }
-                        let _e1748 = surfaces.member[_e1745];
-                        let _e1752 = ((_e1667 >> bitcast<u32>(16i)) & 255u);
-                        if (_e1752 < _e101) {
+                        let _e1747 = surfaces.member[_e1744];
+                        let _e1755 = (1f - _e1638);
+                        phi_2576_ = type_47(vec3<f32>((_e1438 * ((((bitcast<f32>(_e1663) * _e1679) + (bitcast<f32>(_e1686) * _e1581)) * _e1755) + (((bitcast<f32>(_e1711) * _e1679) + (bitcast<f32>(_e1733) * _e1581)) * _e1638))), (_e1443 * ((((bitcast<f32>(_e1670) * _e1679) + (bitcast<f32>(_e1693) * _e1581)) * _e1755) + (((bitcast<f32>(_e1718) * _e1679) + (bitcast<f32>(_e1740) * _e1581)) * _e1638))), (_e1448 * ((((bitcast<f32>(_e1677) * _e1679) + (bitcast<f32>(_e1700) * _e1581)) * _e1755) + (((bitcast<f32>(_e1725) * _e1679) + (bitcast<f32>(_e1747) * _e1581)) * _e1638)))), (_e1477 * (((((f32((_e1650 >> bitcast<u32>(24i))) * 0.003921569f) * _e1679) + ((f32((_e1653 >> bitcast<u32>(24i))) * 0.003921569f) * _e1581)) * _e1755) + ((((f32((_e1656 >> bitcast<u32>(24i))) * 0.003921569f) * _e1679) + ((f32((_e1659 >> bitcast<u32>(24i))) * 0.003921569f) * _e1581)) * _e1638))));
+                    }
+                    let _e1798 = phi_2576_;
+                    let _e1803 = attributes.member[_e1335.member_1].member_2[0u];
+                    let _e1807 = attributes.member[_e1335.member_1].member_2[1u];
+                    let _e1812 = attributes.member[_e1335.member_1].member_2[2u];
+                    if (((_e1803 | _e1807) | _e1812) == 0u) {
+                        phi_2683_ = vec3<f32>(1f, 1f, 1f);
+                    } else {
+                        let _e1828 = (1f - (f32((_e1803 & 1023u)) * 0.0009775171f));
+                        let _e1829 = (1f - (f32(((_e1803 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1830 = (1f - (f32(((_e1803 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        let _e1850 = (1f - (f32((_e1807 & 1023u)) * 0.0009775171f));
+                        let _e1851 = (1f - (f32(((_e1807 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1852 = (1f - (f32(((_e1807 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        let _e1875 = (1f - (f32((_e1812 & 1023u)) * 0.0009775171f));
+                        let _e1876 = (1f - (f32(((_e1812 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                        let _e1877 = (1f - (f32(((_e1812 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                        phi_2683_ = vec3<f32>(((((_e1828 * _e1828) * _e1485) + ((_e1850 * _e1850) * _e1335.member_2)) + ((_e1875 * _e1875) * _e1335.member_3)), ((((_e1829 * _e1829) * _e1485) + ((_e1851 * _e1851) * _e1335.member_2)) + ((_e1876 * _e1876) * _e1335.member_3)), ((((_e1830 * _e1830) * _e1485) + ((_e1852 * _e1852) * _e1335.member_2)) + ((_e1877 * _e1877) * _e1335.member_3)));
+                    }
+                    let _e1889 = phi_2683_;
+                    let _e1903 = attributes.member[_e1335.member_1].member_1[0u];
+                    let _e1913 = (f32((bitcast<i32>((_e1903 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1915 = select(-1f, _e1913, (_e1913 > -1f));
+                    let _e1917 = (f32((bitcast<i32>(_e1903) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1919 = select(-1f, _e1917, (_e1917 > -1f));
+                    let _e1923 = ((1f - abs(_e1915)) - abs(_e1919));
+                    let _e1924 = -(_e1923);
+                    let _e1928 = (bitcast<u32>(select(0f, _e1924, (_e1924 > 0f))) & 2147483647u);
+                    let _e1933 = (_e1915 - bitcast<f32>((_e1928 | (bitcast<u32>(_e1915) & 2147483648u))));
+                    let _e1938 = (_e1919 - bitcast<f32>((_e1928 | (bitcast<u32>(_e1919) & 2147483648u))));
+                    let _e1943 = (((_e1933 * _e1933) + (_e1938 * _e1938)) + (_e1923 * _e1923));
+                    if (_e1943 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e1946 = (1f / sqrt(_e1943));
+                        phi_2758_ = vec3<f32>((_e1933 * _e1946), (_e1938 * _e1946), (_e1923 * _e1946));
+                    } else {
+                        phi_2758_ = vec3<f32>(0f, 0f, 0f);
+                    }
+                    let _e1952 = phi_2758_;
+                    let _e1962 = attributes.member[_e1335.member_1].member_1[1u];
+                    let _e1972 = (f32((bitcast<i32>((_e1962 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1974 = select(-1f, _e1972, (_e1972 > -1f));
+                    let _e1976 = (f32((bitcast<i32>(_e1962) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e1978 = select(-1f, _e1976, (_e1976 > -1f));
+                    let _e1982 = ((1f - abs(_e1974)) - abs(_e1978));
+                    let _e1983 = -(_e1982);
+                    let _e1987 = (bitcast<u32>(select(0f, _e1983, (_e1983 > 0f))) & 2147483647u);
+                    let _e1992 = (_e1974 - bitcast<f32>((_e1987 | (bitcast<u32>(_e1974) & 2147483648u))));
+                    let _e1997 = (_e1978 - bitcast<f32>((_e1987 | (bitcast<u32>(_e1978) & 2147483648u))));
+                    let _e2002 = (((_e1992 * _e1992) + (_e1997 * _e1997)) + (_e1982 * _e1982));
+                    if (_e2002 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e2005 = (1f / sqrt(_e2002));
+                        phi_2832_ = vec3<f32>((_e1992 * _e2005), (_e1997 * _e2005), (_e1982 * _e2005));
+                    } else {
+                        phi_2832_ = vec3<f32>(0f, 0f, 0f);
+                    }
+                    let _e2011 = phi_2832_;
+                    let _e2024 = attributes.member[_e1335.member_1].member_1[2u];
+                    let _e2034 = (f32((bitcast<i32>((_e2024 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e2036 = select(-1f, _e2034, (_e2034 > -1f));
+                    let _e2038 = (f32((bitcast<i32>(_e2024) >> bitcast<u32>(16i))) * 0.00003051851f);
+                    let _e2040 = select(-1f, _e2038, (_e2038 > -1f));
+                    let _e2044 = ((1f - abs(_e2036)) - abs(_e2040));
+                    let _e2045 = -(_e2044);
+                    let _e2049 = (bitcast<u32>(select(0f, _e2045, (_e2045 > 0f))) & 2147483647u);
+                    let _e2054 = (_e2036 - bitcast<f32>((_e2049 | (bitcast<u32>(_e2036) & 2147483648u))));
+                    let _e2059 = (_e2040 - bitcast<f32>((_e2049 | (bitcast<u32>(_e2040) & 2147483648u))));
+                    let _e2064 = (((_e2054 * _e2054) + (_e2059 * _e2059)) + (_e2044 * _e2044));
+                    if (_e2064 >= 0.000000000000000000000000000000000000011754944f) {
+                        let _e2067 = (1f / sqrt(_e2064));
+                        phi_2906_ = vec3<f32>((_e2054 * _e2067), (_e2059 * _e2067), (_e2044 * _e2067));
+                    } else {
+                        phi_2906_ = vec3<f32>(0f, 0f, 0f);
+                    }
+                    let _e2073 = phi_2906_;
+                    let _e2080 = (((_e1952.x * _e1485) + (_e2011.x * _e1335.member_2)) + (_e2073.x * _e1335.member_3));
+                    let _e2081 = (((_e1952.y * _e1485) + (_e2011.y * _e1335.member_2)) + (_e2073.y * _e1335.member_3));
+                    let _e2082 = (((_e1952.z * _e1485) + (_e2011.z * _e1335.member_2)) + (_e2073.z * _e1335.member_3));
+                    let _e2083 = abs(_e2080);
+                    let _e2084 = abs(_e2081);
+                    let _e2086 = select(_e2084, _e2083, (_e2083 > _e2084));
+                    let _e2087 = abs(_e2082);
+                    let _e2089 = select(_e2087, _e2086, (_e2086 > _e2087));
+                    if (_e2089 > 0.000000000000000000000000000000000000011754944f) {
+                        let _e2091 = (_e2089 < 340282350000000000000000000000000000000f);
+                        if _e2091 {
+                            let _e2092 = (_e2080 / _e2089);
+                            let _e2093 = (_e2081 / _e2089);
+                            let _e2094 = (_e2082 / _e2089);
+                            let _e2100 = sqrt((((_e2092 * _e2092) + (_e2093 * _e2093)) + (_e2094 * _e2094)));
+                            phi_2951_ = vec3<f32>((_e2092 / _e2100), (_e2093 / _e2100), (_e2094 / _e2100));
                         } else {
-                            break;
+                            phi_2951_ = vec3<f32>();
                         }
-                        let _e1755 = surfaces.member[_e1752];
-                        let _e1763 = (1f - _e1646);
-                        phi_2604_ = type_47(vec3<f32>((_e1442 * ((((bitcast<f32>(_e1671) * _e1687) + (bitcast<f32>(_e1694) * _e1587)) * _e1763) + (((bitcast<f32>(_e1719) * _e1687) + (bitcast<f32>(_e1741) * _e1587)) * _e1646))), (_e1447 * ((((bitcast<f32>(_e1678) * _e1687) + (bitcast<f32>(_e1701) * _e1587)) * _e1763) + (((bitcast<f32>(_e1726) * _e1687) + (bitcast<f32>(_e1748) * _e1587)) * _e1646))), (_e1452 * ((((bitcast<f32>(_e1685) * _e1687) + (bitcast<f32>(_e1708) * _e1587)) * _e1763) + (((bitcast<f32>(_e1733) * _e1687) + (bitcast<f32>(_e1755) * _e1587)) * _e1646)))), (_e1481 * (((((f32((_e1658 >> bitcast<u32>(24i))) * 0.003921569f) * _e1687) + ((f32((_e1661 >> bitcast<u32>(24i))) * 0.003921569f) * _e1587)) * _e1763) + ((((f32((_e1664 >> bitcast<u32>(24i))) * 0.003921569f) * _e1687) + ((f32((_e1667 >> bitcast<u32>(24i))) * 0.003921569f) * _e1587)) * _e1646))));
-                    }
-                    let _e1806 = phi_2604_;
-                    let _e1811 = attributes.member[_e1339.member_1].member_2[0u];
-                    let _e1815 = attributes.member[_e1339.member_1].member_2[1u];
-                    let _e1820 = attributes.member[_e1339.member_1].member_2[2u];
-                    if (((_e1811 | _e1815) | _e1820) == 0u) {
-                        phi_2711_ = vec3<f32>(1f, 1f, 1f);
+                        let _e2106 = phi_2951_;
+                        phi_2953_ = _e2106;
+                        phi_2954_ = select(true, false, _e2091);
                     } else {
-                        let _e1836 = (1f - (f32((_e1811 & 1023u)) * 0.0009775171f));
-                        let _e1837 = (1f - (f32(((_e1811 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                        let _e1838 = (1f - (f32(((_e1811 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                        let _e1858 = (1f - (f32((_e1815 & 1023u)) * 0.0009775171f));
-                        let _e1859 = (1f - (f32(((_e1815 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                        let _e1860 = (1f - (f32(((_e1815 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                        let _e1883 = (1f - (f32((_e1820 & 1023u)) * 0.0009775171f));
-                        let _e1884 = (1f - (f32(((_e1820 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                        let _e1885 = (1f - (f32(((_e1820 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                        phi_2711_ = vec3<f32>(((((_e1836 * _e1836) * _e1489) + ((_e1858 * _e1858) * _e1339.member_2)) + ((_e1883 * _e1883) * _e1339.member_3)), ((((_e1837 * _e1837) * _e1489) + ((_e1859 * _e1859) * _e1339.member_2)) + ((_e1884 * _e1884) * _e1339.member_3)), ((((_e1838 * _e1838) * _e1489) + ((_e1860 * _e1860) * _e1339.member_2)) + ((_e1885 * _e1885) * _e1339.member_3)));
+                        phi_2953_ = vec3<f32>();
+                        phi_2954_ = true;
                     }
-                    let _e1897 = phi_2711_;
-                    let _e1911 = attributes.member[_e1339.member_1].member_1[0u];
-                    let _e1921 = (f32((bitcast<i32>((_e1911 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1923 = select(-1f, _e1921, (_e1921 > -1f));
-                    let _e1925 = (f32((bitcast<i32>(_e1911) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1927 = select(-1f, _e1925, (_e1925 > -1f));
-                    let _e1931 = ((1f - abs(_e1923)) - abs(_e1927));
-                    let _e1932 = -(_e1931);
-                    let _e1936 = (bitcast<u32>(select(0f, _e1932, (_e1932 > 0f))) & 2147483647u);
-                    let _e1941 = (_e1923 - bitcast<f32>((_e1936 | (bitcast<u32>(_e1923) & 2147483648u))));
-                    let _e1946 = (_e1927 - bitcast<f32>((_e1936 | (bitcast<u32>(_e1927) & 2147483648u))));
-                    let _e1951 = (((_e1941 * _e1941) + (_e1946 * _e1946)) + (_e1931 * _e1931));
-                    if (_e1951 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e1954 = (1f / sqrt(_e1951));
-                        phi_2786_ = vec3<f32>((_e1941 * _e1954), (_e1946 * _e1954), (_e1931 * _e1954));
+                    let _e2109 = phi_2953_;
+                    let _e2111 = phi_2954_;
+                    let _e2113 = select(_e2109, _e1428, vec3(_e2111));
+                    if ((((_e2113.x * _e198.x) + (_e2113.y * _e198.y)) + (_e2113.z * _e198.z)) > 0f) {
+                        phi_2975_ = -(_e2113);
                     } else {
-                        phi_2786_ = vec3<f32>(0f, 0f, 0f);
+                        phi_2975_ = _e2113;
                     }
-                    let _e1960 = phi_2786_;
-                    let _e1970 = attributes.member[_e1339.member_1].member_1[1u];
-                    let _e1980 = (f32((bitcast<i32>((_e1970 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1982 = select(-1f, _e1980, (_e1980 > -1f));
-                    let _e1984 = (f32((bitcast<i32>(_e1970) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e1986 = select(-1f, _e1984, (_e1984 > -1f));
-                    let _e1990 = ((1f - abs(_e1982)) - abs(_e1986));
-                    let _e1991 = -(_e1990);
-                    let _e1995 = (bitcast<u32>(select(0f, _e1991, (_e1991 > 0f))) & 2147483647u);
-                    let _e2000 = (_e1982 - bitcast<f32>((_e1995 | (bitcast<u32>(_e1982) & 2147483648u))));
-                    let _e2005 = (_e1986 - bitcast<f32>((_e1995 | (bitcast<u32>(_e1986) & 2147483648u))));
-                    let _e2010 = (((_e2000 * _e2000) + (_e2005 * _e2005)) + (_e1990 * _e1990));
-                    if (_e2010 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e2013 = (1f / sqrt(_e2010));
-                        phi_2860_ = vec3<f32>((_e2000 * _e2013), (_e2005 * _e2013), (_e1990 * _e2013));
+                    let _e2125 = phi_2975_;
+                    if _e1425 {
+                        phi_3005_ = array<f32, 3>(bitcast<f32>(_e1456), bitcast<f32>(_e1461), bitcast<f32>(_e1466));
                     } else {
-                        phi_2860_ = vec3<f32>(0f, 0f, 0f);
+                        phi_3005_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e2019 = phi_2860_;
-                    let _e2032 = attributes.member[_e1339.member_1].member_1[2u];
-                    let _e2042 = (f32((bitcast<i32>((_e2032 << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e2044 = select(-1f, _e2042, (_e2042 > -1f));
-                    let _e2046 = (f32((bitcast<i32>(_e2032) >> bitcast<u32>(16i))) * 0.00003051851f);
-                    let _e2048 = select(-1f, _e2046, (_e2046 > -1f));
-                    let _e2052 = ((1f - abs(_e2044)) - abs(_e2048));
-                    let _e2053 = -(_e2052);
-                    let _e2057 = (bitcast<u32>(select(0f, _e2053, (_e2053 > 0f))) & 2147483647u);
-                    let _e2062 = (_e2044 - bitcast<f32>((_e2057 | (bitcast<u32>(_e2044) & 2147483648u))));
-                    let _e2067 = (_e2048 - bitcast<f32>((_e2057 | (bitcast<u32>(_e2048) & 2147483648u))));
-                    let _e2072 = (((_e2062 * _e2062) + (_e2067 * _e2067)) + (_e2052 * _e2052));
-                    if (_e2072 >= 0.000000000000000000000000000000000000011754944f) {
-                        let _e2075 = (1f / sqrt(_e2072));
-                        phi_2934_ = vec3<f32>((_e2062 * _e2075), (_e2067 * _e2075), (_e2052 * _e2075));
-                    } else {
-                        phi_2934_ = vec3<f32>(0f, 0f, 0f);
-                    }
-                    let _e2081 = phi_2934_;
-                    let _e2088 = (((_e1960.x * _e1489) + (_e2019.x * _e1339.member_2)) + (_e2081.x * _e1339.member_3));
-                    let _e2089 = (((_e1960.y * _e1489) + (_e2019.y * _e1339.member_2)) + (_e2081.y * _e1339.member_3));
-                    let _e2090 = (((_e1960.z * _e1489) + (_e2019.z * _e1339.member_2)) + (_e2081.z * _e1339.member_3));
-                    let _e2091 = abs(_e2088);
-                    let _e2092 = abs(_e2089);
-                    let _e2094 = select(_e2092, _e2091, (_e2091 > _e2092));
-                    let _e2095 = abs(_e2090);
-                    let _e2097 = select(_e2095, _e2094, (_e2094 > _e2095));
-                    if (_e2097 > 0.000000000000000000000000000000000000011754944f) {
-                        let _e2099 = (_e2097 < 340282350000000000000000000000000000000f);
-                        if _e2099 {
-                            let _e2100 = (_e2088 / _e2097);
-                            let _e2101 = (_e2089 / _e2097);
-                            let _e2102 = (_e2090 / _e2097);
-                            let _e2108 = sqrt((((_e2100 * _e2100) + (_e2101 * _e2101)) + (_e2102 * _e2102)));
-                            phi_2979_ = vec3<f32>((_e2100 / _e2108), (_e2101 / _e2108), (_e2102 / _e2108));
-                        } else {
-                            phi_2979_ = vec3<f32>();
-                        }
-                        let _e2114 = phi_2979_;
-                        phi_2981_ = _e2114;
-                        phi_2982_ = select(true, false, _e2099);
-                    } else {
-                        phi_2981_ = vec3<f32>();
-                        phi_2982_ = true;
-                    }
-                    let _e2117 = phi_2981_;
-                    let _e2119 = phi_2982_;
-                    let _e2121 = select(_e2117, _e1432, vec3(_e2119));
-                    if ((((_e2121.x * _e198.x) + (_e2121.y * _e198.y)) + (_e2121.z * _e198.z)) > 0f) {
-                        phi_3003_ = -(_e2121);
-                    } else {
-                        phi_3003_ = _e2121;
-                    }
-                    let _e2133 = phi_3003_;
-                    if _e1429 {
-                        phi_3033_ = array<f32, 3>(bitcast<f32>(_e1460), bitcast<f32>(_e1465), bitcast<f32>(_e1470));
-                    } else {
-                        phi_3033_ = array<f32, 3>(0f, 0f, 0f);
-                    }
-                    let _e2153 = phi_3033_;
-                    let _e2154 = abs(_e1345[0]);
-                    let _e2155 = abs(_e1345[1]);
+                    let _e2145 = phi_3005_;
+                    let _e2146 = abs(_e1341[0]);
+                    let _e2147 = abs(_e1341[1]);
+                    let _e2149 = select(_e2147, _e2146, (_e2146 > _e2147));
+                    let _e2150 = abs(_e1341[2]);
+                    let _e2154 = abs(_e1357);
+                    let _e2155 = abs(_e1358);
                     let _e2157 = select(_e2155, _e2154, (_e2154 > _e2155));
-                    let _e2158 = abs(_e1345[2]);
+                    let _e2158 = abs(_e1359);
+                    let _e2161 = abs(_e1360);
                     let _e2162 = abs(_e1361);
-                    let _e2163 = abs(_e1362);
-                    let _e2165 = select(_e2163, _e2162, (_e2162 > _e2163));
-                    let _e2166 = abs(_e1363);
-                    let _e2169 = abs(_e1364);
-                    let _e2170 = abs(_e1365);
-                    let _e2172 = select(_e2170, _e2169, (_e2169 > _e2170));
-                    let _e2173 = abs(_e1366);
-                    phi_3079_ = type_48(array<f32, 3>(((_e1345[0] + (_e1361 * _e1339.member_2)) + (_e1364 * _e1339.member_3)), ((_e1345[1] + (_e1362 * _e1339.member_2)) + (_e1365 * _e1339.member_3)), ((_e1345[2] + (_e1363 * _e1339.member_2)) + (_e1366 * _e1339.member_3))), _e1339.member_1, array<f32, 3>(_e2133.x, _e2133.y, _e2133.z), (_e1339.member * sqrt((((_e198.x * _e198.x) + (_e198.y * _e198.y)) + (_e198.z * _e198.z)))), array<f32, 3>(_e1432.x, _e1432.y, _e1432.z), select(0u, 1u, _e1429), array<f32, 3>((_e1806.member.x * _e1897.x), (_e1806.member.y * _e1897.y), (_e1806.member.z * _e1897.z)), _e1436, _e2153, ((select(_e2158, _e2157, (_e2157 > _e2158)) * 0.00000047683716f) + ((select(_e2166, _e2165, (_e2165 > _e2166)) + select(_e2173, _e2172, (_e2172 > _e2173))) * 0.0000010728836f)));
+                    let _e2164 = select(_e2162, _e2161, (_e2161 > _e2162));
+                    let _e2165 = abs(_e1362);
+                    phi_3051_ = type_48(array<f32, 3>(((_e1341[0] + (_e1357 * _e1335.member_2)) + (_e1360 * _e1335.member_3)), ((_e1341[1] + (_e1358 * _e1335.member_2)) + (_e1361 * _e1335.member_3)), ((_e1341[2] + (_e1359 * _e1335.member_2)) + (_e1362 * _e1335.member_3))), _e1335.member_1, array<f32, 3>(_e2125.x, _e2125.y, _e2125.z), (_e1335.member * sqrt((((_e198.x * _e198.x) + (_e198.y * _e198.y)) + (_e198.z * _e198.z)))), array<f32, 3>(_e1428.x, _e1428.y, _e1428.z), select(0u, 1u, _e1425), array<f32, 3>((_e1798.member.x * _e1889.x), (_e1798.member.y * _e1889.y), (_e1798.member.z * _e1889.z)), _e1432, _e2145, ((select(_e2150, _e2149, (_e2149 > _e2150)) * 0.00000047683716f) + ((select(_e2158, _e2157, (_e2157 > _e2158)) + select(_e2165, _e2164, (_e2164 > _e2165))) * 0.0000010728836f)));
                 } else {
-                    phi_3079_ = type_48(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
+                    phi_3051_ = type_48(array<f32, 3>(0f, 0f, 0f), 4294967295u, array<f32, 3>(0f, 0f, 0f), 0f, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0u, array<f32, 3>(0f, 0f, 0f), 0f);
                 }
-                let _e2181 = phi_3079_;
-                if _e1341 {
-                    phi_3092_ = _e2181;
+                let _e2173 = phi_3051_;
+                if _e1337 {
+                    phi_3064_ = _e2173;
                 } else {
-                    let _e2184 = params.member.member_4;
-                    phi_3092_ = type_48(_e2181.member, _e2181.member_1, _e2181.member_2, _e2181.member_3, _e2181.member_4, _e2181.member_5, _e2181.member_6, _e2181.member_7, array<f32, 3>(_e2184.x, _e2184.y, _e2184.z), _e2181.member_9);
+                    let _e2176 = params.member.member_4;
+                    phi_3064_ = type_48(_e2173.member, _e2173.member_1, _e2173.member_2, _e2173.member_3, _e2173.member_4, _e2173.member_5, _e2173.member_6, _e2173.member_7, array<f32, 3>(_e2176.x, _e2176.y, _e2176.z), _e2173.member_9);
                 }
-                let _e2201 = phi_3092_;
+                let _e2193 = phi_3064_;
                 if (_e114 < arrayLength((&surfels.member))) {
                 } else {
                     break;
                 }
-                surfels.member[_e114] = _e2201;
+                surfels.member[_e114] = _e2193;
             }
             break;
         }

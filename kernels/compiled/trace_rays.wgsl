@@ -113,7 +113,7 @@ fn function_() {
     var phi_402_: f32;
     var phi_410_: f32;
     var phi_418_: f32;
-    var phi_2076_: bool;
+    var phi_2062_: bool;
     var phi_421_: u32;
     var phi_424_: u32;
     var phi_426_: type_42;
@@ -149,35 +149,33 @@ fn function_() {
     var phi_1234_: array<f32, 3>;
     var phi_1433_: f32;
     var phi_1448_: f32;
-    var phi_1458_: bool;
-    var phi_1483_: u32;
-    var phi_1493_: u32;
-    var phi_1502_: bool;
-    var phi_1518_: bool;
-    var phi_1519_: bool;
-    var phi_1542_: f32;
-    var phi_1557_: f32;
-    var phi_1567_: bool;
-    var phi_1592_: u32;
-    var phi_1602_: u32;
-    var phi_1611_: bool;
-    var phi_1627_: bool;
-    var phi_1628_: bool;
+    var phi_1476_: u32;
+    var phi_1486_: u32;
+    var phi_1495_: bool;
+    var phi_1511_: bool;
+    var phi_1512_: bool;
+    var phi_1535_: f32;
+    var phi_1550_: f32;
+    var phi_1578_: u32;
+    var phi_1588_: u32;
+    var phi_1597_: bool;
+    var phi_1613_: bool;
+    var phi_1614_: bool;
+    var phi_1695_: bool;
+    var phi_1700_: bool;
+    var phi_1705_: type_42;
+    var phi_1707_: type_42;
     var phi_1709_: bool;
-    var phi_1714_: bool;
-    var phi_1719_: type_42;
-    var phi_1721_: type_42;
-    var phi_1723_: bool;
-    var phi_1724_: type_42;
-    var phi_1726_: bool;
-    var phi_1727_: bool;
-    var phi_1728_: type_42;
-    var phi_1729_: bool;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1744_: type_42;
+    var phi_1710_: type_42;
+    var phi_1712_: bool;
+    var phi_1713_: bool;
+    var phi_1714_: type_42;
+    var phi_1715_: bool;
+    var phi_1716_: bool;
+    var phi_1717_: bool;
+    var phi_1730_: type_42;
     var phi_922_: type_42;
-    var phi_2072_: bool;
+    var phi_2058_: bool;
     var phi_807_: type_43;
     var phi_818_: type_43;
     var phi_829_: type_43;
@@ -186,22 +184,22 @@ fn function_() {
     var phi_873_: u32;
     var phi_891_: u32;
     var phi_909_: u32;
-    var phi_2162_: bool;
-    var phi_1745_: u32;
-    var phi_1746_: u32;
+    var phi_2144_: bool;
+    var phi_1731_: u32;
+    var phi_1732_: u32;
     var phi_427_: type_42;
     var phi_422_: u32;
     var phi_425_: u32;
-    var phi_1781_: u32;
-    var phi_1782_: u32;
-    var phi_1783_: u32;
-    var phi_1748_: u32;
-    var phi_1750_: u32;
-    var phi_1784_: bool;
-    var phi_2159_: bool;
+    var phi_1767_: u32;
+    var phi_1768_: u32;
+    var phi_1769_: u32;
+    var phi_1734_: u32;
+    var phi_1736_: u32;
+    var phi_1770_: bool;
+    var phi_2141_: bool;
     var local_4: bool;
-    var phi_2226_: bool;
-    var phi_1828_: type_42;
+    var phi_2208_: bool;
+    var phi_1814_: type_42;
     var local_5: u32;
     var local_6: u32;
     var local_7: type_42;
@@ -337,12 +335,12 @@ fn function_() {
                 let _e225 = phi_418_;
                 local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                 local_1 = array<f32, 64>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                phi_2076_ = false;
+                phi_2062_ = false;
                 phi_421_ = 0u;
                 phi_424_ = 0u;
                 phi_426_ = type_42(_e111, 4294967295u, 0f, 0f);
                 loop {
-                    let _e228 = phi_2076_;
+                    let _e228 = phi_2062_;
                     let _e230 = phi_421_;
                     let _e232 = phi_424_;
                     let _e234 = phi_426_;
@@ -351,188 +349,188 @@ fn function_() {
                     if (_e235 == 0u) {
                         if (_e237 < _e73) {
                         } else {
-                            phi_2226_ = true;
-                            phi_1828_ = type_42();
+                            phi_2208_ = true;
+                            phi_1814_ = type_42();
                             break;
                         }
-                        let _e937 = nodes.member[_e237].member;
-                        let _e946 = ((_e937.x - _e205) * _e215);
-                        let _e947 = ((_e937.y - _e205) * _e215);
-                        let _e948 = ((_e937.z - _e205) * _e215);
-                        let _e949 = ((_e937.w - _e205) * _e215);
-                        let _e952 = nodes.member[_e237].member_3;
-                        let _e961 = ((_e952.x - _e208) * _e215);
-                        let _e962 = ((_e952.y - _e208) * _e215);
-                        let _e963 = ((_e952.z - _e208) * _e215);
-                        let _e964 = ((_e952.w - _e208) * _e215);
-                        let _e967 = nodes.member[_e237].member_1;
-                        let _e976 = ((_e967.x - _e206) * _e220);
-                        let _e977 = ((_e967.y - _e206) * _e220);
-                        let _e978 = ((_e967.z - _e206) * _e220);
-                        let _e979 = ((_e967.w - _e206) * _e220);
-                        let _e982 = nodes.member[_e237].member_4;
-                        let _e991 = ((_e982.x - _e209) * _e220);
-                        let _e992 = ((_e982.y - _e209) * _e220);
-                        let _e993 = ((_e982.z - _e209) * _e220);
-                        let _e994 = ((_e982.w - _e209) * _e220);
-                        let _e997 = nodes.member[_e237].member_2;
-                        let _e1006 = ((_e997.x - _e207) * _e225);
-                        let _e1007 = ((_e997.y - _e207) * _e225);
-                        let _e1008 = ((_e997.z - _e207) * _e225);
-                        let _e1009 = ((_e997.w - _e207) * _e225);
-                        let _e1012 = nodes.member[_e237].member_5;
-                        let _e1021 = ((_e1012.x - _e210) * _e225);
-                        let _e1022 = ((_e1012.y - _e210) * _e225);
-                        let _e1023 = ((_e1012.z - _e210) * _e225);
-                        let _e1024 = ((_e1012.w - _e210) * _e225);
-                        let _e1026 = select(_e961, _e946, (_e946 < _e961));
-                        let _e1028 = select(_e962, _e947, (_e947 < _e962));
-                        let _e1030 = select(_e963, _e948, (_e948 < _e963));
-                        let _e1032 = select(_e964, _e949, (_e949 < _e964));
-                        let _e1034 = select(_e991, _e976, (_e976 < _e991));
-                        let _e1036 = select(_e992, _e977, (_e977 < _e992));
-                        let _e1038 = select(_e993, _e978, (_e978 < _e993));
-                        let _e1040 = select(_e994, _e979, (_e979 < _e994));
+                        let _e933 = nodes.member[_e237].member;
+                        let _e942 = ((_e933.x - _e205) * _e215);
+                        let _e943 = ((_e933.y - _e205) * _e215);
+                        let _e944 = ((_e933.z - _e205) * _e215);
+                        let _e945 = ((_e933.w - _e205) * _e215);
+                        let _e948 = nodes.member[_e237].member_3;
+                        let _e957 = ((_e948.x - _e208) * _e215);
+                        let _e958 = ((_e948.y - _e208) * _e215);
+                        let _e959 = ((_e948.z - _e208) * _e215);
+                        let _e960 = ((_e948.w - _e208) * _e215);
+                        let _e963 = nodes.member[_e237].member_1;
+                        let _e972 = ((_e963.x - _e206) * _e220);
+                        let _e973 = ((_e963.y - _e206) * _e220);
+                        let _e974 = ((_e963.z - _e206) * _e220);
+                        let _e975 = ((_e963.w - _e206) * _e220);
+                        let _e978 = nodes.member[_e237].member_4;
+                        let _e987 = ((_e978.x - _e209) * _e220);
+                        let _e988 = ((_e978.y - _e209) * _e220);
+                        let _e989 = ((_e978.z - _e209) * _e220);
+                        let _e990 = ((_e978.w - _e209) * _e220);
+                        let _e993 = nodes.member[_e237].member_2;
+                        let _e1002 = ((_e993.x - _e207) * _e225);
+                        let _e1003 = ((_e993.y - _e207) * _e225);
+                        let _e1004 = ((_e993.z - _e207) * _e225);
+                        let _e1005 = ((_e993.w - _e207) * _e225);
+                        let _e1008 = nodes.member[_e237].member_5;
+                        let _e1017 = ((_e1008.x - _e210) * _e225);
+                        let _e1018 = ((_e1008.y - _e210) * _e225);
+                        let _e1019 = ((_e1008.z - _e210) * _e225);
+                        let _e1020 = ((_e1008.w - _e210) * _e225);
+                        let _e1022 = select(_e957, _e942, (_e942 < _e957));
+                        let _e1024 = select(_e958, _e943, (_e943 < _e958));
+                        let _e1026 = select(_e959, _e944, (_e944 < _e959));
+                        let _e1028 = select(_e960, _e945, (_e945 < _e960));
+                        let _e1030 = select(_e987, _e972, (_e972 < _e987));
+                        let _e1032 = select(_e988, _e973, (_e973 < _e988));
+                        let _e1034 = select(_e989, _e974, (_e974 < _e989));
+                        let _e1036 = select(_e990, _e975, (_e975 < _e990));
+                        let _e1038 = select(_e1030, _e1022, (_e1022 > _e1030));
+                        let _e1040 = select(_e1032, _e1024, (_e1024 > _e1032));
                         let _e1042 = select(_e1034, _e1026, (_e1026 > _e1034));
                         let _e1044 = select(_e1036, _e1028, (_e1028 > _e1036));
-                        let _e1046 = select(_e1038, _e1030, (_e1030 > _e1038));
-                        let _e1048 = select(_e1040, _e1032, (_e1032 > _e1040));
-                        let _e1050 = select(_e1021, _e1006, (_e1006 < _e1021));
-                        let _e1052 = select(_e1022, _e1007, (_e1007 < _e1022));
-                        let _e1054 = select(_e1023, _e1008, (_e1008 < _e1023));
-                        let _e1056 = select(_e1024, _e1009, (_e1009 < _e1024));
+                        let _e1046 = select(_e1017, _e1002, (_e1002 < _e1017));
+                        let _e1048 = select(_e1018, _e1003, (_e1003 < _e1018));
+                        let _e1050 = select(_e1019, _e1004, (_e1004 < _e1019));
+                        let _e1052 = select(_e1020, _e1005, (_e1005 < _e1020));
+                        let _e1054 = select(_e1046, _e1038, (_e1038 > _e1046));
+                        let _e1056 = select(_e1048, _e1040, (_e1040 > _e1048));
                         let _e1058 = select(_e1050, _e1042, (_e1042 > _e1050));
                         let _e1060 = select(_e1052, _e1044, (_e1044 > _e1052));
-                        let _e1062 = select(_e1054, _e1046, (_e1046 > _e1054));
-                        let _e1064 = select(_e1056, _e1048, (_e1048 > _e1056));
+                        let _e1062 = select(_e103, _e1054, (_e1054 > _e103));
+                        let _e1064 = select(_e103, _e1056, (_e1056 > _e103));
                         let _e1066 = select(_e103, _e1058, (_e1058 > _e103));
                         let _e1068 = select(_e103, _e1060, (_e1060 > _e103));
-                        let _e1070 = select(_e103, _e1062, (_e1062 > _e103));
-                        let _e1072 = select(_e103, _e1064, (_e1064 > _e103));
-                        let _e1074 = select(_e961, _e946, (_e946 > _e961));
-                        let _e1076 = select(_e962, _e947, (_e947 > _e962));
-                        let _e1078 = select(_e963, _e948, (_e948 > _e963));
-                        let _e1080 = select(_e964, _e949, (_e949 > _e964));
-                        let _e1082 = select(_e991, _e976, (_e976 > _e991));
-                        let _e1084 = select(_e992, _e977, (_e977 > _e992));
-                        let _e1086 = select(_e993, _e978, (_e978 > _e993));
-                        let _e1088 = select(_e994, _e979, (_e979 > _e994));
+                        let _e1070 = select(_e957, _e942, (_e942 > _e957));
+                        let _e1072 = select(_e958, _e943, (_e943 > _e958));
+                        let _e1074 = select(_e959, _e944, (_e944 > _e959));
+                        let _e1076 = select(_e960, _e945, (_e945 > _e960));
+                        let _e1078 = select(_e987, _e972, (_e972 > _e987));
+                        let _e1080 = select(_e988, _e973, (_e973 > _e988));
+                        let _e1082 = select(_e989, _e974, (_e974 > _e989));
+                        let _e1084 = select(_e990, _e975, (_e975 > _e990));
+                        let _e1086 = select(_e1078, _e1070, (_e1070 < _e1078));
+                        let _e1088 = select(_e1080, _e1072, (_e1072 < _e1080));
                         let _e1090 = select(_e1082, _e1074, (_e1074 < _e1082));
                         let _e1092 = select(_e1084, _e1076, (_e1076 < _e1084));
-                        let _e1094 = select(_e1086, _e1078, (_e1078 < _e1086));
-                        let _e1096 = select(_e1088, _e1080, (_e1080 < _e1088));
-                        let _e1098 = select(_e1021, _e1006, (_e1006 > _e1021));
-                        let _e1100 = select(_e1022, _e1007, (_e1007 > _e1022));
-                        let _e1102 = select(_e1023, _e1008, (_e1008 > _e1023));
-                        let _e1104 = select(_e1024, _e1009, (_e1009 > _e1024));
+                        let _e1094 = select(_e1017, _e1002, (_e1002 > _e1017));
+                        let _e1096 = select(_e1018, _e1003, (_e1003 > _e1018));
+                        let _e1098 = select(_e1019, _e1004, (_e1004 > _e1019));
+                        let _e1100 = select(_e1020, _e1005, (_e1005 > _e1020));
+                        let _e1102 = select(_e1094, _e1086, (_e1086 < _e1094));
+                        let _e1104 = select(_e1096, _e1088, (_e1088 < _e1096));
                         let _e1106 = select(_e1098, _e1090, (_e1090 < _e1098));
                         let _e1108 = select(_e1100, _e1092, (_e1092 < _e1100));
-                        let _e1110 = select(_e1102, _e1094, (_e1094 < _e1102));
-                        let _e1112 = select(_e1104, _e1096, (_e1096 < _e1104));
+                        let _e1118 = select(340282350000000000000000000000000000000f, _e1062, (_e1062 <= select(_e234.member, _e1102, (_e1102 < _e234.member))));
+                        let _e1120 = select(340282350000000000000000000000000000000f, _e1064, (_e1064 <= select(_e234.member, _e1104, (_e1104 < _e234.member))));
                         let _e1122 = select(340282350000000000000000000000000000000f, _e1066, (_e1066 <= select(_e234.member, _e1106, (_e1106 < _e234.member))));
                         let _e1124 = select(340282350000000000000000000000000000000f, _e1068, (_e1068 <= select(_e234.member, _e1108, (_e1108 < _e234.member))));
-                        let _e1126 = select(340282350000000000000000000000000000000f, _e1070, (_e1070 <= select(_e234.member, _e1110, (_e1110 < _e234.member))));
-                        let _e1128 = select(340282350000000000000000000000000000000f, _e1072, (_e1072 <= select(_e234.member, _e1112, (_e1112 < _e234.member))));
-                        let _e1132 = nodes.member[_e237].member_6[0u];
-                        let _e1136 = nodes.member[_e237].member_6[1u];
-                        let _e1140 = nodes.member[_e237].member_6[2u];
-                        let _e1144 = nodes.member[_e237].member_6[3u];
+                        let _e1128 = nodes.member[_e237].member_6[0u];
+                        let _e1132 = nodes.member[_e237].member_6[1u];
+                        let _e1136 = nodes.member[_e237].member_6[2u];
+                        let _e1140 = nodes.member[_e237].member_6[3u];
+                        if (_e1120 < _e1118) {
+                            phi_807_ = type_43(_e1120, _e1132, _e1118, _e1128);
+                        } else {
+                            phi_807_ = type_43(_e1118, _e1128, _e1120, _e1132);
+                        }
+                        let _e1145 = phi_807_;
                         if (_e1124 < _e1122) {
-                            phi_807_ = type_43(_e1124, _e1136, _e1122, _e1132);
+                            phi_818_ = type_43(_e1124, _e1140, _e1122, _e1136);
                         } else {
-                            phi_807_ = type_43(_e1122, _e1132, _e1124, _e1136);
+                            phi_818_ = type_43(_e1122, _e1136, _e1124, _e1140);
                         }
-                        let _e1149 = phi_807_;
-                        if (_e1128 < _e1126) {
-                            phi_818_ = type_43(_e1128, _e1144, _e1126, _e1140);
+                        let _e1154 = phi_818_;
+                        if (_e1154.member < _e1145.member) {
+                            phi_829_ = type_43(_e1154.member, _e1154.member_1, _e1145.member, _e1145.member_1);
                         } else {
-                            phi_818_ = type_43(_e1126, _e1140, _e1128, _e1144);
+                            phi_829_ = type_43(_e1145.member, _e1145.member_1, _e1154.member, _e1154.member_1);
                         }
-                        let _e1158 = phi_818_;
-                        if (_e1158.member < _e1149.member) {
-                            phi_829_ = type_43(_e1158.member, _e1158.member_1, _e1149.member, _e1149.member_1);
+                        let _e1163 = phi_829_;
+                        if (_e1154.member_2 < _e1145.member_2) {
+                            phi_840_ = type_43(_e1154.member_2, _e1154.member_3, _e1145.member_2, _e1145.member_3);
                         } else {
-                            phi_829_ = type_43(_e1149.member, _e1149.member_1, _e1158.member, _e1158.member_1);
+                            phi_840_ = type_43(_e1145.member_2, _e1145.member_3, _e1154.member_2, _e1154.member_3);
                         }
-                        let _e1167 = phi_829_;
-                        if (_e1158.member_2 < _e1149.member_2) {
-                            phi_840_ = type_43(_e1158.member_2, _e1158.member_3, _e1149.member_2, _e1149.member_3);
+                        let _e1172 = phi_840_;
+                        if (_e1163.member_2 < _e1172.member) {
+                            phi_851_ = type_43(_e1163.member_2, _e1163.member_3, _e1172.member, _e1172.member_1);
                         } else {
-                            phi_840_ = type_43(_e1149.member_2, _e1149.member_3, _e1158.member_2, _e1158.member_3);
+                            phi_851_ = type_43(_e1172.member, _e1172.member_1, _e1163.member_2, _e1163.member_3);
                         }
-                        let _e1176 = phi_840_;
-                        if (_e1167.member_2 < _e1176.member) {
-                            phi_851_ = type_43(_e1167.member_2, _e1167.member_3, _e1176.member, _e1176.member_1);
-                        } else {
-                            phi_851_ = type_43(_e1176.member, _e1176.member_1, _e1167.member_2, _e1167.member_3);
-                        }
-                        let _e1185 = phi_851_;
-                        if (_e1176.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1191 = (_e232 < 64u);
-                            if _e1191 {
+                        let _e1181 = phi_851_;
+                        if (_e1172.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1187 = (_e232 < 64u);
+                            if _e1187 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local[_e232] = _e1176.member_3;
-                            if _e1191 {
+                            local[_e232] = _e1172.member_3;
+                            if _e1187 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local_1[_e232] = _e1176.member_2;
+                            local_1[_e232] = _e1172.member_2;
                             phi_873_ = (_e232 + 1u);
                         } else {
                             phi_873_ = _e232;
                         }
-                        let _e1196 = phi_873_;
-                        if (_e1185.member_2 < 340282350000000000000000000000000000000f) {
-                            let _e1198 = (_e1196 < 64u);
-                            if _e1198 {
+                        let _e1192 = phi_873_;
+                        if (_e1181.member_2 < 340282350000000000000000000000000000000f) {
+                            let _e1194 = (_e1192 < 64u);
+                            if _e1194 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local[_e1196] = _e1185.member_3;
-                            if _e1198 {
+                            local[_e1192] = _e1181.member_3;
+                            if _e1194 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local_1[_e1196] = _e1185.member_2;
-                            phi_891_ = (_e1196 + 1u);
+                            local_1[_e1192] = _e1181.member_2;
+                            phi_891_ = (_e1192 + 1u);
                         } else {
-                            phi_891_ = _e1196;
+                            phi_891_ = _e1192;
                         }
-                        let _e1203 = phi_891_;
-                        if (_e1185.member < 340282350000000000000000000000000000000f) {
-                            let _e1205 = (_e1203 < 64u);
-                            if _e1205 {
+                        let _e1199 = phi_891_;
+                        if (_e1181.member < 340282350000000000000000000000000000000f) {
+                            let _e1201 = (_e1199 < 64u);
+                            if _e1201 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local[_e1203] = _e1185.member_1;
-                            if _e1205 {
+                            local[_e1199] = _e1181.member_1;
+                            if _e1201 {
                             } else {
-                                phi_2226_ = true;
-                                phi_1828_ = type_42();
+                                phi_2208_ = true;
+                                phi_1814_ = type_42();
                                 break;
                             }
-                            local_1[_e1203] = _e1185.member;
-                            phi_909_ = (_e1203 + 1u);
+                            local_1[_e1199] = _e1181.member;
+                            phi_909_ = (_e1199 + 1u);
                         } else {
-                            phi_909_ = _e1203;
+                            phi_909_ = _e1199;
                         }
-                        let _e1210 = phi_909_;
-                        phi_2162_ = _e228;
-                        phi_1745_ = select(0u, _e1167.member_1, (_e1167.member < 340282350000000000000000000000000000000f));
-                        phi_1746_ = _e1210;
+                        let _e1206 = phi_909_;
+                        phi_2144_ = _e228;
+                        phi_1731_ = select(0u, _e1163.member_1, (_e1163.member < 340282350000000000000000000000000000000f));
+                        phi_1732_ = _e1206;
                         phi_427_ = _e234;
                     } else {
                         phi_918_ = type_12(_e237, (_e237 + _e235));
@@ -555,68 +553,68 @@ fn function_() {
                                 let _e264 = (_e259.member_1 < arrayLength((&triangles.member)));
                                 if _e264 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 if _e145 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e268 = triangles.member[_e259.member_1].member[_e142];
                                 let _e269 = (_e268 - _e162);
                                 if _e145 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e273 = triangles.member[_e259.member_1].member_2[_e142];
                                 let _e274 = (_e273 - _e162);
                                 if _e145 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e278 = triangles.member[_e259.member_1].member_4[_e142];
                                 let _e279 = (_e278 - _e162);
                                 if _e149 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e283 = triangles.member[_e259.member_1].member[_e141];
                                 let _e286 = ((_e283 - _e158) - (_e152 * _e269));
                                 if _e153 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e290 = triangles.member[_e259.member_1].member[_e140];
                                 let _e293 = ((_e290 - _e160) - (_e156 * _e269));
                                 if _e149 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e297 = triangles.member[_e259.member_1].member_2[_e141];
                                 let _e300 = ((_e297 - _e158) - (_e152 * _e274));
                                 if _e153 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e304 = triangles.member[_e259.member_1].member_2[_e140];
                                 let _e307 = ((_e304 - _e160) - (_e156 * _e274));
                                 if _e149 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e311 = triangles.member[_e259.member_1].member_4[_e141];
                                 let _e314 = ((_e311 - _e158) - (_e152 * _e279));
                                 if _e153 {
                                 } else {
-                                    phi_2072_ = true;
+                                    phi_2058_ = true;
                                     break;
                                 }
                                 let _e318 = triangles.member[_e259.member_1].member_4[_e140];
@@ -837,68 +835,68 @@ fn function_() {
                                         if _e640 {
                                             if _e264 {
                                             } else {
-                                                phi_2072_ = true;
+                                                phi_2058_ = true;
                                                 break;
                                             }
                                             let _e643 = triangles.member[_e259.member_1].member_3;
                                             if ((_e643 & 1u) == 0u) {
-                                                phi_1714_ = true;
+                                                phi_1700_ = true;
                                             } else {
                                                 if _e264 {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e648 = triangles.member[_e259.member_1].member_1;
                                                 let _e649 = (_e648 * 12u);
                                                 if ((256u + _e649) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if ((_e649 + 257u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if ((_e649 + 258u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e656 = (_e649 + 259u);
                                                 if (_e656 < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e659 = surfaces.member[_e656];
                                                 if ((_e649 + 260u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if ((_e649 + 261u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if ((_e649 + 262u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e666 = (_e649 + 263u);
                                                 if (_e666 < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e669 = surfaces.member[_e666];
                                                 let _e670 = (_e649 + 264u);
                                                 if (_e670 < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e673 = surfaces.member[_e670];
@@ -906,27 +904,27 @@ fn function_() {
                                                 let _e675 = (_e649 + 265u);
                                                 if (_e675 < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 let _e678 = surfaces.member[_e675];
                                                 let _e679 = bitcast<f32>(_e678);
                                                 if ((_e649 + 266u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if ((_e649 + 267u) < _e82) {
                                                 } else {
-                                                    phi_2072_ = true;
+                                                    phi_2058_ = true;
                                                     break;
                                                 }
                                                 if (_e659 == 4294967295u) {
-                                                    phi_1709_ = (_e674 < _e679);
+                                                    phi_1695_ = (_e674 < _e679);
                                                 } else {
                                                     if (_e259.member_1 < arrayLength((&attributes.member))) {
                                                     } else {
-                                                        phi_2072_ = true;
+                                                        phi_2058_ = true;
                                                         break;
                                                     }
                                                     let _e687 = ((1f - _e633[1]) - _e633[2]);
@@ -957,313 +955,301 @@ fn function_() {
                                                         phi_1448_ = _e738;
                                                     }
                                                     let _e745 = phi_1448_;
-                                                    if (_e745 >= 0f) {
-                                                        phi_1458_ = select(true, false, (_e745 <= 1f));
+                                                    let _e752 = ((select(0f, _e745, (abs((_e745 - 0.5f)) <= 0.5f)) * f32(_e722)) - 0.5f);
+                                                    let _e753 = floor(_e752);
+                                                    let _e754 = (_e753 < 0f);
+                                                    if _e754 {
+                                                        phi_1476_ = 0u;
                                                     } else {
-                                                        phi_1458_ = true;
+                                                        let _e759 = select(select(u32(_e753), 0u, (_e753 < 0f)), 4294967295u, (_e753 > 4294967000f));
+                                                        phi_1476_ = select(_e759, _e728, (_e728 < _e759));
                                                     }
-                                                    let _e750 = phi_1458_;
-                                                    let _e754 = ((select(_e745, 0f, _e750) * f32(_e722)) - 0.5f);
-                                                    let _e755 = floor(_e754);
-                                                    let _e756 = (_e755 < 0f);
-                                                    if _e756 {
-                                                        phi_1483_ = 0u;
+                                                    let _e763 = phi_1476_;
+                                                    if _e754 {
+                                                        phi_1486_ = 0u;
                                                     } else {
-                                                        let _e761 = select(select(u32(_e755), 0u, (_e755 < 0f)), 4294967295u, (_e755 > 4294967000f));
-                                                        phi_1483_ = select(_e761, _e728, (_e728 < _e761));
+                                                        let _e764 = (_e763 + 1u);
+                                                        phi_1486_ = select(_e764, _e728, (_e728 < _e764));
                                                     }
-                                                    let _e765 = phi_1483_;
-                                                    if _e756 {
-                                                        phi_1493_ = 0u;
+                                                    let _e768 = phi_1486_;
+                                                    let _e769 = (_e727 == 0u);
+                                                    if _e769 {
+                                                        phi_1495_ = select(true, false, _e754);
                                                     } else {
-                                                        let _e766 = (_e765 + 1u);
-                                                        phi_1493_ = select(_e766, _e728, (_e728 < _e766));
+                                                        phi_1495_ = true;
                                                     }
-                                                    let _e770 = phi_1493_;
-                                                    let _e771 = (_e727 == 0u);
-                                                    if _e771 {
-                                                        phi_1502_ = select(true, false, _e756);
-                                                    } else {
-                                                        phi_1502_ = true;
-                                                    }
-                                                    let _e774 = phi_1502_;
-                                                    let _e775 = select(_e728, _e765, _e774);
-                                                    if _e771 {
-                                                        if _e756 {
-                                                            phi_1518_ = true;
+                                                    let _e772 = phi_1495_;
+                                                    let _e773 = select(_e728, _e763, _e772);
+                                                    if _e769 {
+                                                        if _e754 {
+                                                            phi_1511_ = true;
                                                         } else {
-                                                            phi_1518_ = select(true, false, (_e775 == _e728));
+                                                            phi_1511_ = select(true, false, (_e773 == _e728));
                                                         }
-                                                        let _e779 = phi_1518_;
-                                                        phi_1519_ = _e779;
+                                                        let _e777 = phi_1511_;
+                                                        phi_1512_ = _e777;
                                                     } else {
-                                                        phi_1519_ = true;
+                                                        phi_1512_ = true;
                                                     }
-                                                    let _e781 = phi_1519_;
-                                                    let _e782 = select(0u, _e770, _e781);
-                                                    let _e783 = (_e754 - _e755);
-                                                    let _e786 = ((_e659 >> bitcast<u32>(30u)) & 3u);
-                                                    let _e787 = (_e724 - 1u);
-                                                    let _e789 = select(1f, 2f, (_e786 == 2u));
-                                                    let _e793 = (_e721 - (floor((_e721 / _e789)) * _e789));
-                                                    if (_e793 > 1f) {
-                                                        phi_1542_ = (_e789 - _e793);
+                                                    let _e779 = phi_1512_;
+                                                    let _e780 = select(0u, _e768, _e779);
+                                                    let _e781 = (_e752 - _e753);
+                                                    let _e784 = ((_e659 >> bitcast<u32>(30u)) & 3u);
+                                                    let _e785 = (_e724 - 1u);
+                                                    let _e787 = select(1f, 2f, (_e784 == 2u));
+                                                    let _e791 = (_e721 - (floor((_e721 / _e787)) * _e787));
+                                                    if (_e791 > 1f) {
+                                                        phi_1535_ = (_e787 - _e791);
                                                     } else {
-                                                        phi_1542_ = _e793;
+                                                        phi_1535_ = _e791;
                                                     }
-                                                    let _e797 = phi_1542_;
-                                                    if (_e786 == 1u) {
-                                                        let _e800 = select(0f, _e721, (_e721 > 0f));
-                                                        phi_1557_ = select(1f, _e800, (_e800 < 1f));
+                                                    let _e795 = phi_1535_;
+                                                    if (_e784 == 1u) {
+                                                        let _e798 = select(0f, _e721, (_e721 > 0f));
+                                                        phi_1550_ = select(1f, _e798, (_e798 < 1f));
                                                     } else {
-                                                        phi_1557_ = _e797;
+                                                        phi_1550_ = _e795;
                                                     }
-                                                    let _e804 = phi_1557_;
-                                                    if (_e804 >= 0f) {
-                                                        phi_1567_ = select(true, false, (_e804 <= 1f));
+                                                    let _e802 = phi_1550_;
+                                                    let _e809 = ((select(0f, _e802, (abs((_e802 - 0.5f)) <= 0.5f)) * f32(_e724)) - 0.5f);
+                                                    let _e810 = floor(_e809);
+                                                    let _e811 = (_e810 < 0f);
+                                                    if _e811 {
+                                                        phi_1578_ = 0u;
                                                     } else {
-                                                        phi_1567_ = true;
+                                                        let _e816 = select(select(u32(_e810), 0u, (_e810 < 0f)), 4294967295u, (_e810 > 4294967000f));
+                                                        phi_1578_ = select(_e816, _e785, (_e785 < _e816));
                                                     }
-                                                    let _e809 = phi_1567_;
-                                                    let _e813 = ((select(_e804, 0f, _e809) * f32(_e724)) - 0.5f);
-                                                    let _e814 = floor(_e813);
-                                                    let _e815 = (_e814 < 0f);
-                                                    if _e815 {
-                                                        phi_1592_ = 0u;
+                                                    let _e820 = phi_1578_;
+                                                    if _e811 {
+                                                        phi_1588_ = 0u;
                                                     } else {
-                                                        let _e820 = select(select(u32(_e814), 0u, (_e814 < 0f)), 4294967295u, (_e814 > 4294967000f));
-                                                        phi_1592_ = select(_e820, _e787, (_e787 < _e820));
+                                                        let _e821 = (_e820 + 1u);
+                                                        phi_1588_ = select(_e821, _e785, (_e785 < _e821));
                                                     }
-                                                    let _e824 = phi_1592_;
-                                                    if _e815 {
-                                                        phi_1602_ = 0u;
+                                                    let _e825 = phi_1588_;
+                                                    let _e826 = (_e784 == 0u);
+                                                    if _e826 {
+                                                        phi_1597_ = select(true, false, _e811);
                                                     } else {
-                                                        let _e825 = (_e824 + 1u);
-                                                        phi_1602_ = select(_e825, _e787, (_e787 < _e825));
+                                                        phi_1597_ = true;
                                                     }
-                                                    let _e829 = phi_1602_;
-                                                    let _e830 = (_e786 == 0u);
-                                                    if _e830 {
-                                                        phi_1611_ = select(true, false, _e815);
-                                                    } else {
-                                                        phi_1611_ = true;
-                                                    }
-                                                    let _e833 = phi_1611_;
-                                                    let _e834 = select(_e787, _e824, _e833);
-                                                    if _e830 {
-                                                        if _e815 {
-                                                            phi_1627_ = true;
+                                                    let _e829 = phi_1597_;
+                                                    let _e830 = select(_e785, _e820, _e829);
+                                                    if _e826 {
+                                                        if _e811 {
+                                                            phi_1613_ = true;
                                                         } else {
-                                                            phi_1627_ = select(true, false, (_e834 == _e787));
+                                                            phi_1613_ = select(true, false, (_e830 == _e785));
                                                         }
-                                                        let _e838 = phi_1627_;
-                                                        phi_1628_ = _e838;
+                                                        let _e834 = phi_1613_;
+                                                        phi_1614_ = _e834;
                                                     } else {
-                                                        phi_1628_ = true;
+                                                        phi_1614_ = true;
                                                     }
-                                                    let _e840 = phi_1628_;
-                                                    let _e842 = (_e813 - _e814);
-                                                    let _e843 = (_e659 & 268435455u);
-                                                    let _e845 = (_e843 + (_e834 * _e722));
-                                                    let _e847 = (_e843 + (select(0u, _e829, _e840) * _e722));
-                                                    let _e848 = (_e845 + _e775);
-                                                    let _e849 = (_e845 + _e782);
-                                                    let _e850 = (_e847 + _e775);
-                                                    let _e851 = (_e847 + _e782);
-                                                    if (_e848 < _e82) {
+                                                    let _e836 = phi_1614_;
+                                                    let _e838 = (_e809 - _e810);
+                                                    let _e839 = (_e659 & 268435455u);
+                                                    let _e841 = (_e839 + (_e830 * _e722));
+                                                    let _e843 = (_e839 + (select(0u, _e825, _e836) * _e722));
+                                                    let _e844 = (_e841 + _e773);
+                                                    let _e845 = (_e841 + _e780);
+                                                    let _e846 = (_e843 + _e773);
+                                                    let _e847 = (_e843 + _e780);
+                                                    if (_e844 < _e82) {
                                                     } else {
-                                                        phi_2072_ = true;
+                                                        phi_2058_ = true;
                                                         break;
                                                     }
-                                                    let _e854 = surfaces.member[_e848];
-                                                    if (_e849 < _e82) {
+                                                    let _e850 = surfaces.member[_e844];
+                                                    if (_e845 < _e82) {
                                                     } else {
-                                                        phi_2072_ = true;
+                                                        phi_2058_ = true;
                                                         break;
                                                     }
-                                                    let _e857 = surfaces.member[_e849];
-                                                    if (_e850 < _e82) {
+                                                    let _e853 = surfaces.member[_e845];
+                                                    if (_e846 < _e82) {
                                                     } else {
-                                                        phi_2072_ = true;
+                                                        phi_2058_ = true;
                                                         break;
                                                     }
-                                                    let _e860 = surfaces.member[_e850];
-                                                    if (_e851 < _e82) {
+                                                    let _e856 = surfaces.member[_e846];
+                                                    if (_e847 < _e82) {
                                                     } else {
-                                                        phi_2072_ = true;
+                                                        phi_2058_ = true;
                                                         break;
                                                     }
-                                                    let _e863 = surfaces.member[_e851];
-                                                    let _e880 = (1f - _e783);
-                                                    phi_1709_ = ((_e674 * (((((f32((_e854 >> bitcast<u32>(24i))) * 0.003921569f) * _e880) + ((f32((_e857 >> bitcast<u32>(24i))) * 0.003921569f) * _e783)) * (1f - _e842)) + ((((f32((_e860 >> bitcast<u32>(24i))) * 0.003921569f) * _e880) + ((f32((_e863 >> bitcast<u32>(24i))) * 0.003921569f) * _e783)) * _e842))) < _e679);
+                                                    let _e859 = surfaces.member[_e847];
+                                                    let _e876 = (1f - _e781);
+                                                    phi_1695_ = ((_e674 * (((((f32((_e850 >> bitcast<u32>(24i))) * 0.003921569f) * _e876) + ((f32((_e853 >> bitcast<u32>(24i))) * 0.003921569f) * _e781)) * (1f - _e838)) + ((((f32((_e856 >> bitcast<u32>(24i))) * 0.003921569f) * _e876) + ((f32((_e859 >> bitcast<u32>(24i))) * 0.003921569f) * _e781)) * _e838))) < _e679);
                                                 }
-                                                let _e895 = phi_1709_;
-                                                phi_1714_ = select(true, false, _e895);
+                                                let _e891 = phi_1695_;
+                                                phi_1700_ = select(true, false, _e891);
                                             }
-                                            let _e898 = phi_1714_;
-                                            if _e898 {
-                                                phi_1719_ = type_42(_e633[0], _e259.member_1, _e633[1], _e633[2]);
+                                            let _e894 = phi_1700_;
+                                            if _e894 {
+                                                phi_1705_ = type_42(_e633[0], _e259.member_1, _e633[1], _e633[2]);
                                             } else {
-                                                phi_1719_ = type_42();
+                                                phi_1705_ = type_42();
                                             }
-                                            let _e901 = phi_1719_;
-                                            phi_1721_ = _e901;
-                                            phi_1723_ = select(true, false, _e898);
+                                            let _e897 = phi_1705_;
+                                            phi_1707_ = _e897;
+                                            phi_1709_ = select(true, false, _e894);
                                         } else {
-                                            phi_1721_ = type_42();
-                                            phi_1723_ = false;
+                                            phi_1707_ = type_42();
+                                            phi_1709_ = false;
                                         }
-                                        let _e904 = phi_1721_;
-                                        let _e906 = phi_1723_;
-                                        phi_1724_ = _e904;
-                                        phi_1726_ = select(true, false, _e640);
-                                        phi_1727_ = _e906;
+                                        let _e900 = phi_1707_;
+                                        let _e902 = phi_1709_;
+                                        phi_1710_ = _e900;
+                                        phi_1712_ = select(true, false, _e640);
+                                        phi_1713_ = _e902;
                                     } else {
-                                        phi_1724_ = type_42();
-                                        phi_1726_ = false;
-                                        phi_1727_ = false;
+                                        phi_1710_ = type_42();
+                                        phi_1712_ = false;
+                                        phi_1713_ = false;
                                     }
-                                    let _e909 = phi_1724_;
-                                    let _e911 = phi_1726_;
-                                    let _e913 = phi_1727_;
-                                    phi_1728_ = _e909;
-                                    phi_1729_ = select(true, false, _e639);
-                                    phi_1730_ = _e911;
-                                    phi_1731_ = _e913;
+                                    let _e905 = phi_1710_;
+                                    let _e907 = phi_1712_;
+                                    let _e909 = phi_1713_;
+                                    phi_1714_ = _e905;
+                                    phi_1715_ = select(true, false, _e639);
+                                    phi_1716_ = _e907;
+                                    phi_1717_ = _e909;
                                 } else {
-                                    phi_1728_ = type_42();
-                                    phi_1729_ = true;
-                                    phi_1730_ = false;
-                                    phi_1731_ = false;
+                                    phi_1714_ = type_42();
+                                    phi_1715_ = true;
+                                    phi_1716_ = false;
+                                    phi_1717_ = false;
                                 }
-                                let _e916 = phi_1728_;
-                                let _e918 = phi_1729_;
-                                let _e920 = phi_1730_;
-                                let _e922 = phi_1731_;
-                                if select(select(_e922, false, _e918), true, select(_e920, true, _e918)) {
-                                    phi_1744_ = _e244;
+                                let _e912 = phi_1714_;
+                                let _e914 = phi_1715_;
+                                let _e916 = phi_1716_;
+                                let _e918 = phi_1717_;
+                                if select(select(_e918, false, _e914), true, select(_e916, true, _e914)) {
+                                    phi_1730_ = _e244;
                                 } else {
-                                    phi_1744_ = _e916;
+                                    phi_1730_ = _e912;
                                 }
-                                let _e927 = phi_1744_;
-                                phi_922_ = _e927;
+                                let _e923 = phi_1730_;
+                                phi_922_ = _e923;
                             } else {
                                 phi_922_ = type_42();
                             }
-                            let _e929 = phi_922_;
+                            let _e925 = phi_922_;
                             continue;
                             continuing {
                                 phi_918_ = _e257;
-                                phi_921_ = _e929;
-                                phi_2072_ = _e228;
+                                phi_921_ = _e925;
+                                phi_2058_ = _e228;
                                 break if !(_e263);
                             }
                         }
-                        let _e932 = phi_2072_;
-                        phi_2226_ = _e932;
-                        phi_1828_ = type_42();
-                        if _e932 {
+                        let _e928 = phi_2058_;
+                        phi_2208_ = _e928;
+                        phi_1814_ = type_42();
+                        if _e928 {
                             break;
                         }
-                        phi_2162_ = _e932;
-                        phi_1745_ = 0u;
-                        phi_1746_ = _e232;
-                        let _e1350 = local_7;
-                        phi_427_ = _e1350;
+                        phi_2144_ = _e928;
+                        phi_1731_ = 0u;
+                        phi_1732_ = _e232;
+                        let _e1344 = local_7;
+                        phi_427_ = _e1344;
                     }
-                    let _e1214 = phi_2162_;
-                    let _e1216 = phi_1745_;
-                    let _e1218 = phi_1746_;
-                    let _e1220 = phi_427_;
-                    phi_422_ = _e1216;
-                    phi_425_ = _e1218;
+                    let _e1210 = phi_2144_;
+                    let _e1212 = phi_1731_;
+                    let _e1214 = phi_1732_;
+                    let _e1216 = phi_427_;
+                    phi_422_ = _e1212;
+                    phi_425_ = _e1214;
                     loop {
-                        let _e1222 = phi_422_;
-                        let _e1224 = phi_425_;
-                        local_5 = _e1222;
-                        local_6 = _e1224;
-                        let _e1225 = (_e1222 == 0u);
-                        local_4 = _e1225;
-                        if _e1225 {
-                            let _e1226 = (_e1224 > 0u);
-                            if _e1226 {
-                                let _e1227 = (_e1224 - 1u);
-                                let _e1228 = (_e1227 < 64u);
-                                if _e1228 {
+                        let _e1218 = phi_422_;
+                        let _e1220 = phi_425_;
+                        local_5 = _e1218;
+                        local_6 = _e1220;
+                        let _e1221 = (_e1218 == 0u);
+                        local_4 = _e1221;
+                        if _e1221 {
+                            let _e1222 = (_e1220 > 0u);
+                            if _e1222 {
+                                let _e1223 = (_e1220 - 1u);
+                                let _e1224 = (_e1223 < 64u);
+                                if _e1224 {
                                 } else {
-                                    phi_2159_ = true;
+                                    phi_2141_ = true;
                                     break;
                                 }
-                                let _e1230 = local_1[_e1227];
-                                if (_e1230 <= _e1220.member) {
-                                    if _e1228 {
+                                let _e1226 = local_1[_e1223];
+                                if (_e1226 <= _e1216.member) {
+                                    if _e1224 {
                                     } else {
-                                        phi_2159_ = true;
+                                        phi_2141_ = true;
                                         break;
                                     }
-                                    let _e1234 = local[_e1227];
-                                    phi_1781_ = _e1234;
+                                    let _e1230 = local[_e1223];
+                                    phi_1767_ = _e1230;
                                 } else {
-                                    phi_1781_ = _e1222;
+                                    phi_1767_ = _e1218;
                                 }
-                                let _e1236 = phi_1781_;
-                                phi_1782_ = _e1236;
-                                phi_1783_ = _e1227;
+                                let _e1232 = phi_1767_;
+                                phi_1768_ = _e1232;
+                                phi_1769_ = _e1223;
                             } else {
-                                phi_1782_ = u32();
-                                phi_1783_ = u32();
+                                phi_1768_ = u32();
+                                phi_1769_ = u32();
                             }
-                            let _e1238 = phi_1782_;
-                            let _e1240 = phi_1783_;
-                            phi_1748_ = _e1238;
-                            phi_1750_ = _e1240;
-                            phi_1784_ = _e1226;
+                            let _e1234 = phi_1768_;
+                            let _e1236 = phi_1769_;
+                            phi_1734_ = _e1234;
+                            phi_1736_ = _e1236;
+                            phi_1770_ = _e1222;
                         } else {
-                            phi_1748_ = u32();
-                            phi_1750_ = u32();
-                            phi_1784_ = false;
+                            phi_1734_ = u32();
+                            phi_1736_ = u32();
+                            phi_1770_ = false;
                         }
-                        let _e1242 = phi_1748_;
-                        let _e1244 = phi_1750_;
-                        let _e1246 = phi_1784_;
+                        let _e1238 = phi_1734_;
+                        let _e1240 = phi_1736_;
+                        let _e1242 = phi_1770_;
                         continue;
                         continuing {
-                            phi_422_ = _e1242;
-                            phi_425_ = _e1244;
-                            phi_2159_ = _e1214;
-                            break if !(_e1246);
+                            phi_422_ = _e1238;
+                            phi_425_ = _e1240;
+                            phi_2141_ = _e1210;
+                            break if !(_e1242);
                         }
                     }
-                    let _e1249 = phi_2159_;
-                    phi_2226_ = _e1249;
-                    phi_1828_ = type_42();
-                    if _e1249 {
+                    let _e1245 = phi_2141_;
+                    phi_2208_ = _e1245;
+                    phi_1814_ = type_42();
+                    if _e1245 {
                         break;
                     }
-                    let _e1251 = local_4;
+                    let _e1247 = local_4;
                     continue;
                     continuing {
-                        phi_2076_ = _e1249;
-                        let _e1271 = local_5;
-                        phi_421_ = _e1271;
-                        let _e1274 = local_6;
-                        phi_424_ = _e1274;
-                        phi_426_ = _e1220;
-                        phi_2226_ = _e1249;
-                        phi_1828_ = _e1220;
-                        break if !(select(true, false, _e1251));
+                        phi_2062_ = _e1245;
+                        let _e1267 = local_5;
+                        phi_421_ = _e1267;
+                        let _e1270 = local_6;
+                        phi_424_ = _e1270;
+                        phi_426_ = _e1216;
+                        phi_2208_ = _e1245;
+                        phi_1814_ = _e1216;
+                        break if !(select(true, false, _e1247));
                     }
                 }
-                let _e1255 = phi_2226_;
-                let _e1257 = phi_1828_;
-                if _e1255 {
+                let _e1251 = phi_2208_;
+                let _e1253 = phi_1814_;
+                if _e1251 {
                     break;
                 }
                 if (_e93 < arrayLength((&hits.member))) {
                 } else {
                     break;
                 }
-                hits.member[_e93] = _e1257;
+                hits.member[_e93] = _e1253;
             }
             break;
         }

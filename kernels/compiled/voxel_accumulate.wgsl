@@ -126,7 +126,7 @@ fn function_() {
     var phi_713_: u32;
     var phi_711_: u32;
     var phi_714_: u32;
-    var phi_4569_: bool;
+    var phi_4555_: bool;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
@@ -149,23 +149,23 @@ fn function_() {
     var local_7: u32;
     var local_8: u32;
     var phi_1191_: u32;
-    var phi_3934_: bool;
-    var phi_3973_: bool;
-    var phi_4012_: bool;
+    var phi_3920_: bool;
+    var phi_3959_: bool;
+    var phi_3998_: bool;
     var phi_1387_: bool;
     var phi_1388_: bool;
     var phi_1389_: bool;
     var phi_1398_: type_39;
-    var phi_4967_: bool;
-    var phi_4583_: i32;
-    var phi_4580_: i32;
-    var phi_4577_: i32;
-    var phi_4574_: i32;
-    var phi_4582_: i32;
-    var phi_4579_: i32;
-    var phi_4576_: i32;
-    var phi_4573_: i32;
-    var phi_4575_: i32;
+    var phi_4953_: bool;
+    var phi_4569_: i32;
+    var phi_4566_: i32;
+    var phi_4563_: i32;
+    var phi_4560_: i32;
+    var phi_4568_: i32;
+    var phi_4565_: i32;
+    var phi_4562_: i32;
+    var phi_4559_: i32;
+    var phi_4561_: i32;
     var phi_1618_: bool;
     var phi_1648_: bool;
     var phi_1678_: bool;
@@ -211,54 +211,54 @@ fn function_() {
     var phi_2042_: bool;
     var phi_2043_: bool;
     var phi_2044_: bool;
-    var phi_4873_: i32;
+    var phi_4859_: i32;
     var phi_2057_: bool;
     var local_9: bool;
-    var phi_4732_: i32;
+    var phi_4718_: i32;
     var phi_2110_: vec3<f32>;
     var phi_2111_: vec3<f32>;
-    var phi_4062_: type_33;
-    var phi_4065_: type_33;
-    var phi_4066_: bool;
-    var phi_4071_: type_33;
-    var phi_4073_: type_33;
-    var phi_4109_: type_33;
-    var phi_4112_: type_33;
-    var phi_4113_: bool;
-    var phi_4118_: type_33;
-    var phi_4120_: type_33;
-    var phi_4168_: type_33;
-    var phi_4217_: type_33;
-    var phi_4220_: type_33;
-    var phi_4221_: bool;
-    var phi_4226_: type_33;
-    var phi_4228_: type_33;
-    var phi_4264_: type_33;
-    var phi_4267_: type_33;
-    var phi_4268_: bool;
-    var phi_4273_: type_33;
-    var phi_4275_: type_33;
-    var phi_4323_: type_33;
-    var phi_4372_: type_33;
-    var phi_4375_: type_33;
-    var phi_4376_: bool;
-    var phi_4381_: type_33;
-    var phi_4383_: type_33;
-    var phi_4419_: type_33;
-    var phi_4422_: type_33;
-    var phi_4423_: bool;
-    var phi_4428_: type_33;
-    var phi_4430_: type_33;
-    var phi_4478_: type_33;
+    var phi_4048_: type_33;
+    var phi_4051_: type_33;
+    var phi_4052_: bool;
+    var phi_4057_: type_33;
+    var phi_4059_: type_33;
+    var phi_4095_: type_33;
+    var phi_4098_: type_33;
+    var phi_4099_: bool;
+    var phi_4104_: type_33;
+    var phi_4106_: type_33;
+    var phi_4154_: type_33;
+    var phi_4203_: type_33;
+    var phi_4206_: type_33;
+    var phi_4207_: bool;
+    var phi_4212_: type_33;
+    var phi_4214_: type_33;
+    var phi_4250_: type_33;
+    var phi_4253_: type_33;
+    var phi_4254_: bool;
+    var phi_4259_: type_33;
+    var phi_4261_: type_33;
+    var phi_4309_: type_33;
+    var phi_4358_: type_33;
+    var phi_4361_: type_33;
+    var phi_4362_: bool;
+    var phi_4367_: type_33;
+    var phi_4369_: type_33;
+    var phi_4405_: type_33;
+    var phi_4408_: type_33;
+    var phi_4409_: bool;
+    var phi_4414_: type_33;
+    var phi_4416_: type_33;
+    var phi_4464_: type_33;
     var phi_2153_: type_33;
-    var phi_5488_: i32;
-    var phi_4872_: i32;
-    var phi_4848_: i32;
-    var phi_4818_: i32;
-    var phi_5487_: i32;
-    var phi_4871_: i32;
-    var phi_4847_: i32;
-    var phi_4817_: i32;
+    var phi_5462_: i32;
+    var phi_4858_: i32;
+    var phi_4834_: i32;
+    var phi_4804_: i32;
+    var phi_5461_: i32;
+    var phi_4857_: i32;
+    var phi_4833_: i32;
+    var phi_4803_: i32;
     var phi_2193_: bool;
     var local_10: bool;
     var local_11: i32;
@@ -267,7 +267,7 @@ fn function_() {
     var phi_2223_: u32;
     var phi_2234_: vec3<f32>;
     var phi_2235_: vec3<f32>;
-    var phi_4959_: bool;
+    var phi_4945_: bool;
     var phi_2291_: type_12;
     var phi_2292_: type_12;
     var phi_2315_: type_12;
@@ -277,7 +277,7 @@ fn function_() {
     var phi_2353_: type_12;
     var phi_2388_: f32;
     var phi_2331_: f32;
-    var phi_4954_: bool;
+    var phi_4940_: bool;
     var local_14: f32;
     var phi_2444_: f32;
     var phi_2449_: type_12;
@@ -294,12 +294,12 @@ fn function_() {
     var phi_2453_: f32;
     var phi_2455_: vec3<f32>;
     var phi_2457_: u32;
-    var phi_5169_: bool;
+    var phi_5155_: bool;
     var local_15: u32;
-    var phi_5186_: bool;
-    var phi_5185_: bool;
-    var phi_5184_: bool;
-    var phi_5183_: bool;
+    var phi_5172_: bool;
+    var phi_5171_: bool;
+    var phi_5170_: bool;
+    var phi_5169_: bool;
     var phi_2578_: type_12;
     var phi_2581_: vec3<f32>;
     var phi_2583_: f32;
@@ -315,7 +315,7 @@ fn function_() {
     var phi_2586_: f32;
     var phi_2588_: f32;
     var phi_2590_: f32;
-    var phi_5187_: bool;
+    var phi_5173_: bool;
     var local_16: f32;
     var local_17: f32;
     var local_18: f32;
@@ -343,37 +343,35 @@ fn function_() {
     var local_33: u32;
     var phi_2914_: f32;
     var phi_2929_: f32;
-    var phi_2939_: bool;
-    var phi_2964_: u32;
-    var phi_2974_: u32;
-    var phi_2983_: bool;
-    var phi_2999_: bool;
-    var phi_3000_: bool;
-    var phi_3023_: f32;
-    var phi_3038_: f32;
-    var phi_3048_: bool;
-    var phi_3073_: u32;
-    var phi_3083_: u32;
-    var phi_3092_: bool;
-    var phi_3108_: bool;
-    var phi_3109_: bool;
-    var phi_3332_: type_30;
+    var phi_2957_: u32;
+    var phi_2967_: u32;
+    var phi_2976_: bool;
+    var phi_2992_: bool;
+    var phi_2993_: bool;
+    var phi_3016_: f32;
+    var phi_3031_: f32;
+    var phi_3059_: u32;
+    var phi_3069_: u32;
+    var phi_3078_: bool;
+    var phi_3094_: bool;
+    var phi_3095_: bool;
+    var phi_3318_: type_30;
     var local_34: u32;
     var local_35: u32;
     var local_36: u32;
-    var phi_3439_: vec3<f32>;
-    var phi_3475_: u32;
-    var phi_3486_: vec3<f32>;
-    var phi_3487_: vec3<f32>;
-    var phi_3522_: type_12;
-    var phi_3525_: u32;
-    var phi_3523_: type_12;
-    var phi_3548_: type_12;
-    var phi_3573_: u32;
-    var phi_3526_: u32;
+    var phi_3425_: vec3<f32>;
+    var phi_3461_: u32;
+    var phi_3472_: vec3<f32>;
+    var phi_3473_: vec3<f32>;
+    var phi_3508_: type_12;
+    var phi_3511_: u32;
+    var phi_3509_: type_12;
+    var phi_3534_: type_12;
+    var phi_3559_: u32;
+    var phi_3512_: u32;
     var local_37: u32;
-    var phi_5196_: bool;
-    var phi_5195_: bool;
+    var phi_5182_: bool;
+    var phi_5181_: bool;
     var local_38: i32;
     var local_39: i32;
     var local_40: i32;
@@ -419,7 +417,7 @@ fn function_() {
                         let _e123 = (_e120 + _e122);
                         if (_e123 < _e103) {
                         } else {
-                            phi_4569_ = true;
+                            phi_4555_ = true;
                             break;
                         }
                         let _e127 = tile_first.member[_e123];
@@ -435,11 +433,11 @@ fn function_() {
                     continuing {
                         phi_710_ = _e132;
                         phi_713_ = _e134;
-                        phi_4569_ = false;
+                        phi_4555_ = false;
                         break if !(_e121);
                     }
                 }
-                let _e137 = phi_4569_;
+                let _e137 = phi_4555_;
                 if _e137 {
                     break;
                 }
@@ -720,11 +718,11 @@ fn function_() {
                 let _e556 = ((_e549 * _e548) - (_e550 * _e547));
                 let _e559 = (abs(_e549) + abs(_e550));
                 if (select(_e556, _e553, (_e553 < _e556)) > (0.5f * _e559)) {
-                    phi_3934_ = true;
+                    phi_3920_ = true;
                 } else {
-                    phi_3934_ = (select(_e556, _e553, (_e553 > _e556)) < (_e559 * -0.5f));
+                    phi_3920_ = (select(_e556, _e553, (_e553 > _e556)) < (_e559 * -0.5f));
                 }
-                let _e569 = phi_3934_;
+                let _e569 = phi_3920_;
                 if _e569 {
                     phi_1388_ = bool();
                     phi_1389_ = true;
@@ -735,11 +733,11 @@ fn function_() {
                     let _e577 = ((_e570 * _e540) - (_e571 * _e539));
                     let _e580 = (abs(_e570) + abs(_e571));
                     if (select(_e577, _e574, (_e574 < _e577)) > (0.5f * _e580)) {
-                        phi_3973_ = true;
+                        phi_3959_ = true;
                     } else {
-                        phi_3973_ = (select(_e577, _e574, (_e574 > _e577)) < (_e580 * -0.5f));
+                        phi_3959_ = (select(_e577, _e574, (_e574 > _e577)) < (_e580 * -0.5f));
                     }
-                    let _e590 = phi_3973_;
+                    let _e590 = phi_3959_;
                     if _e590 {
                         phi_1387_ = bool();
                     } else {
@@ -749,11 +747,11 @@ fn function_() {
                         let _e598 = ((_e591 * _e544) - (_e592 * _e543));
                         let _e601 = (abs(_e591) + abs(_e592));
                         if (select(_e598, _e595, (_e595 < _e598)) > (0.5f * _e601)) {
-                            phi_4012_ = true;
+                            phi_3998_ = true;
                         } else {
-                            phi_4012_ = (select(_e598, _e595, (_e595 > _e598)) < (_e601 * -0.5f));
+                            phi_3998_ = (select(_e598, _e595, (_e595 > _e598)) < (_e601 * -0.5f));
                         }
-                        let _e611 = phi_4012_;
+                        let _e611 = phi_3998_;
                         phi_1387_ = _e611;
                     }
                     let _e613 = phi_1387_;
@@ -768,31 +766,31 @@ fn function_() {
                     phi_1398_ = type_39(_e333, _e458, _e526, select(_e527, _e528, (_e528 < _e527)), _e489, _e496, _e531, _e461, 0i, -1i, _e522);
                 }
                 let _e621 = phi_1398_;
-                phi_4967_ = _e137;
-                phi_4583_ = _e621.member_6;
-                phi_4580_ = _e621.member_9;
-                phi_4577_ = _e621.member_8;
-                phi_4574_ = _e621.member_7;
+                phi_4953_ = _e137;
+                phi_4569_ = _e621.member_6;
+                phi_4566_ = _e621.member_9;
+                phi_4563_ = _e621.member_8;
+                phi_4560_ = _e621.member_7;
                 loop {
-                    let _e640 = phi_4967_;
-                    let _e642 = phi_4583_;
-                    let _e644 = phi_4580_;
-                    let _e646 = phi_4577_;
-                    let _e648 = phi_4574_;
-                    phi_4582_ = _e642;
-                    phi_4579_ = _e644;
-                    phi_4576_ = _e646;
-                    phi_4573_ = _e648;
+                    let _e640 = phi_4953_;
+                    let _e642 = phi_4569_;
+                    let _e644 = phi_4566_;
+                    let _e646 = phi_4563_;
+                    let _e648 = phi_4560_;
+                    phi_4568_ = _e642;
+                    phi_4565_ = _e644;
+                    phi_4562_ = _e646;
+                    phi_4559_ = _e648;
                     loop {
-                        let _e650 = phi_4582_;
-                        let _e652 = phi_4579_;
-                        let _e654 = phi_4576_;
-                        let _e656 = phi_4573_;
+                        let _e650 = phi_4568_;
+                        let _e652 = phi_4565_;
+                        let _e654 = phi_4562_;
+                        let _e656 = phi_4559_;
                         let _e657 = (_e656 < _e621.member_3);
                         if _e657 {
-                            phi_4575_ = _e654;
+                            phi_4561_ = _e654;
                             loop {
-                                let _e659 = phi_4575_;
+                                let _e659 = phi_4561_;
                                 let _e660 = (_e659 < _e652);
                                 if _e660 {
                                     let _e661 = (_e659 + 1i);
@@ -1095,13 +1093,13 @@ fn function_() {
                                     let _e1050 = phi_2042_;
                                     let _e1052 = phi_2043_;
                                     let _e1054 = phi_2044_;
-                                    phi_4873_ = _e661;
+                                    phi_4859_ = _e661;
                                     phi_2057_ = select(true, false, select(_e1050, false, select(_e1054, true, _e1052)));
                                 } else {
-                                    phi_4873_ = _e659;
+                                    phi_4859_ = _e659;
                                     phi_2057_ = false;
                                 }
-                                let _e1059 = phi_4873_;
+                                let _e1059 = phi_4859_;
                                 let _e1061 = phi_2057_;
                                 let _e1062 = select(true, false, _e660);
                                 local_9 = _e1062;
@@ -1109,7 +1107,7 @@ fn function_() {
                                 local_43 = _e1062;
                                 continue;
                                 continuing {
-                                    phi_4575_ = _e1059;
+                                    phi_4561_ = _e1059;
                                     break if !(_e1061);
                                 }
                             }
@@ -1118,11 +1116,11 @@ fn function_() {
                                 let _e1066 = (_e650 + 1i);
                                 let _e1067 = (_e1066 >= _e621.member_2);
                                 if _e1067 {
-                                    phi_4732_ = (_e656 + 1i);
+                                    phi_4718_ = (_e656 + 1i);
                                 } else {
-                                    phi_4732_ = _e656;
+                                    phi_4718_ = _e656;
                                 }
-                                let _e1070 = phi_4732_;
+                                let _e1070 = phi_4718_;
                                 let _e1071 = select(_e1066, _e621.member_1, _e1067);
                                 if _e621.member_10 {
                                     let _e1118 = (_e621.member.member_1.x - _e621.member.member.x);
@@ -1137,32 +1135,32 @@ fn function_() {
                                         if (_e1127 <= 0f) {
                                             let _e1140 = (_e1129 >= 0f);
                                             if _e1140 {
-                                                phi_4062_ = type_33(0f, 1f);
+                                                phi_4048_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4062_ = type_33();
+                                                phi_4048_ = type_33();
                                             }
-                                            let _e1142 = phi_4062_;
-                                            phi_4065_ = _e1142;
-                                            phi_4066_ = select(true, false, _e1140);
+                                            let _e1142 = phi_4048_;
+                                            phi_4051_ = _e1142;
+                                            phi_4052_ = select(true, false, _e1140);
                                         } else {
-                                            phi_4065_ = type_33();
-                                            phi_4066_ = true;
+                                            phi_4051_ = type_33();
+                                            phi_4052_ = true;
                                         }
-                                        let _e1145 = phi_4065_;
-                                        let _e1147 = phi_4066_;
+                                        let _e1145 = phi_4051_;
+                                        let _e1147 = phi_4052_;
                                         if _e1147 {
-                                            phi_4071_ = type_33(1f, 0f);
+                                            phi_4057_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4071_ = _e1145;
+                                            phi_4057_ = _e1145;
                                         }
-                                        let _e1149 = phi_4071_;
-                                        phi_4073_ = _e1149;
+                                        let _e1149 = phi_4057_;
+                                        phi_4059_ = _e1149;
                                     } else {
                                         let _e1132 = (_e1127 / _e1118);
                                         let _e1133 = (_e1129 / _e1118);
-                                        phi_4073_ = type_33(select(_e1133, _e1132, (_e1132 < _e1133)), select(_e1133, _e1132, (_e1132 > _e1133)));
+                                        phi_4059_ = type_33(select(_e1133, _e1132, (_e1132 < _e1133)), select(_e1133, _e1132, (_e1132 > _e1133)));
                                     }
-                                    let _e1151 = phi_4073_;
+                                    let _e1151 = phi_4059_;
                                     let _e1154 = f32(_e1070);
                                     let _e1155 = (_e1154 - 0.01f);
                                     let _e1156 = (_e1155 - _e621.member.member.y);
@@ -1172,44 +1170,44 @@ fn function_() {
                                         if (_e1156 <= 0f) {
                                             let _e1169 = (_e1158 >= 0f);
                                             if _e1169 {
-                                                phi_4109_ = type_33(0f, 1f);
+                                                phi_4095_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4109_ = type_33();
+                                                phi_4095_ = type_33();
                                             }
-                                            let _e1171 = phi_4109_;
-                                            phi_4112_ = _e1171;
-                                            phi_4113_ = select(true, false, _e1169);
+                                            let _e1171 = phi_4095_;
+                                            phi_4098_ = _e1171;
+                                            phi_4099_ = select(true, false, _e1169);
                                         } else {
-                                            phi_4112_ = type_33();
-                                            phi_4113_ = true;
+                                            phi_4098_ = type_33();
+                                            phi_4099_ = true;
                                         }
-                                        let _e1174 = phi_4112_;
-                                        let _e1176 = phi_4113_;
+                                        let _e1174 = phi_4098_;
+                                        let _e1176 = phi_4099_;
                                         if _e1176 {
-                                            phi_4118_ = type_33(1f, 0f);
+                                            phi_4104_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4118_ = _e1174;
+                                            phi_4104_ = _e1174;
                                         }
-                                        let _e1178 = phi_4118_;
-                                        phi_4120_ = _e1178;
+                                        let _e1178 = phi_4104_;
+                                        phi_4106_ = _e1178;
                                     } else {
                                         let _e1161 = (_e1156 / _e1121);
                                         let _e1162 = (_e1158 / _e1121);
-                                        phi_4120_ = type_33(select(_e1162, _e1161, (_e1161 < _e1162)), select(_e1162, _e1161, (_e1161 > _e1162)));
+                                        phi_4106_ = type_33(select(_e1162, _e1161, (_e1161 < _e1162)), select(_e1162, _e1161, (_e1161 > _e1162)));
                                     }
-                                    let _e1180 = phi_4120_;
+                                    let _e1180 = phi_4106_;
                                     let _e1184 = select(_e1180.member, _e1151.member, (_e1151.member > _e1180.member));
                                     let _e1186 = select(0f, _e1184, (_e1184 > 0f));
                                     let _e1188 = select(_e1180.member_1, _e1151.member_1, (_e1151.member_1 < _e1180.member_1));
                                     let _e1190 = select(1f, _e1188, (_e1188 < 1f));
                                     if (_e1186 > _e1190) {
-                                        phi_4168_ = type_33(_e621.member.member_5.z, -2f);
+                                        phi_4154_ = type_33(_e621.member.member_5.z, -2f);
                                     } else {
                                         let _e1193 = (_e621.member.member.z + (_e1124 * _e1186));
                                         let _e1195 = (_e621.member.member.z + (_e1124 * _e1190));
-                                        phi_4168_ = type_33(select(_e1195, _e1193, (_e1193 < _e1195)), select(_e1195, _e1193, (_e1193 > _e1195)));
+                                        phi_4154_ = type_33(select(_e1195, _e1193, (_e1193 < _e1195)), select(_e1195, _e1193, (_e1193 > _e1195)));
                                     }
-                                    let _e1204 = phi_4168_;
+                                    let _e1204 = phi_4154_;
                                     let _e1208 = (_e621.member.member_2.x - _e621.member.member_1.x);
                                     let _e1210 = (_e621.member.member_2.y - _e621.member.member_1.y);
                                     let _e1212 = (_e621.member.member_2.z - _e621.member.member_1.z);
@@ -1219,76 +1217,76 @@ fn function_() {
                                         if (_e1213 <= 0f) {
                                             let _e1225 = (_e1214 >= 0f);
                                             if _e1225 {
-                                                phi_4217_ = type_33(0f, 1f);
+                                                phi_4203_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4217_ = type_33();
+                                                phi_4203_ = type_33();
                                             }
-                                            let _e1227 = phi_4217_;
-                                            phi_4220_ = _e1227;
-                                            phi_4221_ = select(true, false, _e1225);
+                                            let _e1227 = phi_4203_;
+                                            phi_4206_ = _e1227;
+                                            phi_4207_ = select(true, false, _e1225);
                                         } else {
-                                            phi_4220_ = type_33();
-                                            phi_4221_ = true;
+                                            phi_4206_ = type_33();
+                                            phi_4207_ = true;
                                         }
-                                        let _e1230 = phi_4220_;
-                                        let _e1232 = phi_4221_;
+                                        let _e1230 = phi_4206_;
+                                        let _e1232 = phi_4207_;
                                         if _e1232 {
-                                            phi_4226_ = type_33(1f, 0f);
+                                            phi_4212_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4226_ = _e1230;
+                                            phi_4212_ = _e1230;
                                         }
-                                        let _e1234 = phi_4226_;
-                                        phi_4228_ = _e1234;
+                                        let _e1234 = phi_4212_;
+                                        phi_4214_ = _e1234;
                                     } else {
                                         let _e1217 = (_e1213 / _e1208);
                                         let _e1218 = (_e1214 / _e1208);
-                                        phi_4228_ = type_33(select(_e1218, _e1217, (_e1217 < _e1218)), select(_e1218, _e1217, (_e1217 > _e1218)));
+                                        phi_4214_ = type_33(select(_e1218, _e1217, (_e1217 < _e1218)), select(_e1218, _e1217, (_e1217 > _e1218)));
                                     }
-                                    let _e1236 = phi_4228_;
+                                    let _e1236 = phi_4214_;
                                     let _e1239 = (_e1155 - _e621.member.member_1.y);
                                     let _e1240 = (_e1157 - _e621.member.member_1.y);
                                     if (abs(_e1210) < 0.000001f) {
                                         if (_e1239 <= 0f) {
                                             let _e1251 = (_e1240 >= 0f);
                                             if _e1251 {
-                                                phi_4264_ = type_33(0f, 1f);
+                                                phi_4250_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4264_ = type_33();
+                                                phi_4250_ = type_33();
                                             }
-                                            let _e1253 = phi_4264_;
-                                            phi_4267_ = _e1253;
-                                            phi_4268_ = select(true, false, _e1251);
+                                            let _e1253 = phi_4250_;
+                                            phi_4253_ = _e1253;
+                                            phi_4254_ = select(true, false, _e1251);
                                         } else {
-                                            phi_4267_ = type_33();
-                                            phi_4268_ = true;
+                                            phi_4253_ = type_33();
+                                            phi_4254_ = true;
                                         }
-                                        let _e1256 = phi_4267_;
-                                        let _e1258 = phi_4268_;
+                                        let _e1256 = phi_4253_;
+                                        let _e1258 = phi_4254_;
                                         if _e1258 {
-                                            phi_4273_ = type_33(1f, 0f);
+                                            phi_4259_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4273_ = _e1256;
+                                            phi_4259_ = _e1256;
                                         }
-                                        let _e1260 = phi_4273_;
-                                        phi_4275_ = _e1260;
+                                        let _e1260 = phi_4259_;
+                                        phi_4261_ = _e1260;
                                     } else {
                                         let _e1243 = (_e1239 / _e1210);
                                         let _e1244 = (_e1240 / _e1210);
-                                        phi_4275_ = type_33(select(_e1244, _e1243, (_e1243 < _e1244)), select(_e1244, _e1243, (_e1243 > _e1244)));
+                                        phi_4261_ = type_33(select(_e1244, _e1243, (_e1243 < _e1244)), select(_e1244, _e1243, (_e1243 > _e1244)));
                                     }
-                                    let _e1262 = phi_4275_;
+                                    let _e1262 = phi_4261_;
                                     let _e1266 = select(_e1262.member, _e1236.member, (_e1236.member > _e1262.member));
                                     let _e1268 = select(0f, _e1266, (_e1266 > 0f));
                                     let _e1270 = select(_e1262.member_1, _e1236.member_1, (_e1236.member_1 < _e1262.member_1));
                                     let _e1272 = select(1f, _e1270, (_e1270 < 1f));
                                     if (_e1268 > _e1272) {
-                                        phi_4323_ = type_33(_e621.member.member_5.z, -2f);
+                                        phi_4309_ = type_33(_e621.member.member_5.z, -2f);
                                     } else {
                                         let _e1275 = (_e621.member.member_1.z + (_e1212 * _e1268));
                                         let _e1277 = (_e621.member.member_1.z + (_e1212 * _e1272));
-                                        phi_4323_ = type_33(select(_e1277, _e1275, (_e1275 < _e1277)), select(_e1277, _e1275, (_e1275 > _e1277)));
+                                        phi_4309_ = type_33(select(_e1277, _e1275, (_e1275 < _e1277)), select(_e1277, _e1275, (_e1275 > _e1277)));
                                     }
-                                    let _e1286 = phi_4323_;
+                                    let _e1286 = phi_4309_;
                                     let _e1289 = (_e621.member.member.x - _e621.member.member_2.x);
                                     let _e1290 = (_e621.member.member.y - _e621.member.member_2.y);
                                     let _e1291 = (_e621.member.member.z - _e621.member.member_2.z);
@@ -1298,76 +1296,76 @@ fn function_() {
                                         if (_e1292 <= 0f) {
                                             let _e1304 = (_e1293 >= 0f);
                                             if _e1304 {
-                                                phi_4372_ = type_33(0f, 1f);
+                                                phi_4358_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4372_ = type_33();
+                                                phi_4358_ = type_33();
                                             }
-                                            let _e1306 = phi_4372_;
-                                            phi_4375_ = _e1306;
-                                            phi_4376_ = select(true, false, _e1304);
+                                            let _e1306 = phi_4358_;
+                                            phi_4361_ = _e1306;
+                                            phi_4362_ = select(true, false, _e1304);
                                         } else {
-                                            phi_4375_ = type_33();
-                                            phi_4376_ = true;
+                                            phi_4361_ = type_33();
+                                            phi_4362_ = true;
                                         }
-                                        let _e1309 = phi_4375_;
-                                        let _e1311 = phi_4376_;
+                                        let _e1309 = phi_4361_;
+                                        let _e1311 = phi_4362_;
                                         if _e1311 {
-                                            phi_4381_ = type_33(1f, 0f);
+                                            phi_4367_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4381_ = _e1309;
+                                            phi_4367_ = _e1309;
                                         }
-                                        let _e1313 = phi_4381_;
-                                        phi_4383_ = _e1313;
+                                        let _e1313 = phi_4367_;
+                                        phi_4369_ = _e1313;
                                     } else {
                                         let _e1296 = (_e1292 / _e1289);
                                         let _e1297 = (_e1293 / _e1289);
-                                        phi_4383_ = type_33(select(_e1297, _e1296, (_e1296 < _e1297)), select(_e1297, _e1296, (_e1296 > _e1297)));
+                                        phi_4369_ = type_33(select(_e1297, _e1296, (_e1296 < _e1297)), select(_e1297, _e1296, (_e1296 > _e1297)));
                                     }
-                                    let _e1315 = phi_4383_;
+                                    let _e1315 = phi_4369_;
                                     let _e1318 = (_e1155 - _e621.member.member_2.y);
                                     let _e1319 = (_e1157 - _e621.member.member_2.y);
                                     if (abs(_e1290) < 0.000001f) {
                                         if (_e1318 <= 0f) {
                                             let _e1330 = (_e1319 >= 0f);
                                             if _e1330 {
-                                                phi_4419_ = type_33(0f, 1f);
+                                                phi_4405_ = type_33(0f, 1f);
                                             } else {
-                                                phi_4419_ = type_33();
+                                                phi_4405_ = type_33();
                                             }
-                                            let _e1332 = phi_4419_;
-                                            phi_4422_ = _e1332;
-                                            phi_4423_ = select(true, false, _e1330);
+                                            let _e1332 = phi_4405_;
+                                            phi_4408_ = _e1332;
+                                            phi_4409_ = select(true, false, _e1330);
                                         } else {
-                                            phi_4422_ = type_33();
-                                            phi_4423_ = true;
+                                            phi_4408_ = type_33();
+                                            phi_4409_ = true;
                                         }
-                                        let _e1335 = phi_4422_;
-                                        let _e1337 = phi_4423_;
+                                        let _e1335 = phi_4408_;
+                                        let _e1337 = phi_4409_;
                                         if _e1337 {
-                                            phi_4428_ = type_33(1f, 0f);
+                                            phi_4414_ = type_33(1f, 0f);
                                         } else {
-                                            phi_4428_ = _e1335;
+                                            phi_4414_ = _e1335;
                                         }
-                                        let _e1339 = phi_4428_;
-                                        phi_4430_ = _e1339;
+                                        let _e1339 = phi_4414_;
+                                        phi_4416_ = _e1339;
                                     } else {
                                         let _e1322 = (_e1318 / _e1290);
                                         let _e1323 = (_e1319 / _e1290);
-                                        phi_4430_ = type_33(select(_e1323, _e1322, (_e1322 < _e1323)), select(_e1323, _e1322, (_e1322 > _e1323)));
+                                        phi_4416_ = type_33(select(_e1323, _e1322, (_e1322 < _e1323)), select(_e1323, _e1322, (_e1322 > _e1323)));
                                     }
-                                    let _e1341 = phi_4430_;
+                                    let _e1341 = phi_4416_;
                                     let _e1345 = select(_e1341.member, _e1315.member, (_e1315.member > _e1341.member));
                                     let _e1347 = select(0f, _e1345, (_e1345 > 0f));
                                     let _e1349 = select(_e1341.member_1, _e1315.member_1, (_e1315.member_1 < _e1341.member_1));
                                     let _e1351 = select(1f, _e1349, (_e1349 < 1f));
                                     if (_e1347 > _e1351) {
-                                        phi_4478_ = type_33(_e621.member.member_5.z, -2f);
+                                        phi_4464_ = type_33(_e621.member.member_5.z, -2f);
                                     } else {
                                         let _e1354 = (_e621.member.member_2.z + (_e1291 * _e1347));
                                         let _e1356 = (_e621.member.member_2.z + (_e1291 * _e1351));
-                                        phi_4478_ = type_33(select(_e1356, _e1354, (_e1354 < _e1356)), select(_e1356, _e1354, (_e1354 > _e1356)));
+                                        phi_4464_ = type_33(select(_e1356, _e1354, (_e1354 < _e1356)), select(_e1356, _e1354, (_e1354 > _e1356)));
                                     }
-                                    let _e1365 = phi_4478_;
+                                    let _e1365 = phi_4464_;
                                     let _e1369 = select(_e1286.member, _e1204.member, (_e1204.member < _e1286.member));
                                     let _e1375 = select(_e1286.member_1, _e1204.member_1, (_e1204.member_1 > _e1286.member_1));
                                     phi_2153_ = type_33((floor(select(_e1365.member, _e1369, (_e1369 < _e1365.member))) - 1f), (floor(select(_e1365.member_1, _e1375, (_e1375 > _e1365.member_1))) + 1f));
@@ -1393,38 +1391,38 @@ fn function_() {
                                 let _e1387 = select(_e1385, _e1382.member, (_e1382.member > _e1385));
                                 let _e1396 = f32(_e621.member_5);
                                 let _e1398 = select(_e1396, _e1382.member_1, (_e1382.member_1 < _e1396));
-                                phi_5488_ = select(0i, select(select(i32(_e1398), i32(-2147483648), (_e1398 < -2147483600f)), 2147483647i, (_e1398 > 2147483500f)), (_e1398 == _e1398));
-                                phi_4872_ = (select(0i, select(select(i32(_e1387), i32(-2147483648), (_e1387 < -2147483600f)), 2147483647i, (_e1387 > 2147483500f)), (_e1387 == _e1387)) - 1i);
-                                phi_4848_ = _e1070;
-                                phi_4818_ = _e1071;
+                                phi_5462_ = select(0i, select(select(i32(_e1398), i32(-2147483648), (_e1398 < -2147483600f)), 2147483647i, (_e1398 > 2147483500f)), (_e1398 == _e1398));
+                                phi_4858_ = (select(0i, select(select(i32(_e1387), i32(-2147483648), (_e1387 < -2147483600f)), 2147483647i, (_e1387 > 2147483500f)), (_e1387 == _e1387)) - 1i);
+                                phi_4834_ = _e1070;
+                                phi_4804_ = _e1071;
                             } else {
-                                phi_5488_ = _e652;
-                                let _e2844 = local_42;
-                                phi_4872_ = _e2844;
-                                phi_4848_ = _e656;
-                                phi_4818_ = _e650;
+                                phi_5462_ = _e652;
+                                let _e2840 = local_42;
+                                phi_4858_ = _e2840;
+                                phi_4834_ = _e656;
+                                phi_4804_ = _e650;
                             }
-                            let _e1407 = phi_5488_;
-                            let _e1409 = phi_4872_;
-                            let _e1411 = phi_4848_;
-                            let _e1413 = phi_4818_;
-                            phi_5487_ = _e1407;
-                            phi_4871_ = _e1409;
-                            phi_4847_ = _e1411;
-                            phi_4817_ = _e1413;
-                            let _e2853 = local_43;
-                            phi_2193_ = _e2853;
+                            let _e1407 = phi_5462_;
+                            let _e1409 = phi_4858_;
+                            let _e1411 = phi_4834_;
+                            let _e1413 = phi_4804_;
+                            phi_5461_ = _e1407;
+                            phi_4857_ = _e1409;
+                            phi_4833_ = _e1411;
+                            phi_4803_ = _e1413;
+                            let _e2849 = local_43;
+                            phi_2193_ = _e2849;
                         } else {
-                            phi_5487_ = _e652;
-                            phi_4871_ = _e654;
-                            phi_4847_ = _e656;
-                            phi_4817_ = _e650;
+                            phi_5461_ = _e652;
+                            phi_4857_ = _e654;
+                            phi_4833_ = _e656;
+                            phi_4803_ = _e650;
                             phi_2193_ = false;
                         }
-                        let _e1415 = phi_5487_;
-                        let _e1417 = phi_4871_;
-                        let _e1419 = phi_4847_;
-                        let _e1421 = phi_4817_;
+                        let _e1415 = phi_5461_;
+                        let _e1417 = phi_4857_;
+                        let _e1419 = phi_4833_;
+                        let _e1421 = phi_4803_;
                         let _e1423 = phi_2193_;
                         local_38 = _e1421;
                         local_39 = _e1415;
@@ -1436,10 +1434,10 @@ fn function_() {
                         local_13 = _e1417;
                         continue;
                         continuing {
-                            phi_4582_ = _e1421;
-                            phi_4579_ = _e1415;
-                            phi_4576_ = _e1417;
-                            phi_4573_ = _e1419;
+                            phi_4568_ = _e1421;
+                            phi_4565_ = _e1415;
+                            phi_4562_ = _e1417;
+                            phi_4559_ = _e1419;
                             break if !(_e1423);
                         }
                     }
@@ -1476,10 +1474,10 @@ fn function_() {
                         let _e1469 = select(select(u32(_e1451.z), 0u, (_e1451.z < 0f)), 4294967295u, (_e1451.z > 4294967000f));
                         local_1.member = array<vec3<f32>, 10>((_e248 - _e1439), (_e255 - _e1439), (_e262 - _e1439), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         local_1.member_1 = 3u;
-                        phi_4959_ = _e640;
+                        phi_4945_ = _e640;
                         phi_2291_ = type_12(0u, 6u);
                         loop {
-                            let _e1477 = phi_4959_;
+                            let _e1477 = phi_4945_;
                             let _e1479 = phi_2291_;
                             if (_e1479.member < _e1479.member_1) {
                                 phi_2292_ = type_12((_e1479.member + 1u), _e1479.member_1);
@@ -1512,7 +1510,7 @@ fn function_() {
                                     if _e1523 {
                                         if (_e1519.member_1 < 10u) {
                                         } else {
-                                            phi_4954_ = true;
+                                            phi_4940_ = true;
                                             break;
                                         }
                                         let _e1527 = local_1.member[_e1519.member_1];
@@ -1533,22 +1531,22 @@ fn function_() {
                                     continuing {
                                         phi_2327_ = _e1517;
                                         phi_2330_ = _e1545;
-                                        phi_4954_ = _e1477;
+                                        phi_4940_ = _e1477;
                                         break if !(_e1523);
                                     }
                                 }
-                                let _e1548 = phi_4954_;
-                                phi_5183_ = _e1548;
+                                let _e1548 = phi_4940_;
+                                phi_5169_ = _e1548;
                                 if _e1548 {
                                     break;
                                 }
                                 let _e1550 = local_14;
                                 if (_e1550 >= 0f) {
-                                    phi_5185_ = _e1548;
+                                    phi_5171_ = _e1548;
                                 } else {
                                     let _e1552 = local_1.member_1;
                                     if (_e1552 == 0u) {
-                                        phi_5186_ = _e1548;
+                                        phi_5172_ = _e1548;
                                     } else {
                                         local[0u] = vec3<f32>(0f, 0f, 0f);
                                         local[1u] = vec3<f32>(0f, 0f, 0f);
@@ -1564,7 +1562,7 @@ fn function_() {
                                         let _e1565 = (_e1564 - 1u);
                                         if (_e1565 < 10u) {
                                         } else {
-                                            phi_5183_ = true;
+                                            phi_5169_ = true;
                                             break;
                                         }
                                         let _e1569 = local_1.member[_e1565];
@@ -1603,7 +1601,7 @@ fn function_() {
                                             if _e1612 {
                                                 if (_e1608.member_1 < 10u) {
                                                 } else {
-                                                    phi_5169_ = true;
+                                                    phi_5155_ = true;
                                                     break;
                                                 }
                                                 let _e1616 = local_1.member[_e1608.member_1];
@@ -1620,7 +1618,7 @@ fn function_() {
                                                         let _e1636 = (_e1589 / (_e1589 - _e1624));
                                                         if _e1628 {
                                                         } else {
-                                                            phi_5169_ = true;
+                                                            phi_5155_ = true;
                                                             break;
                                                         }
                                                         local[_e1593] = (_e1591 + vec3<f32>(((_e1616.x - _e1591.x) * _e1636), ((_e1616.y - _e1591.y) * _e1636), ((_e1616.z - _e1591.z) * _e1636)));
@@ -1639,7 +1637,7 @@ fn function_() {
                                                     if _e1649 {
                                                         if _e1649 {
                                                         } else {
-                                                            phi_5169_ = true;
+                                                            phi_5155_ = true;
                                                             break;
                                                         }
                                                         local[_e1647] = _e1616;
@@ -1670,12 +1668,12 @@ fn function_() {
                                                 phi_2452_ = _e1657;
                                                 phi_2454_ = _e1659;
                                                 phi_2456_ = _e1661;
-                                                phi_5169_ = _e1548;
+                                                phi_5155_ = _e1548;
                                                 break if !(_e1612);
                                             }
                                         }
-                                        let _e1664 = phi_5169_;
-                                        phi_5183_ = _e1664;
+                                        let _e1664 = phi_5155_;
+                                        phi_5169_ = _e1664;
                                         if _e1664 {
                                             break;
                                         }
@@ -1683,27 +1681,27 @@ fn function_() {
                                         local_1.member = _e1665;
                                         let _e1667 = local_15;
                                         local_1.member_1 = _e1667;
-                                        phi_5186_ = _e1664;
+                                        phi_5172_ = _e1664;
                                     }
-                                    let _e1669 = phi_5186_;
-                                    phi_5185_ = _e1669;
+                                    let _e1669 = phi_5172_;
+                                    phi_5171_ = _e1669;
                                 }
-                                let _e1671 = phi_5185_;
-                                phi_5184_ = _e1671;
+                                let _e1671 = phi_5171_;
+                                phi_5170_ = _e1671;
                             } else {
-                                phi_5184_ = _e1477;
+                                phi_5170_ = _e1477;
                             }
-                            let _e1673 = phi_5184_;
+                            let _e1673 = phi_5170_;
                             continue;
                             continuing {
-                                phi_4959_ = _e1673;
+                                phi_4945_ = _e1673;
                                 phi_2291_ = _e1492;
-                                phi_5183_ = _e1673;
+                                phi_5169_ = _e1673;
                                 break if !(_e1498);
                             }
                         }
-                        let _e1676 = phi_5183_;
-                        phi_5195_ = _e1676;
+                        let _e1676 = phi_5169_;
+                        phi_5181_ = _e1676;
                         if _e1676 {
                             break;
                         }
@@ -1746,7 +1744,7 @@ fn function_() {
                             if _e1715 {
                                 if (_e1711.member_1 < 10u) {
                                 } else {
-                                    phi_5187_ = true;
+                                    phi_5173_ = true;
                                     break;
                                 }
                                 let _e1719 = local_1.member[_e1711.member_1];
@@ -1755,7 +1753,7 @@ fn function_() {
                                 if (_e1729 < _e1730) {
                                     if (_e1729 < 10u) {
                                     } else {
-                                        phi_5187_ = true;
+                                        phi_5173_ = true;
                                         break;
                                     }
                                     let _e1735 = local_1.member[_e1729];
@@ -1803,12 +1801,12 @@ fn function_() {
                                 phi_2585_ = _e1791;
                                 phi_2587_ = _e1793;
                                 phi_2589_ = _e1795;
-                                phi_5187_ = _e1676;
+                                phi_5173_ = _e1676;
                                 break if !(_e1715);
                             }
                         }
-                        let _e1798 = phi_5187_;
-                        phi_5195_ = _e1798;
+                        let _e1798 = phi_5173_;
+                        phi_5181_ = _e1798;
                         if _e1798 {
                             break;
                         }
@@ -1864,7 +1862,7 @@ fn function_() {
                         let _e1868 = local_27;
                         if (_e1868 < arrayLength((&attributes.member))) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
                         let _e1870 = ((_e1853 + _e1432) - _e248.x);
@@ -1898,7 +1896,7 @@ fn function_() {
                         let _e1947 = attributes.member[_e1943].member[5u];
                         let _e1949 = (((_e1930 * _e1897) + (_e1938 * _e1887)) + (_e1947 * _e1895));
                         if (_e394 == 4294967295u) {
-                            phi_3332_ = type_30(vec3<f32>(_e377, _e383, _e389), _e423);
+                            phi_3318_ = type_30(vec3<f32>(_e377, _e383, _e389), _e423);
                         } else {
                             let _e1952 = (_e417 & 65535u);
                             let _e1954 = (_e417 >> bitcast<u32>(16i));
@@ -1919,457 +1917,445 @@ fn function_() {
                                 phi_2929_ = _e1968;
                             }
                             let _e1975 = phi_2929_;
-                            if (_e1975 >= 0f) {
-                                phi_2939_ = select(true, false, (_e1975 <= 1f));
+                            let _e1982 = ((select(0f, _e1975, (abs((_e1975 - 0.5f)) <= 0.5f)) * f32(_e1952)) - 0.5f);
+                            let _e1983 = floor(_e1982);
+                            let _e1984 = (_e1983 < 0f);
+                            if _e1984 {
+                                phi_2957_ = 0u;
                             } else {
-                                phi_2939_ = true;
+                                let _e1989 = select(select(u32(_e1983), 0u, (_e1983 < 0f)), 4294967295u, (_e1983 > 4294967000f));
+                                phi_2957_ = select(_e1989, _e1958, (_e1958 < _e1989));
                             }
-                            let _e1980 = phi_2939_;
-                            let _e1984 = ((select(_e1975, 0f, _e1980) * f32(_e1952)) - 0.5f);
-                            let _e1985 = floor(_e1984);
-                            let _e1986 = (_e1985 < 0f);
-                            if _e1986 {
-                                phi_2964_ = 0u;
+                            let _e1993 = phi_2957_;
+                            if _e1984 {
+                                phi_2967_ = 0u;
                             } else {
-                                let _e1991 = select(select(u32(_e1985), 0u, (_e1985 < 0f)), 4294967295u, (_e1985 > 4294967000f));
-                                phi_2964_ = select(_e1991, _e1958, (_e1958 < _e1991));
+                                let _e1994 = (_e1993 + 1u);
+                                phi_2967_ = select(_e1994, _e1958, (_e1958 < _e1994));
                             }
-                            let _e1995 = phi_2964_;
-                            if _e1986 {
-                                phi_2974_ = 0u;
+                            let _e1998 = phi_2967_;
+                            let _e1999 = (_e1957 == 0u);
+                            if _e1999 {
+                                phi_2976_ = select(true, false, _e1984);
                             } else {
-                                let _e1996 = (_e1995 + 1u);
-                                phi_2974_ = select(_e1996, _e1958, (_e1958 < _e1996));
+                                phi_2976_ = true;
                             }
-                            let _e2000 = phi_2974_;
-                            let _e2001 = (_e1957 == 0u);
-                            if _e2001 {
-                                phi_2983_ = select(true, false, _e1986);
-                            } else {
-                                phi_2983_ = true;
-                            }
-                            let _e2004 = phi_2983_;
-                            let _e2005 = select(_e1958, _e1995, _e2004);
-                            if _e2001 {
-                                if _e1986 {
-                                    phi_2999_ = true;
+                            let _e2002 = phi_2976_;
+                            let _e2003 = select(_e1958, _e1993, _e2002);
+                            if _e1999 {
+                                if _e1984 {
+                                    phi_2992_ = true;
                                 } else {
-                                    phi_2999_ = select(true, false, (_e2005 == _e1958));
+                                    phi_2992_ = select(true, false, (_e2003 == _e1958));
                                 }
-                                let _e2009 = phi_2999_;
-                                phi_3000_ = _e2009;
+                                let _e2007 = phi_2992_;
+                                phi_2993_ = _e2007;
                             } else {
-                                phi_3000_ = true;
+                                phi_2993_ = true;
                             }
-                            let _e2011 = phi_3000_;
-                            let _e2012 = select(0u, _e2000, _e2011);
-                            let _e2013 = (_e1984 - _e1985);
-                            let _e2016 = ((_e394 >> bitcast<u32>(30u)) & 3u);
-                            let _e2017 = (_e1954 - 1u);
-                            let _e2019 = select(1f, 2f, (_e2016 == 2u));
-                            let _e2023 = (_e1949 - (floor((_e1949 / _e2019)) * _e2019));
-                            if (_e2023 > 1f) {
-                                phi_3023_ = (_e2019 - _e2023);
+                            let _e2009 = phi_2993_;
+                            let _e2010 = select(0u, _e1998, _e2009);
+                            let _e2011 = (_e1982 - _e1983);
+                            let _e2014 = ((_e394 >> bitcast<u32>(30u)) & 3u);
+                            let _e2015 = (_e1954 - 1u);
+                            let _e2017 = select(1f, 2f, (_e2014 == 2u));
+                            let _e2021 = (_e1949 - (floor((_e1949 / _e2017)) * _e2017));
+                            if (_e2021 > 1f) {
+                                phi_3016_ = (_e2017 - _e2021);
                             } else {
-                                phi_3023_ = _e2023;
+                                phi_3016_ = _e2021;
                             }
-                            let _e2027 = phi_3023_;
-                            if (_e2016 == 1u) {
-                                let _e2030 = select(0f, _e1949, (_e1949 > 0f));
-                                phi_3038_ = select(1f, _e2030, (_e2030 < 1f));
+                            let _e2025 = phi_3016_;
+                            if (_e2014 == 1u) {
+                                let _e2028 = select(0f, _e1949, (_e1949 > 0f));
+                                phi_3031_ = select(1f, _e2028, (_e2028 < 1f));
                             } else {
-                                phi_3038_ = _e2027;
+                                phi_3031_ = _e2025;
                             }
-                            let _e2034 = phi_3038_;
-                            if (_e2034 >= 0f) {
-                                phi_3048_ = select(true, false, (_e2034 <= 1f));
+                            let _e2032 = phi_3031_;
+                            let _e2039 = ((select(0f, _e2032, (abs((_e2032 - 0.5f)) <= 0.5f)) * f32(_e1954)) - 0.5f);
+                            let _e2040 = floor(_e2039);
+                            let _e2041 = (_e2040 < 0f);
+                            if _e2041 {
+                                phi_3059_ = 0u;
                             } else {
-                                phi_3048_ = true;
+                                let _e2046 = select(select(u32(_e2040), 0u, (_e2040 < 0f)), 4294967295u, (_e2040 > 4294967000f));
+                                phi_3059_ = select(_e2046, _e2015, (_e2015 < _e2046));
                             }
-                            let _e2039 = phi_3048_;
-                            let _e2043 = ((select(_e2034, 0f, _e2039) * f32(_e1954)) - 0.5f);
-                            let _e2044 = floor(_e2043);
-                            let _e2045 = (_e2044 < 0f);
-                            if _e2045 {
-                                phi_3073_ = 0u;
+                            let _e2050 = phi_3059_;
+                            if _e2041 {
+                                phi_3069_ = 0u;
                             } else {
-                                let _e2050 = select(select(u32(_e2044), 0u, (_e2044 < 0f)), 4294967295u, (_e2044 > 4294967000f));
-                                phi_3073_ = select(_e2050, _e2017, (_e2017 < _e2050));
+                                let _e2051 = (_e2050 + 1u);
+                                phi_3069_ = select(_e2051, _e2015, (_e2015 < _e2051));
                             }
-                            let _e2054 = phi_3073_;
-                            if _e2045 {
-                                phi_3083_ = 0u;
+                            let _e2055 = phi_3069_;
+                            let _e2056 = (_e2014 == 0u);
+                            if _e2056 {
+                                phi_3078_ = select(true, false, _e2041);
                             } else {
-                                let _e2055 = (_e2054 + 1u);
-                                phi_3083_ = select(_e2055, _e2017, (_e2017 < _e2055));
+                                phi_3078_ = true;
                             }
-                            let _e2059 = phi_3083_;
-                            let _e2060 = (_e2016 == 0u);
-                            if _e2060 {
-                                phi_3092_ = select(true, false, _e2045);
-                            } else {
-                                phi_3092_ = true;
-                            }
-                            let _e2063 = phi_3092_;
-                            let _e2064 = select(_e2017, _e2054, _e2063);
-                            if _e2060 {
-                                if _e2045 {
-                                    phi_3108_ = true;
+                            let _e2059 = phi_3078_;
+                            let _e2060 = select(_e2015, _e2050, _e2059);
+                            if _e2056 {
+                                if _e2041 {
+                                    phi_3094_ = true;
                                 } else {
-                                    phi_3108_ = select(true, false, (_e2064 == _e2017));
+                                    phi_3094_ = select(true, false, (_e2060 == _e2015));
                                 }
-                                let _e2068 = phi_3108_;
-                                phi_3109_ = _e2068;
+                                let _e2064 = phi_3094_;
+                                phi_3095_ = _e2064;
                             } else {
-                                phi_3109_ = true;
+                                phi_3095_ = true;
                             }
-                            let _e2070 = phi_3109_;
-                            let _e2072 = (_e2043 - _e2044);
-                            let _e2073 = (_e394 & 268435455u);
-                            let _e2075 = (_e2073 + (_e2064 * _e1952));
-                            let _e2077 = (_e2073 + (select(0u, _e2059, _e2070) * _e1952));
-                            let _e2078 = (_e2075 + _e2005);
-                            let _e2079 = (_e2075 + _e2012);
-                            let _e2080 = (_e2077 + _e2005);
-                            let _e2081 = (_e2077 + _e2012);
-                            if (_e2078 < _e101) {
+                            let _e2066 = phi_3095_;
+                            let _e2068 = (_e2039 - _e2040);
+                            let _e2069 = (_e394 & 268435455u);
+                            let _e2071 = (_e2069 + (_e2060 * _e1952));
+                            let _e2073 = (_e2069 + (select(0u, _e2055, _e2066) * _e1952));
+                            let _e2074 = (_e2071 + _e2003);
+                            let _e2075 = (_e2071 + _e2010);
+                            let _e2076 = (_e2073 + _e2003);
+                            let _e2077 = (_e2073 + _e2010);
+                            if (_e2074 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2085 = surfaces.member[_e2078];
-                            if (_e2079 < _e101) {
+                            let _e2081 = surfaces.member[_e2074];
+                            if (_e2075 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2089 = surfaces.member[_e2079];
-                            if (_e2080 < _e101) {
+                            let _e2085 = surfaces.member[_e2075];
+                            if (_e2076 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2093 = surfaces.member[_e2080];
-                            if (_e2081 < _e101) {
+                            let _e2089 = surfaces.member[_e2076];
+                            if (_e2077 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2097 = surfaces.member[_e2081];
-                            let _e2098 = (_e2085 & 255u);
-                            if (_e2098 < _e101) {
+                            let _e2093 = surfaces.member[_e2077];
+                            let _e2094 = (_e2081 & 255u);
+                            if (_e2094 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2102 = surfaces.member[_e2098];
-                            let _e2106 = ((_e2085 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2106 < _e101) {
+                            let _e2098 = surfaces.member[_e2094];
+                            let _e2102 = ((_e2081 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2102 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2110 = surfaces.member[_e2106];
-                            let _e2114 = ((_e2085 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2114 < _e101) {
+                            let _e2106 = surfaces.member[_e2102];
+                            let _e2110 = ((_e2081 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2110 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2118 = surfaces.member[_e2114];
-                            let _e2120 = (1f - _e2013);
-                            let _e2124 = (_e2089 & 255u);
-                            if (_e2124 < _e101) {
+                            let _e2114 = surfaces.member[_e2110];
+                            let _e2116 = (1f - _e2011);
+                            let _e2120 = (_e2085 & 255u);
+                            if (_e2120 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2128 = surfaces.member[_e2124];
-                            let _e2132 = ((_e2089 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2132 < _e101) {
+                            let _e2124 = surfaces.member[_e2120];
+                            let _e2128 = ((_e2085 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2128 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2136 = surfaces.member[_e2132];
-                            let _e2140 = ((_e2089 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2140 < _e101) {
+                            let _e2132 = surfaces.member[_e2128];
+                            let _e2136 = ((_e2085 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2136 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2144 = surfaces.member[_e2140];
-                            let _e2152 = (_e2093 & 255u);
-                            if (_e2152 < _e101) {
+                            let _e2140 = surfaces.member[_e2136];
+                            let _e2148 = (_e2089 & 255u);
+                            if (_e2148 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2156 = surfaces.member[_e2152];
-                            let _e2160 = ((_e2093 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2160 < _e101) {
+                            let _e2152 = surfaces.member[_e2148];
+                            let _e2156 = ((_e2089 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2156 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2164 = surfaces.member[_e2160];
-                            let _e2168 = ((_e2093 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2168 < _e101) {
+                            let _e2160 = surfaces.member[_e2156];
+                            let _e2164 = ((_e2089 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2164 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2172 = surfaces.member[_e2168];
-                            let _e2177 = (_e2097 & 255u);
-                            if (_e2177 < _e101) {
+                            let _e2168 = surfaces.member[_e2164];
+                            let _e2173 = (_e2093 & 255u);
+                            if (_e2173 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2181 = surfaces.member[_e2177];
-                            let _e2185 = ((_e2097 >> bitcast<u32>(8i)) & 255u);
-                            if (_e2185 < _e101) {
+                            let _e2177 = surfaces.member[_e2173];
+                            let _e2181 = ((_e2093 >> bitcast<u32>(8i)) & 255u);
+                            if (_e2181 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2189 = surfaces.member[_e2185];
-                            let _e2193 = ((_e2097 >> bitcast<u32>(16i)) & 255u);
-                            if (_e2193 < _e101) {
+                            let _e2185 = surfaces.member[_e2181];
+                            let _e2189 = ((_e2093 >> bitcast<u32>(16i)) & 255u);
+                            if (_e2189 < _e101) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2197 = surfaces.member[_e2193];
-                            let _e2205 = (1f - _e2072);
-                            phi_3332_ = type_30(vec3<f32>((_e377 * ((((bitcast<f32>(_e2102) * _e2120) + (bitcast<f32>(_e2128) * _e2013)) * _e2205) + (((bitcast<f32>(_e2156) * _e2120) + (bitcast<f32>(_e2181) * _e2013)) * _e2072))), (_e383 * ((((bitcast<f32>(_e2110) * _e2120) + (bitcast<f32>(_e2136) * _e2013)) * _e2205) + (((bitcast<f32>(_e2164) * _e2120) + (bitcast<f32>(_e2189) * _e2013)) * _e2072))), (_e389 * ((((bitcast<f32>(_e2118) * _e2120) + (bitcast<f32>(_e2144) * _e2013)) * _e2205) + (((bitcast<f32>(_e2172) * _e2120) + (bitcast<f32>(_e2197) * _e2013)) * _e2072)))), (_e423 * (((((f32((_e2085 >> bitcast<u32>(24i))) * 0.003921569f) * _e2120) + ((f32((_e2089 >> bitcast<u32>(24i))) * 0.003921569f) * _e2013)) * _e2205) + ((((f32((_e2093 >> bitcast<u32>(24i))) * 0.003921569f) * _e2120) + ((f32((_e2097 >> bitcast<u32>(24i))) * 0.003921569f) * _e2013)) * _e2072))));
+                            let _e2193 = surfaces.member[_e2189];
+                            let _e2201 = (1f - _e2068);
+                            phi_3318_ = type_30(vec3<f32>((_e377 * ((((bitcast<f32>(_e2098) * _e2116) + (bitcast<f32>(_e2124) * _e2011)) * _e2201) + (((bitcast<f32>(_e2152) * _e2116) + (bitcast<f32>(_e2177) * _e2011)) * _e2068))), (_e383 * ((((bitcast<f32>(_e2106) * _e2116) + (bitcast<f32>(_e2132) * _e2011)) * _e2201) + (((bitcast<f32>(_e2160) * _e2116) + (bitcast<f32>(_e2185) * _e2011)) * _e2068))), (_e389 * ((((bitcast<f32>(_e2114) * _e2116) + (bitcast<f32>(_e2140) * _e2011)) * _e2201) + (((bitcast<f32>(_e2168) * _e2116) + (bitcast<f32>(_e2193) * _e2011)) * _e2068)))), (_e423 * (((((f32((_e2081 >> bitcast<u32>(24i))) * 0.003921569f) * _e2116) + ((f32((_e2085 >> bitcast<u32>(24i))) * 0.003921569f) * _e2011)) * _e2201) + ((((f32((_e2089 >> bitcast<u32>(24i))) * 0.003921569f) * _e2116) + ((f32((_e2093 >> bitcast<u32>(24i))) * 0.003921569f) * _e2011)) * _e2068))));
                         }
-                        let _e2248 = phi_3332_;
-                        let _e2252 = local_34;
-                        let _e2256 = attributes.member[_e2252].member_2[0u];
-                        let _e2259 = local_35;
-                        let _e2263 = attributes.member[_e2259].member_2[1u];
-                        let _e2267 = local_36;
-                        let _e2271 = attributes.member[_e2267].member_2[2u];
-                        if (((_e2256 | _e2263) | _e2271) == 0u) {
-                            phi_3439_ = vec3<f32>(1f, 1f, 1f);
+                        let _e2244 = phi_3318_;
+                        let _e2248 = local_34;
+                        let _e2252 = attributes.member[_e2248].member_2[0u];
+                        let _e2255 = local_35;
+                        let _e2259 = attributes.member[_e2255].member_2[1u];
+                        let _e2263 = local_36;
+                        let _e2267 = attributes.member[_e2263].member_2[2u];
+                        if (((_e2252 | _e2259) | _e2267) == 0u) {
+                            phi_3425_ = vec3<f32>(1f, 1f, 1f);
                         } else {
-                            let _e2287 = (1f - (f32((_e2256 & 1023u)) * 0.0009775171f));
-                            let _e2288 = (1f - (f32(((_e2256 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e2289 = (1f - (f32(((_e2256 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            let _e2309 = (1f - (f32((_e2263 & 1023u)) * 0.0009775171f));
-                            let _e2310 = (1f - (f32(((_e2263 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e2311 = (1f - (f32(((_e2263 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            let _e2334 = (1f - (f32((_e2271 & 1023u)) * 0.0009775171f));
-                            let _e2335 = (1f - (f32(((_e2271 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
-                            let _e2336 = (1f - (f32(((_e2271 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
-                            phi_3439_ = vec3<f32>(((((_e2287 * _e2287) * _e1897) + ((_e2309 * _e2309) * _e1887)) + ((_e2334 * _e2334) * _e1895)), ((((_e2288 * _e2288) * _e1897) + ((_e2310 * _e2310) * _e1887)) + ((_e2335 * _e2335) * _e1895)), ((((_e2289 * _e2289) * _e1897) + ((_e2311 * _e2311) * _e1887)) + ((_e2336 * _e2336) * _e1895)));
+                            let _e2283 = (1f - (f32((_e2252 & 1023u)) * 0.0009775171f));
+                            let _e2284 = (1f - (f32(((_e2252 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e2285 = (1f - (f32(((_e2252 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e2305 = (1f - (f32((_e2259 & 1023u)) * 0.0009775171f));
+                            let _e2306 = (1f - (f32(((_e2259 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e2307 = (1f - (f32(((_e2259 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            let _e2330 = (1f - (f32((_e2267 & 1023u)) * 0.0009775171f));
+                            let _e2331 = (1f - (f32(((_e2267 >> bitcast<u32>(10i)) & 1023u)) * 0.0009775171f));
+                            let _e2332 = (1f - (f32(((_e2267 >> bitcast<u32>(20i)) & 1023u)) * 0.0009775171f));
+                            phi_3425_ = vec3<f32>(((((_e2283 * _e2283) * _e1897) + ((_e2305 * _e2305) * _e1887)) + ((_e2330 * _e2330) * _e1895)), ((((_e2284 * _e2284) * _e1897) + ((_e2306 * _e2306) * _e1887)) + ((_e2331 * _e2331) * _e1895)), ((((_e2285 * _e2285) * _e1897) + ((_e2307 * _e2307) * _e1887)) + ((_e2332 * _e2332) * _e1895)));
                         }
-                        let _e2348 = phi_3439_;
-                        let _e2351 = (_e2248.member.x * _e2348.x);
-                        let _e2354 = (_e2248.member.y * _e2348.y);
-                        let _e2357 = (_e2248.member.z * _e2348.z);
+                        let _e2344 = phi_3425_;
+                        let _e2347 = (_e2244.member.x * _e2344.x);
+                        let _e2350 = (_e2244.member.y * _e2344.y);
+                        let _e2353 = (_e2244.member.z * _e2344.z);
                         if (_e223 == 2u) {
-                            phi_3475_ = 2u;
+                            phi_3461_ = 2u;
                         } else {
-                            phi_3475_ = (1u - _e223);
+                            phi_3461_ = (1u - _e223);
                         }
-                        let _e2370 = phi_3475_;
-                        if (_e2370 == 0u) {
-                            phi_3487_ = vec3<f32>(_e1858, _e1863, _e1853);
+                        let _e2366 = phi_3461_;
+                        if (_e2366 == 0u) {
+                            phi_3473_ = vec3<f32>(_e1858, _e1863, _e1853);
                         } else {
-                            if (_e2370 == 1u) {
-                                phi_3486_ = vec3<f32>(_e1863, _e1853, _e1858);
+                            if (_e2366 == 1u) {
+                                phi_3472_ = vec3<f32>(_e1863, _e1853, _e1858);
                             } else {
-                                phi_3486_ = vec3<f32>(_e1853, _e1858, _e1863);
+                                phi_3472_ = vec3<f32>(_e1853, _e1858, _e1863);
                             }
-                            let _e2375 = phi_3486_;
-                            phi_3487_ = _e2375;
+                            let _e2371 = phi_3472_;
+                            phi_3473_ = _e2371;
                         }
-                        let _e2378 = phi_3487_;
-                        let _e2382 = params.member.member_2[0u];
-                        let _e2396 = (((_e2382.z + (_e1457 >> bitcast<u32>(2i))) + (_e2382.x * (_e1463 >> bitcast<u32>(2i)))) + (_e2382.y * (_e1469 >> bitcast<u32>(1i))));
-                        let _e2419 = cells.member[((2u * _e2396) + 1u)];
-                        phi_3522_ = type_12(0u, 6u);
-                        phi_3525_ = _e2419;
+                        let _e2374 = phi_3473_;
+                        let _e2378 = params.member.member_2[0u];
+                        let _e2392 = (((_e2378.z + (_e1457 >> bitcast<u32>(2i))) + (_e2378.x * (_e1463 >> bitcast<u32>(2i)))) + (_e2378.y * (_e1469 >> bitcast<u32>(1i))));
+                        let _e2415 = cells.member[((2u * _e2392) + 1u)];
+                        phi_3508_ = type_12(0u, 6u);
+                        phi_3511_ = _e2415;
                         loop {
-                            let _e2421 = phi_3522_;
-                            let _e2423 = phi_3525_;
-                            local_37 = _e2423;
-                            if (_e2421.member < _e2421.member_1) {
-                                phi_3523_ = type_12((_e2421.member + 1u), _e2421.member_1);
-                                phi_3548_ = type_12(1u, _e2421.member);
+                            let _e2417 = phi_3508_;
+                            let _e2419 = phi_3511_;
+                            local_37 = _e2419;
+                            if (_e2417.member < _e2417.member_1) {
+                                phi_3509_ = type_12((_e2417.member + 1u), _e2417.member_1);
+                                phi_3534_ = type_12(1u, _e2417.member);
                             } else {
-                                phi_3523_ = _e2421;
-                                phi_3548_ = type_12(0u, type_12().member_1);
+                                phi_3509_ = _e2417;
+                                phi_3534_ = type_12(0u, type_12().member_1);
                             }
-                            let _e2436 = phi_3523_;
-                            let _e2438 = phi_3548_;
-                            let _e2442 = (bitcast<i32>(_e2438.member) != 0i);
-                            if _e2442 {
-                                let _e2446 = facet_bits.member[((_e2396 * 6u) + _e2438.member_1)];
-                                let _e2447 = ((((((_e1457 & 1u) | ((_e1463 & 1u) << bitcast<u32>(1i))) | ((_e1469 & 1u) << bitcast<u32>(2i))) | ((_e1457 & 2u) << bitcast<u32>(2i))) | ((_e1463 & 2u) << bitcast<u32>(3i))) & 31u);
-                                let _e2453 = (_e2423 + countOneBits((_e2446 & ((1u << bitcast<u32>(_e2447)) - 1u))));
-                                if (_e2438.member_1 < ((2u * _e341) + select(0u, 1u, (_e346 < 0f)))) {
-                                    phi_3573_ = (_e2453 + ((_e2446 >> bitcast<u32>(_e2447)) & 1u));
+                            let _e2432 = phi_3509_;
+                            let _e2434 = phi_3534_;
+                            let _e2438 = (bitcast<i32>(_e2434.member) != 0i);
+                            if _e2438 {
+                                let _e2442 = facet_bits.member[((_e2392 * 6u) + _e2434.member_1)];
+                                let _e2443 = ((((((_e1457 & 1u) | ((_e1463 & 1u) << bitcast<u32>(1i))) | ((_e1469 & 1u) << bitcast<u32>(2i))) | ((_e1457 & 2u) << bitcast<u32>(2i))) | ((_e1463 & 2u) << bitcast<u32>(3i))) & 31u);
+                                let _e2449 = (_e2419 + countOneBits((_e2442 & ((1u << bitcast<u32>(_e2443)) - 1u))));
+                                if (_e2434.member_1 < ((2u * _e341) + select(0u, 1u, (_e346 < 0f)))) {
+                                    phi_3559_ = (_e2449 + ((_e2442 >> bitcast<u32>(_e2443)) & 1u));
                                 } else {
-                                    phi_3573_ = _e2453;
+                                    phi_3559_ = _e2449;
                                 }
-                                let _e2460 = phi_3573_;
-                                phi_3526_ = _e2460;
+                                let _e2456 = phi_3559_;
+                                phi_3512_ = _e2456;
                             } else {
-                                phi_3526_ = u32();
+                                phi_3512_ = u32();
                             }
-                            let _e2462 = phi_3526_;
+                            let _e2458 = phi_3512_;
                             continue;
                             continuing {
-                                phi_3522_ = _e2436;
-                                phi_3525_ = _e2462;
-                                break if !(_e2442);
+                                phi_3508_ = _e2432;
+                                phi_3511_ = _e2458;
+                                break if !(_e2438);
                             }
                         }
-                        let _e2466 = local_37;
-                        let _e2467 = (_e2466 * 13u);
-                        let _e2470 = params.member.member_7;
-                        let _e2473 = floor((((select(_e1847, 0f, select(_e1817, true, _e1819)) * select(1f, 0f, (_e2248.member_1 < bitcast<f32>(_e428)))) * _e2470) + 0.5f));
-                        let _e2475 = select(_e2473, 1f, (_e2473 < 1f));
-                        let _e2480 = select(select(u32(_e2475), 0u, (_e2475 < 0f)), 4294967295u, (_e2475 > 4294967000f));
-                        if (_e2467 < _e105) {
+                        let _e2462 = local_37;
+                        let _e2463 = (_e2462 * 13u);
+                        let _e2466 = params.member.member_7;
+                        let _e2469 = floor((((select(_e1847, 0f, select(_e1817, true, _e1819)) * select(1f, 0f, (_e2244.member_1 < bitcast<f32>(_e428)))) * _e2466) + 0.5f));
+                        let _e2471 = select(_e2469, 1f, (_e2469 < 1f));
+                        let _e2476 = select(select(u32(_e2471), 0u, (_e2471 < 0f)), 4294967295u, (_e2471 > 4294967000f));
+                        if (_e2463 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2484 = atomicAdd((&sums.member[_e2467]), _e2480);
-                        if (_e2484 >= (2147483648u - select(_e2480, 2147483648u, (2147483648u < _e2480)))) {
-                            let _e2491 = params.member.member_5;
-                            let _e2492 = (_e2491 * 13u);
-                            if (_e2492 < _e105) {
+                        let _e2480 = atomicAdd((&sums.member[_e2463]), _e2476);
+                        if (_e2480 >= (2147483648u - select(_e2476, 2147483648u, (2147483648u < _e2476)))) {
+                            let _e2487 = params.member.member_5;
+                            let _e2488 = (_e2487 * 13u);
+                            if (_e2488 < _e105) {
                             } else {
-                                phi_5195_ = true;
+                                phi_5181_ = true;
                                 break;
                             }
-                            let _e2496 = atomicOr((&sums.member[_e2492]), 1u);
+                            let _e2492 = atomicOr((&sums.member[_e2488]), 1u);
                         }
-                        let _e2497 = (_e2467 + 1u);
-                        let _e2505 = floor(((_e364.x * _e2475) + 0.5f));
-                        if (_e2497 < _e105) {
+                        let _e2493 = (_e2463 + 1u);
+                        let _e2501 = floor(((_e364.x * _e2471) + 0.5f));
+                        if (_e2493 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2517 = atomicAdd((&sums.member[_e2497]), bitcast<u32>(select(0i, select(select(i32(_e2505), i32(-2147483648), (_e2505 < -2147483600f)), 2147483647i, (_e2505 > 2147483500f)), (_e2505 == _e2505))));
-                        let _e2518 = (_e2467 + 2u);
-                        let _e2520 = floor(((_e364.y * _e2475) + 0.5f));
-                        if (_e2518 < _e105) {
+                        let _e2513 = atomicAdd((&sums.member[_e2493]), bitcast<u32>(select(0i, select(select(i32(_e2501), i32(-2147483648), (_e2501 < -2147483600f)), 2147483647i, (_e2501 > 2147483500f)), (_e2501 == _e2501))));
+                        let _e2514 = (_e2463 + 2u);
+                        let _e2516 = floor(((_e364.y * _e2471) + 0.5f));
+                        if (_e2514 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2532 = atomicAdd((&sums.member[_e2518]), bitcast<u32>(select(0i, select(select(i32(_e2520), i32(-2147483648), (_e2520 < -2147483600f)), 2147483647i, (_e2520 > 2147483500f)), (_e2520 == _e2520))));
-                        let _e2533 = (_e2467 + 3u);
-                        let _e2535 = floor(((_e364.z * _e2475) + 0.5f));
-                        if (_e2533 < _e105) {
+                        let _e2528 = atomicAdd((&sums.member[_e2514]), bitcast<u32>(select(0i, select(select(i32(_e2516), i32(-2147483648), (_e2516 < -2147483600f)), 2147483647i, (_e2516 > 2147483500f)), (_e2516 == _e2516))));
+                        let _e2529 = (_e2463 + 3u);
+                        let _e2531 = floor(((_e364.z * _e2471) + 0.5f));
+                        if (_e2529 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2547 = atomicAdd((&sums.member[_e2533]), bitcast<u32>(select(0i, select(select(i32(_e2535), i32(-2147483648), (_e2535 < -2147483600f)), 2147483647i, (_e2535 > 2147483500f)), (_e2535 == _e2535))));
-                        let _e2548 = (_e2467 + 4u);
-                        let _e2556 = floor(((_e2378.x * _e2475) + 0.5f));
-                        if (_e2548 < _e105) {
+                        let _e2543 = atomicAdd((&sums.member[_e2529]), bitcast<u32>(select(0i, select(select(i32(_e2531), i32(-2147483648), (_e2531 < -2147483600f)), 2147483647i, (_e2531 > 2147483500f)), (_e2531 == _e2531))));
+                        let _e2544 = (_e2463 + 4u);
+                        let _e2552 = floor(((_e2374.x * _e2471) + 0.5f));
+                        if (_e2544 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2568 = atomicAdd((&sums.member[_e2548]), bitcast<u32>(select(0i, select(select(i32(_e2556), i32(-2147483648), (_e2556 < -2147483600f)), 2147483647i, (_e2556 > 2147483500f)), (_e2556 == _e2556))));
-                        let _e2569 = (_e2467 + 5u);
-                        let _e2571 = floor(((_e2378.y * _e2475) + 0.5f));
-                        if (_e2569 < _e105) {
+                        let _e2564 = atomicAdd((&sums.member[_e2544]), bitcast<u32>(select(0i, select(select(i32(_e2552), i32(-2147483648), (_e2552 < -2147483600f)), 2147483647i, (_e2552 > 2147483500f)), (_e2552 == _e2552))));
+                        let _e2565 = (_e2463 + 5u);
+                        let _e2567 = floor(((_e2374.y * _e2471) + 0.5f));
+                        if (_e2565 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2583 = atomicAdd((&sums.member[_e2569]), bitcast<u32>(select(0i, select(select(i32(_e2571), i32(-2147483648), (_e2571 < -2147483600f)), 2147483647i, (_e2571 > 2147483500f)), (_e2571 == _e2571))));
-                        let _e2584 = (_e2467 + 6u);
-                        let _e2586 = floor(((_e2378.z * _e2475) + 0.5f));
-                        if (_e2584 < _e105) {
+                        let _e2579 = atomicAdd((&sums.member[_e2565]), bitcast<u32>(select(0i, select(select(i32(_e2567), i32(-2147483648), (_e2567 < -2147483600f)), 2147483647i, (_e2567 > 2147483500f)), (_e2567 == _e2567))));
+                        let _e2580 = (_e2463 + 6u);
+                        let _e2582 = floor(((_e2374.z * _e2471) + 0.5f));
+                        if (_e2580 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2598 = atomicAdd((&sums.member[_e2584]), bitcast<u32>(select(0i, select(select(i32(_e2586), i32(-2147483648), (_e2586 < -2147483600f)), 2147483647i, (_e2586 > 2147483500f)), (_e2586 == _e2586))));
-                        let _e2599 = (_e2467 + 7u);
-                        let _e2604 = floor(((select(1f, _e2351, (_e2351 < 1f)) * _e2475) + 0.5f));
-                        if (_e2599 < _e105) {
+                        let _e2594 = atomicAdd((&sums.member[_e2580]), bitcast<u32>(select(0i, select(select(i32(_e2582), i32(-2147483648), (_e2582 < -2147483600f)), 2147483647i, (_e2582 > 2147483500f)), (_e2582 == _e2582))));
+                        let _e2595 = (_e2463 + 7u);
+                        let _e2600 = floor(((select(1f, _e2347, (_e2347 < 1f)) * _e2471) + 0.5f));
+                        if (_e2595 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2616 = atomicAdd((&sums.member[_e2599]), bitcast<u32>(select(0i, select(select(i32(_e2604), i32(-2147483648), (_e2604 < -2147483600f)), 2147483647i, (_e2604 > 2147483500f)), (_e2604 == _e2604))));
-                        let _e2617 = (_e2467 + 8u);
-                        let _e2619 = floor(((select(1f, _e2354, (_e2354 < 1f)) * _e2475) + 0.5f));
-                        if (_e2617 < _e105) {
+                        let _e2612 = atomicAdd((&sums.member[_e2595]), bitcast<u32>(select(0i, select(select(i32(_e2600), i32(-2147483648), (_e2600 < -2147483600f)), 2147483647i, (_e2600 > 2147483500f)), (_e2600 == _e2600))));
+                        let _e2613 = (_e2463 + 8u);
+                        let _e2615 = floor(((select(1f, _e2350, (_e2350 < 1f)) * _e2471) + 0.5f));
+                        if (_e2613 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2631 = atomicAdd((&sums.member[_e2617]), bitcast<u32>(select(0i, select(select(i32(_e2619), i32(-2147483648), (_e2619 < -2147483600f)), 2147483647i, (_e2619 > 2147483500f)), (_e2619 == _e2619))));
-                        let _e2632 = (_e2467 + 9u);
-                        let _e2634 = floor(((select(1f, _e2357, (_e2357 < 1f)) * _e2475) + 0.5f));
-                        if (_e2632 < _e105) {
+                        let _e2627 = atomicAdd((&sums.member[_e2613]), bitcast<u32>(select(0i, select(select(i32(_e2615), i32(-2147483648), (_e2615 < -2147483600f)), 2147483647i, (_e2615 > 2147483500f)), (_e2615 == _e2615))));
+                        let _e2628 = (_e2463 + 9u);
+                        let _e2630 = floor(((select(1f, _e2353, (_e2353 < 1f)) * _e2471) + 0.5f));
+                        if (_e2628 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2646 = atomicAdd((&sums.member[_e2632]), bitcast<u32>(select(0i, select(select(i32(_e2634), i32(-2147483648), (_e2634 < -2147483600f)), 2147483647i, (_e2634 > 2147483500f)), (_e2634 == _e2634))));
-                        let _e2647 = (_e2467 + 10u);
-                        let _e2650 = params.member.member_8;
-                        let _e2651 = (_e2475 / _e2650);
-                        let _e2656 = floor(((bitcast<f32>(_e399) * _e2651) + 0.5f));
-                        if (_e2647 < _e105) {
+                        let _e2642 = atomicAdd((&sums.member[_e2628]), bitcast<u32>(select(0i, select(select(i32(_e2630), i32(-2147483648), (_e2630 < -2147483600f)), 2147483647i, (_e2630 > 2147483500f)), (_e2630 == _e2630))));
+                        let _e2643 = (_e2463 + 10u);
+                        let _e2646 = params.member.member_8;
+                        let _e2647 = (_e2471 / _e2646);
+                        let _e2652 = floor(((bitcast<f32>(_e399) * _e2647) + 0.5f));
+                        if (_e2643 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2668 = atomicAdd((&sums.member[_e2647]), bitcast<u32>(select(0i, select(select(i32(_e2656), i32(-2147483648), (_e2656 < -2147483600f)), 2147483647i, (_e2656 > 2147483500f)), (_e2656 == _e2656))));
-                        let _e2669 = (_e2467 + 11u);
-                        let _e2671 = floor(((bitcast<f32>(_e405) * _e2651) + 0.5f));
-                        if (_e2669 < _e105) {
+                        let _e2664 = atomicAdd((&sums.member[_e2643]), bitcast<u32>(select(0i, select(select(i32(_e2652), i32(-2147483648), (_e2652 < -2147483600f)), 2147483647i, (_e2652 > 2147483500f)), (_e2652 == _e2652))));
+                        let _e2665 = (_e2463 + 11u);
+                        let _e2667 = floor(((bitcast<f32>(_e405) * _e2647) + 0.5f));
+                        if (_e2665 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2683 = atomicAdd((&sums.member[_e2669]), bitcast<u32>(select(0i, select(select(i32(_e2671), i32(-2147483648), (_e2671 < -2147483600f)), 2147483647i, (_e2671 > 2147483500f)), (_e2671 == _e2671))));
-                        let _e2684 = (_e2467 + 12u);
-                        let _e2686 = floor(((bitcast<f32>(_e411) * _e2651) + 0.5f));
-                        if (_e2684 < _e105) {
+                        let _e2679 = atomicAdd((&sums.member[_e2665]), bitcast<u32>(select(0i, select(select(i32(_e2667), i32(-2147483648), (_e2667 < -2147483600f)), 2147483647i, (_e2667 > 2147483500f)), (_e2667 == _e2667))));
+                        let _e2680 = (_e2463 + 12u);
+                        let _e2682 = floor(((bitcast<f32>(_e411) * _e2647) + 0.5f));
+                        if (_e2680 < _e105) {
                         } else {
-                            phi_5195_ = true;
+                            phi_5181_ = true;
                             break;
                         }
-                        let _e2698 = atomicAdd((&sums.member[_e2684]), bitcast<u32>(select(0i, select(select(i32(_e2686), i32(-2147483648), (_e2686 < -2147483600f)), 2147483647i, (_e2686 > 2147483500f)), (_e2686 == _e2686))));
-                        phi_5196_ = _e1798;
+                        let _e2694 = atomicAdd((&sums.member[_e2680]), bitcast<u32>(select(0i, select(select(i32(_e2682), i32(-2147483648), (_e2682 < -2147483600f)), 2147483647i, (_e2682 > 2147483500f)), (_e2682 == _e2682))));
+                        phi_5182_ = _e1798;
                     } else {
-                        phi_5196_ = _e640;
+                        phi_5182_ = _e640;
                     }
-                    let _e2700 = phi_5196_;
+                    let _e2696 = phi_5182_;
                     continue;
                     continuing {
-                        phi_4967_ = _e2700;
-                        let _e2741 = local_38;
-                        phi_4583_ = _e2741;
-                        let _e2744 = local_39;
-                        phi_4580_ = _e2744;
-                        let _e2747 = local_40;
-                        phi_4577_ = _e2747;
-                        let _e2750 = local_41;
-                        phi_4574_ = _e2750;
-                        phi_5195_ = _e2700;
+                        phi_4953_ = _e2696;
+                        let _e2737 = local_38;
+                        phi_4569_ = _e2737;
+                        let _e2740 = local_39;
+                        phi_4566_ = _e2740;
+                        let _e2743 = local_40;
+                        phi_4563_ = _e2743;
+                        let _e2746 = local_41;
+                        phi_4560_ = _e2746;
+                        phi_5181_ = _e2696;
                         break if !(_e1429);
                     }
                 }
-                let _e2703 = phi_5195_;
-                if _e2703 {
+                let _e2699 = phi_5181_;
+                if _e2699 {
                     break;
                 }
             }

@@ -148,7 +148,7 @@ fn function_() {
     var local_2: array<f32, 3>;
     var phi_1356_: vec3<f32>;
     var phi_1363_: vec3<f32>;
-    var phi_5345_: bool;
+    var phi_5331_: bool;
     var phi_1478_: type_13;
     var phi_1481_: vec3<f32>;
     var phi_1479_: type_13;
@@ -158,15 +158,15 @@ fn function_() {
     var phi_1570_: u32;
     var phi_1544_: u32;
     var phi_1547_: u32;
-    var phi_5341_: bool;
+    var phi_5327_: bool;
     var local_3: u32;
     var local_4: u32;
     var phi_1587_: f32;
-    var phi_5386_: bool;
+    var phi_5372_: bool;
     var phi_1597_: type_33;
     var phi_1598_: u32;
     var phi_1599_: f32;
-    var phi_5385_: bool;
+    var phi_5371_: bool;
     var phi_1601_: type_33;
     var phi_1602_: u32;
     var phi_1603_: f32;
@@ -177,7 +177,7 @@ fn function_() {
     var phi_1640_: u32;
     var phi_1641_: u32;
     var phi_1657_: bool;
-    var phi_5381_: bool;
+    var phi_5367_: bool;
     var phi_1664_: type_13;
     var phi_1667_: f32;
     var phi_1669_: f32;
@@ -185,8 +185,8 @@ fn function_() {
     var phi_1665_: type_13;
     var phi_1694_: type_13;
     var phi_2288_: f32;
-    var phi_4027_: f32;
-    var phi_4035_: f32;
+    var phi_4013_: f32;
+    var phi_4021_: f32;
     var phi_2046_: vec2<f32>;
     var phi_2047_: bool;
     var phi_2177_: f32;
@@ -206,8 +206,8 @@ fn function_() {
     var phi_1773_: vec3<f32>;
     var phi_1775_: vec3<f32>;
     var phi_1776_: bool;
-    var phi_4043_: f32;
-    var phi_4051_: f32;
+    var phi_4029_: f32;
+    var phi_4037_: f32;
     var phi_1850_: vec2<f32>;
     var phi_2328_: f32;
     var phi_2329_: vec3<f32>;
@@ -225,7 +225,7 @@ fn function_() {
     var phi_2578_: f32;
     var phi_2586_: f32;
     var phi_2594_: f32;
-    var phi_5359_: bool;
+    var phi_5345_: bool;
     var phi_2598_: u32;
     var phi_2601_: u32;
     var phi_3028_: type_13;
@@ -259,145 +259,143 @@ fn function_() {
     var phi_3342_: array<f32, 3>;
     var phi_3541_: f32;
     var phi_3556_: f32;
-    var phi_3566_: bool;
-    var phi_3591_: u32;
-    var phi_3601_: u32;
-    var phi_3610_: bool;
-    var phi_3626_: bool;
-    var phi_3627_: bool;
-    var phi_3650_: f32;
-    var phi_3665_: f32;
-    var phi_3675_: bool;
-    var phi_3700_: u32;
-    var phi_3710_: u32;
-    var phi_3719_: bool;
-    var phi_3735_: bool;
-    var phi_3736_: bool;
+    var phi_3584_: u32;
+    var phi_3594_: u32;
+    var phi_3603_: bool;
+    var phi_3619_: bool;
+    var phi_3620_: bool;
+    var phi_3643_: f32;
+    var phi_3658_: f32;
+    var phi_3686_: u32;
+    var phi_3696_: u32;
+    var phi_3705_: bool;
+    var phi_3721_: bool;
+    var phi_3722_: bool;
+    var phi_3803_: bool;
+    var phi_3808_: bool;
+    var phi_3813_: type_53;
+    var phi_3815_: type_53;
     var phi_3817_: bool;
-    var phi_3822_: bool;
-    var phi_3827_: type_53;
-    var phi_3829_: type_53;
-    var phi_3831_: bool;
-    var phi_3832_: type_53;
-    var phi_3834_: bool;
-    var phi_3835_: bool;
-    var phi_3836_: type_53;
-    var phi_3837_: bool;
-    var phi_3838_: bool;
-    var phi_3839_: bool;
-    var phi_3852_: type_53;
-    var phi_3859_: bool;
-    var phi_5355_: bool;
-    var phi_4018_: bool;
+    var phi_3818_: type_53;
+    var phi_3820_: bool;
+    var phi_3821_: bool;
+    var phi_3822_: type_53;
+    var phi_3823_: bool;
+    var phi_3824_: bool;
+    var phi_3825_: bool;
+    var phi_3838_: type_53;
+    var phi_3845_: bool;
+    var phi_5341_: bool;
+    var phi_4004_: bool;
     var phi_2988_: u32;
     var phi_3000_: u32;
     var phi_3012_: u32;
     var phi_3024_: u32;
-    var phi_5496_: bool;
-    var phi_3864_: u32;
-    var phi_3865_: bool;
-    var phi_3881_: u32;
-    var phi_3882_: u32;
+    var phi_5478_: bool;
+    var phi_3850_: u32;
+    var phi_3851_: bool;
+    var phi_3867_: u32;
+    var phi_3868_: u32;
     var phi_2599_: u32;
     var phi_2602_: u32;
-    var phi_3884_: bool;
-    var phi_3885_: bool;
-    var phi_5494_: bool;
-    var phi_4019_: bool;
-    var phi_3898_: f32;
-    var phi_5556_: bool;
-    var phi_3899_: f32;
-    var phi_5555_: bool;
+    var phi_3870_: bool;
+    var phi_3871_: bool;
+    var phi_5476_: bool;
+    var phi_4005_: bool;
+    var phi_3884_: f32;
+    var phi_5538_: bool;
+    var phi_3885_: f32;
+    var phi_5537_: bool;
     var phi_1668_: f32;
     var phi_1670_: f32;
     var phi_1672_: f32;
-    var phi_5554_: bool;
+    var phi_5536_: bool;
     var local_5: f32;
     var local_6: f32;
-    var phi_3912_: f32;
+    var phi_3898_: f32;
     var local_7: f32;
-    var phi_4361_: bool;
-    var phi_4372_: bool;
-    var phi_4393_: type_61;
-    var phi_4397_: type_61;
-    var phi_4398_: vec3<f32>;
-    var phi_4399_: vec3<f32>;
-    var phi_4439_: vec3<f32>;
-    var phi_4442_: vec3<f32>;
-    var phi_4443_: bool;
-    var phi_4487_: vec3<f32>;
-    var phi_4490_: vec3<f32>;
-    var phi_4491_: bool;
-    var phi_4558_: f32;
-    var phi_4566_: f32;
+    var phi_4347_: bool;
+    var phi_4358_: bool;
+    var phi_4379_: type_61;
+    var phi_4383_: type_61;
+    var phi_4384_: vec3<f32>;
+    var phi_4385_: vec3<f32>;
+    var phi_4425_: vec3<f32>;
+    var phi_4428_: vec3<f32>;
+    var phi_4429_: bool;
+    var phi_4473_: vec3<f32>;
+    var phi_4476_: vec3<f32>;
+    var phi_4477_: bool;
+    var phi_4544_: f32;
+    var phi_4552_: f32;
+    var phi_4567_: f32;
+    var phi_4573_: f32;
     var phi_4581_: f32;
-    var phi_4587_: f32;
-    var phi_4595_: f32;
-    var phi_4605_: f32;
-    var phi_4610_: type_61;
-    var phi_4620_: bool;
-    var phi_4631_: bool;
-    var phi_4652_: type_61;
-    var phi_4656_: type_61;
-    var phi_4657_: vec3<f32>;
-    var phi_4658_: vec3<f32>;
-    var phi_4698_: vec3<f32>;
-    var phi_4701_: vec3<f32>;
-    var phi_4702_: bool;
-    var phi_4746_: vec3<f32>;
-    var phi_4749_: vec3<f32>;
-    var phi_4750_: bool;
-    var phi_4817_: f32;
-    var phi_4825_: f32;
+    var phi_4591_: f32;
+    var phi_4596_: type_61;
+    var phi_4606_: bool;
+    var phi_4617_: bool;
+    var phi_4638_: type_61;
+    var phi_4642_: type_61;
+    var phi_4643_: vec3<f32>;
+    var phi_4644_: vec3<f32>;
+    var phi_4684_: vec3<f32>;
+    var phi_4687_: vec3<f32>;
+    var phi_4688_: bool;
+    var phi_4732_: vec3<f32>;
+    var phi_4735_: vec3<f32>;
+    var phi_4736_: bool;
+    var phi_4803_: f32;
+    var phi_4811_: f32;
+    var phi_4826_: f32;
+    var phi_4832_: f32;
     var phi_4840_: f32;
-    var phi_4846_: f32;
-    var phi_4854_: f32;
-    var phi_4864_: f32;
-    var phi_4869_: type_61;
-    var phi_4879_: bool;
-    var phi_4911_: type_61;
-    var phi_4915_: type_61;
-    var phi_4916_: vec3<f32>;
-    var phi_4917_: vec3<f32>;
-    var phi_4957_: vec3<f32>;
-    var phi_4960_: vec3<f32>;
-    var phi_4961_: bool;
-    var phi_5005_: vec3<f32>;
-    var phi_5008_: vec3<f32>;
-    var phi_5009_: bool;
-    var phi_5076_: f32;
-    var phi_5084_: f32;
+    var phi_4850_: f32;
+    var phi_4855_: type_61;
+    var phi_4865_: bool;
+    var phi_4897_: type_61;
+    var phi_4901_: type_61;
+    var phi_4902_: vec3<f32>;
+    var phi_4903_: vec3<f32>;
+    var phi_4943_: vec3<f32>;
+    var phi_4946_: vec3<f32>;
+    var phi_4947_: bool;
+    var phi_4991_: vec3<f32>;
+    var phi_4994_: vec3<f32>;
+    var phi_4995_: bool;
+    var phi_5062_: f32;
+    var phi_5070_: f32;
+    var phi_5085_: f32;
+    var phi_5091_: f32;
     var phi_5099_: f32;
-    var phi_5105_: f32;
-    var phi_5113_: f32;
-    var phi_5123_: f32;
-    var phi_5128_: type_61;
-    var phi_5170_: vec3<f32>;
-    var phi_5173_: vec3<f32>;
-    var phi_5174_: bool;
-    var phi_5218_: vec3<f32>;
-    var phi_5221_: vec3<f32>;
-    var phi_5222_: bool;
-    var phi_5289_: f32;
-    var phi_5297_: f32;
+    var phi_5109_: f32;
+    var phi_5114_: type_61;
+    var phi_5156_: vec3<f32>;
+    var phi_5159_: vec3<f32>;
+    var phi_5160_: bool;
+    var phi_5204_: vec3<f32>;
+    var phi_5207_: vec3<f32>;
+    var phi_5208_: bool;
+    var phi_5275_: f32;
+    var phi_5283_: f32;
+    var phi_5298_: f32;
+    var phi_5304_: f32;
     var phi_5312_: f32;
-    var phi_5318_: f32;
-    var phi_5326_: f32;
-    var phi_5336_: f32;
+    var phi_5322_: f32;
     var local_8: f32;
     var local_9: f32;
-    var phi_3946_: f32;
-    var phi_3947_: f32;
-    var phi_3948_: bool;
+    var phi_3932_: f32;
+    var phi_3933_: f32;
+    var phi_3934_: bool;
     var local_10: f32;
-    var phi_3956_: f32;
-    var phi_3957_: f32;
-    var phi_3966_: vec3<f32>;
-    var phi_5562_: bool;
-    var phi_3982_: vec3<f32>;
-    var phi_5561_: bool;
+    var phi_3942_: f32;
+    var phi_3943_: f32;
+    var phi_3952_: vec3<f32>;
+    var phi_5544_: bool;
+    var phi_3968_: vec3<f32>;
+    var phi_5543_: bool;
     var phi_1482_: vec3<f32>;
-    var phi_5560_: bool;
+    var phi_5542_: bool;
     var local_11: vec3<f32>;
     var local_12: vec3<f32>;
     var local_13: vec3<f32>;
@@ -456,11 +454,11 @@ fn function_() {
                 let _e254 = ((_e245 ^ (_e245 >> bitcast<u32>(16i))) * 2146121005u);
                 let _e258 = ((_e254 ^ (_e254 >> bitcast<u32>(15i))) * 2221713035u);
                 let _e261 = (_e258 ^ (_e258 >> bitcast<u32>(16i)));
-                phi_5345_ = false;
+                phi_5331_ = false;
                 phi_1478_ = type_13(0u, (_e247 + select(0u, 1u, (_e218 > 0u))));
                 phi_1481_ = vec3<f32>(0f, 0f, 0f);
                 loop {
-                    let _e268 = phi_5345_;
+                    let _e268 = phi_5331_;
                     let _e270 = phi_1478_;
                     let _e272 = phi_1481_;
                     local_11 = _e272;
@@ -495,7 +493,7 @@ fn function_() {
                                         let _e317 = ((_e314 + _e312) / 2u);
                                         if (_e317 < _e133) {
                                         } else {
-                                            phi_5341_ = true;
+                                            phi_5327_ = true;
                                             break;
                                         }
                                         let _e322 = lights.member[_e317].member_5;
@@ -518,19 +516,19 @@ fn function_() {
                                     continuing {
                                         phi_1543_ = _e329;
                                         phi_1546_ = _e331;
-                                        phi_5341_ = _e268;
+                                        phi_5327_ = _e268;
                                         break if !(_e315);
                                     }
                                 }
-                                let _e334 = phi_5341_;
-                                phi_5560_ = _e334;
+                                let _e334 = phi_5327_;
+                                phi_5542_ = _e334;
                                 if _e334 {
                                     break;
                                 }
                                 let _e336 = local_3;
                                 if (_e336 < _e133) {
                                 } else {
-                                    phi_5560_ = true;
+                                    phi_5542_ = true;
                                     break;
                                 }
                                 let _e340 = local_4;
@@ -544,33 +542,33 @@ fn function_() {
                                 let _e349 = (_e245 + _e287.member_1);
                                 let _e353 = ((_e349 ^ (_e349 >> bitcast<u32>(16i))) * 2146121005u);
                                 let _e357 = ((_e353 ^ (_e353 >> bitcast<u32>(15i))) * 2221713035u);
-                                phi_5386_ = _e334;
+                                phi_5372_ = _e334;
                                 phi_1597_ = _e342;
                                 phi_1598_ = (_e357 ^ (_e357 >> bitcast<u32>(16i)));
                                 phi_1599_ = _e348;
                             } else {
-                                phi_5386_ = _e268;
+                                phi_5372_ = _e268;
                                 phi_1597_ = type_33();
                                 phi_1598_ = u32();
                                 phi_1599_ = f32();
                             }
-                            let _e362 = phi_5386_;
+                            let _e362 = phi_5372_;
                             let _e364 = phi_1597_;
                             let _e366 = phi_1598_;
                             let _e368 = phi_1599_;
-                            phi_5385_ = _e362;
+                            phi_5371_ = _e362;
                             phi_1601_ = _e364;
                             phi_1602_ = _e366;
                             phi_1603_ = _e368;
                             phi_1604_ = select(true, false, _e246);
                         } else {
-                            phi_5385_ = _e268;
+                            phi_5371_ = _e268;
                             phi_1601_ = type_33();
                             phi_1602_ = u32();
                             phi_1603_ = f32();
                             phi_1604_ = true;
                         }
-                        let _e371 = phi_5385_;
+                        let _e371 = phi_5371_;
                         let _e373 = phi_1601_;
                         let _e375 = phi_1602_;
                         let _e377 = phi_1603_;
@@ -579,7 +577,7 @@ fn function_() {
                             if _e305 {
                                 if (_e287.member_1 < _e133) {
                                 } else {
-                                    phi_5560_ = true;
+                                    phi_5542_ = true;
                                     break;
                                 }
                                 let _e383 = lights.member[_e287.member_1];
@@ -617,13 +615,13 @@ fn function_() {
                             }
                             let _e424 = phi_1657_;
                             let _e425 = select(1u, _e417, _e424);
-                            phi_5381_ = _e371;
+                            phi_5367_ = _e371;
                             phi_1664_ = type_13(0u, _e425);
                             phi_1667_ = 340282350000000000000000000000000000000f;
                             phi_1669_ = 0f;
                             phi_1671_ = 0f;
                             loop {
-                                let _e428 = phi_5381_;
+                                let _e428 = phi_5367_;
                                 let _e430 = phi_1664_;
                                 let _e432 = phi_1667_;
                                 let _e434 = phi_1669_;
@@ -693,18 +691,18 @@ fn function_() {
                                         let _e880 = ((_e876 ^ (_e876 >> bitcast<u32>(15i))) * 2221713035u);
                                         let _e898 = (0.000000059604645f * (f32(((2147483648u + (_e451.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e865 ^ (_e865 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                         if (_e898 >= 1f) {
-                                            phi_4043_ = (_e898 - 1f);
+                                            phi_4029_ = (_e898 - 1f);
                                         } else {
-                                            phi_4043_ = _e898;
+                                            phi_4029_ = _e898;
                                         }
-                                        let _e902 = phi_4043_;
+                                        let _e902 = phi_4029_;
                                         let _e904 = (0.000000059604645f * (f32(((2147483648u + (_e451.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e880 ^ (_e880 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                         if (_e904 >= 1f) {
-                                            phi_4051_ = (_e904 - 1f);
+                                            phi_4037_ = (_e904 - 1f);
                                         } else {
-                                            phi_4051_ = _e904;
+                                            phi_4037_ = _e904;
                                         }
-                                        let _e908 = phi_4051_;
+                                        let _e908 = phi_4037_;
                                         if (_e902 < _e908) {
                                             let _e913 = (0.5f * _e902);
                                             phi_1850_ = vec2<f32>(_e913, (_e908 - _e913));
@@ -760,18 +758,18 @@ fn function_() {
                                                 let _e563 = ((_e559 ^ (_e559 >> bitcast<u32>(15i))) * 2221713035u);
                                                 let _e581 = (0.000000059604645f * (f32(((2147483648u + (_e451.member_1 * 3242174889u)) >> bitcast<u32>(8i))) + f32(((_e548 ^ (_e548 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                 if (_e581 >= 1f) {
-                                                    phi_4027_ = (_e581 - 1f);
+                                                    phi_4013_ = (_e581 - 1f);
                                                 } else {
-                                                    phi_4027_ = _e581;
+                                                    phi_4013_ = _e581;
                                                 }
-                                                let _e585 = phi_4027_;
+                                                let _e585 = phi_4013_;
                                                 let _e587 = (0.000000059604645f * (f32(((2147483648u + (_e451.member_1 * 2447445414u)) >> bitcast<u32>(8i))) + f32(((_e563 ^ (_e563 >> bitcast<u32>(16i))) >> bitcast<u32>(8i)))));
                                                 if (_e587 >= 1f) {
-                                                    phi_4035_ = (_e587 - 1f);
+                                                    phi_4021_ = (_e587 - 1f);
                                                 } else {
-                                                    phi_4035_ = _e587;
+                                                    phi_4021_ = _e587;
                                                 }
-                                                let _e591 = phi_4035_;
+                                                let _e591 = phi_4021_;
                                                 let _e593 = ((2f * _e585) - 1f);
                                                 let _e595 = ((2f * _e591) - 1f);
                                                 if (_e593 == 0f) {
@@ -953,7 +951,7 @@ fn function_() {
                                         let _e1062 = (_e1053 < 3u);
                                         if _e1062 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1064 = local_1[_e1053];
@@ -961,7 +959,7 @@ fn function_() {
                                         let _e1066 = (_e1052 < 3u);
                                         if _e1066 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1068 = local_1[_e1052];
@@ -969,32 +967,32 @@ fn function_() {
                                         let _e1070 = (_e1051 < 3u);
                                         if _e1070 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1072 = local_1[_e1051];
                                         let _e1073 = (_e1072 * _e1065);
                                         if _e1066 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1075 = local_2[_e1052];
                                         if _e1070 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1077 = local_2[_e1051];
                                         if _e1062 {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1079 = local_2[_e1053];
                                         if (0u < _e122) {
                                         } else {
-                                            phi_5554_ = true;
+                                            phi_5536_ = true;
                                             break;
                                         }
                                         let _e1084 = nodes.member[0u].member_7[0u];
@@ -1037,11 +1035,11 @@ fn function_() {
                                         }
                                         let _e1146 = phi_2594_;
                                         local = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                        phi_5359_ = _e428;
+                                        phi_5345_ = _e428;
                                         phi_2598_ = 0u;
                                         phi_2601_ = 0u;
                                         loop {
-                                            let _e1150 = phi_5359_;
+                                            let _e1150 = phi_5345_;
                                             let _e1152 = phi_2598_;
                                             let _e1154 = phi_2601_;
                                             let _e1155 = (_e1152 & 15u);
@@ -1049,143 +1047,143 @@ fn function_() {
                                             if (_e1155 == 0u) {
                                                 if (_e1157 < _e122) {
                                                 } else {
-                                                    phi_5494_ = true;
-                                                    phi_4019_ = bool();
+                                                    phi_5476_ = true;
+                                                    phi_4005_ = bool();
                                                     break;
                                                 }
-                                                let _e1861 = nodes.member[_e1157].member;
-                                                let _e1870 = ((_e1861.x - _e1124) * _e1136);
-                                                let _e1871 = ((_e1861.y - _e1124) * _e1136);
-                                                let _e1872 = ((_e1861.z - _e1124) * _e1136);
-                                                let _e1873 = ((_e1861.w - _e1124) * _e1136);
-                                                let _e1876 = nodes.member[_e1157].member_3;
-                                                let _e1885 = ((_e1876.x - _e1129) * _e1136);
-                                                let _e1886 = ((_e1876.y - _e1129) * _e1136);
-                                                let _e1887 = ((_e1876.z - _e1129) * _e1136);
-                                                let _e1888 = ((_e1876.w - _e1129) * _e1136);
-                                                let _e1891 = nodes.member[_e1157].member_1;
-                                                let _e1900 = ((_e1891.x - _e1126) * _e1141);
-                                                let _e1901 = ((_e1891.y - _e1126) * _e1141);
-                                                let _e1902 = ((_e1891.z - _e1126) * _e1141);
-                                                let _e1903 = ((_e1891.w - _e1126) * _e1141);
-                                                let _e1906 = nodes.member[_e1157].member_4;
-                                                let _e1915 = ((_e1906.x - _e1130) * _e1141);
-                                                let _e1916 = ((_e1906.y - _e1130) * _e1141);
-                                                let _e1917 = ((_e1906.z - _e1130) * _e1141);
-                                                let _e1918 = ((_e1906.w - _e1130) * _e1141);
-                                                let _e1921 = nodes.member[_e1157].member_2;
-                                                let _e1930 = ((_e1921.x - _e1128) * _e1146);
-                                                let _e1931 = ((_e1921.y - _e1128) * _e1146);
-                                                let _e1932 = ((_e1921.z - _e1128) * _e1146);
-                                                let _e1933 = ((_e1921.w - _e1128) * _e1146);
-                                                let _e1936 = nodes.member[_e1157].member_5;
-                                                let _e1945 = ((_e1936.x - _e1131) * _e1146);
-                                                let _e1946 = ((_e1936.y - _e1131) * _e1146);
-                                                let _e1947 = ((_e1936.z - _e1131) * _e1146);
-                                                let _e1948 = ((_e1936.w - _e1131) * _e1146);
-                                                let _e1950 = select(_e1885, _e1870, (_e1870 < _e1885));
-                                                let _e1952 = select(_e1886, _e1871, (_e1871 < _e1886));
-                                                let _e1954 = select(_e1887, _e1872, (_e1872 < _e1887));
-                                                let _e1956 = select(_e1888, _e1873, (_e1873 < _e1888));
-                                                let _e1958 = select(_e1915, _e1900, (_e1900 < _e1915));
-                                                let _e1960 = select(_e1916, _e1901, (_e1901 < _e1916));
-                                                let _e1962 = select(_e1917, _e1902, (_e1902 < _e1917));
-                                                let _e1964 = select(_e1918, _e1903, (_e1903 < _e1918));
+                                                let _e1857 = nodes.member[_e1157].member;
+                                                let _e1866 = ((_e1857.x - _e1124) * _e1136);
+                                                let _e1867 = ((_e1857.y - _e1124) * _e1136);
+                                                let _e1868 = ((_e1857.z - _e1124) * _e1136);
+                                                let _e1869 = ((_e1857.w - _e1124) * _e1136);
+                                                let _e1872 = nodes.member[_e1157].member_3;
+                                                let _e1881 = ((_e1872.x - _e1129) * _e1136);
+                                                let _e1882 = ((_e1872.y - _e1129) * _e1136);
+                                                let _e1883 = ((_e1872.z - _e1129) * _e1136);
+                                                let _e1884 = ((_e1872.w - _e1129) * _e1136);
+                                                let _e1887 = nodes.member[_e1157].member_1;
+                                                let _e1896 = ((_e1887.x - _e1126) * _e1141);
+                                                let _e1897 = ((_e1887.y - _e1126) * _e1141);
+                                                let _e1898 = ((_e1887.z - _e1126) * _e1141);
+                                                let _e1899 = ((_e1887.w - _e1126) * _e1141);
+                                                let _e1902 = nodes.member[_e1157].member_4;
+                                                let _e1911 = ((_e1902.x - _e1130) * _e1141);
+                                                let _e1912 = ((_e1902.y - _e1130) * _e1141);
+                                                let _e1913 = ((_e1902.z - _e1130) * _e1141);
+                                                let _e1914 = ((_e1902.w - _e1130) * _e1141);
+                                                let _e1917 = nodes.member[_e1157].member_2;
+                                                let _e1926 = ((_e1917.x - _e1128) * _e1146);
+                                                let _e1927 = ((_e1917.y - _e1128) * _e1146);
+                                                let _e1928 = ((_e1917.z - _e1128) * _e1146);
+                                                let _e1929 = ((_e1917.w - _e1128) * _e1146);
+                                                let _e1932 = nodes.member[_e1157].member_5;
+                                                let _e1941 = ((_e1932.x - _e1131) * _e1146);
+                                                let _e1942 = ((_e1932.y - _e1131) * _e1146);
+                                                let _e1943 = ((_e1932.z - _e1131) * _e1146);
+                                                let _e1944 = ((_e1932.w - _e1131) * _e1146);
+                                                let _e1946 = select(_e1881, _e1866, (_e1866 < _e1881));
+                                                let _e1948 = select(_e1882, _e1867, (_e1867 < _e1882));
+                                                let _e1950 = select(_e1883, _e1868, (_e1868 < _e1883));
+                                                let _e1952 = select(_e1884, _e1869, (_e1869 < _e1884));
+                                                let _e1954 = select(_e1911, _e1896, (_e1896 < _e1911));
+                                                let _e1956 = select(_e1912, _e1897, (_e1897 < _e1912));
+                                                let _e1958 = select(_e1913, _e1898, (_e1898 < _e1913));
+                                                let _e1960 = select(_e1914, _e1899, (_e1899 < _e1914));
+                                                let _e1962 = select(_e1954, _e1946, (_e1946 > _e1954));
+                                                let _e1964 = select(_e1956, _e1948, (_e1948 > _e1956));
                                                 let _e1966 = select(_e1958, _e1950, (_e1950 > _e1958));
                                                 let _e1968 = select(_e1960, _e1952, (_e1952 > _e1960));
-                                                let _e1970 = select(_e1962, _e1954, (_e1954 > _e1962));
-                                                let _e1972 = select(_e1964, _e1956, (_e1956 > _e1964));
-                                                let _e1974 = select(_e1945, _e1930, (_e1930 < _e1945));
-                                                let _e1976 = select(_e1946, _e1931, (_e1931 < _e1946));
-                                                let _e1978 = select(_e1947, _e1932, (_e1932 < _e1947));
-                                                let _e1980 = select(_e1948, _e1933, (_e1933 < _e1948));
+                                                let _e1970 = select(_e1941, _e1926, (_e1926 < _e1941));
+                                                let _e1972 = select(_e1942, _e1927, (_e1927 < _e1942));
+                                                let _e1974 = select(_e1943, _e1928, (_e1928 < _e1943));
+                                                let _e1976 = select(_e1944, _e1929, (_e1929 < _e1944));
+                                                let _e1978 = select(_e1970, _e1962, (_e1962 > _e1970));
+                                                let _e1980 = select(_e1972, _e1964, (_e1964 > _e1972));
                                                 let _e1982 = select(_e1974, _e1966, (_e1966 > _e1974));
                                                 let _e1984 = select(_e1976, _e1968, (_e1968 > _e1976));
-                                                let _e1986 = select(_e1978, _e1970, (_e1970 > _e1978));
-                                                let _e1988 = select(_e1980, _e1972, (_e1972 > _e1980));
+                                                let _e1986 = select(_e1016.member_2, _e1978, (_e1978 > _e1016.member_2));
+                                                let _e1988 = select(_e1016.member_2, _e1980, (_e1980 > _e1016.member_2));
                                                 let _e1990 = select(_e1016.member_2, _e1982, (_e1982 > _e1016.member_2));
                                                 let _e1992 = select(_e1016.member_2, _e1984, (_e1984 > _e1016.member_2));
-                                                let _e1994 = select(_e1016.member_2, _e1986, (_e1986 > _e1016.member_2));
-                                                let _e1996 = select(_e1016.member_2, _e1988, (_e1988 > _e1016.member_2));
-                                                let _e1998 = select(_e1885, _e1870, (_e1870 > _e1885));
-                                                let _e2000 = select(_e1886, _e1871, (_e1871 > _e1886));
-                                                let _e2002 = select(_e1887, _e1872, (_e1872 > _e1887));
-                                                let _e2004 = select(_e1888, _e1873, (_e1873 > _e1888));
-                                                let _e2006 = select(_e1915, _e1900, (_e1900 > _e1915));
-                                                let _e2008 = select(_e1916, _e1901, (_e1901 > _e1916));
-                                                let _e2010 = select(_e1917, _e1902, (_e1902 > _e1917));
-                                                let _e2012 = select(_e1918, _e1903, (_e1903 > _e1918));
+                                                let _e1994 = select(_e1881, _e1866, (_e1866 > _e1881));
+                                                let _e1996 = select(_e1882, _e1867, (_e1867 > _e1882));
+                                                let _e1998 = select(_e1883, _e1868, (_e1868 > _e1883));
+                                                let _e2000 = select(_e1884, _e1869, (_e1869 > _e1884));
+                                                let _e2002 = select(_e1911, _e1896, (_e1896 > _e1911));
+                                                let _e2004 = select(_e1912, _e1897, (_e1897 > _e1912));
+                                                let _e2006 = select(_e1913, _e1898, (_e1898 > _e1913));
+                                                let _e2008 = select(_e1914, _e1899, (_e1899 > _e1914));
+                                                let _e2010 = select(_e2002, _e1994, (_e1994 < _e2002));
+                                                let _e2012 = select(_e2004, _e1996, (_e1996 < _e2004));
                                                 let _e2014 = select(_e2006, _e1998, (_e1998 < _e2006));
                                                 let _e2016 = select(_e2008, _e2000, (_e2000 < _e2008));
-                                                let _e2018 = select(_e2010, _e2002, (_e2002 < _e2010));
-                                                let _e2020 = select(_e2012, _e2004, (_e2004 < _e2012));
-                                                let _e2022 = select(_e1945, _e1930, (_e1930 > _e1945));
-                                                let _e2024 = select(_e1946, _e1931, (_e1931 > _e1946));
-                                                let _e2026 = select(_e1947, _e1932, (_e1932 > _e1947));
-                                                let _e2028 = select(_e1948, _e1933, (_e1933 > _e1948));
+                                                let _e2018 = select(_e1941, _e1926, (_e1926 > _e1941));
+                                                let _e2020 = select(_e1942, _e1927, (_e1927 > _e1942));
+                                                let _e2022 = select(_e1943, _e1928, (_e1928 > _e1943));
+                                                let _e2024 = select(_e1944, _e1929, (_e1929 > _e1944));
+                                                let _e2026 = select(_e2018, _e2010, (_e2010 < _e2018));
+                                                let _e2028 = select(_e2020, _e2012, (_e2012 < _e2020));
                                                 let _e2030 = select(_e2022, _e2014, (_e2014 < _e2022));
                                                 let _e2032 = select(_e2024, _e2016, (_e2016 < _e2024));
-                                                let _e2034 = select(_e2026, _e2018, (_e2018 < _e2026));
-                                                let _e2036 = select(_e2028, _e2020, (_e2020 < _e2028));
-                                                let _e2056 = nodes.member[_e1157].member_6[0u];
-                                                let _e2060 = nodes.member[_e1157].member_6[1u];
-                                                let _e2064 = nodes.member[_e1157].member_6[2u];
-                                                let _e2068 = nodes.member[_e1157].member_6[3u];
-                                                if (select(340282350000000000000000000000000000000f, _e1996, (_e1996 <= select(_e1016.member_3, _e2036, (_e2036 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                let _e2052 = nodes.member[_e1157].member_6[0u];
+                                                let _e2056 = nodes.member[_e1157].member_6[1u];
+                                                let _e2060 = nodes.member[_e1157].member_6[2u];
+                                                let _e2064 = nodes.member[_e1157].member_6[3u];
+                                                if (select(340282350000000000000000000000000000000f, _e1992, (_e1992 <= select(_e1016.member_3, _e2032, (_e2032 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
                                                     if (_e1154 < 64u) {
                                                     } else {
-                                                        phi_5494_ = true;
-                                                        phi_4019_ = bool();
+                                                        phi_5476_ = true;
+                                                        phi_4005_ = bool();
                                                         break;
                                                     }
-                                                    local[_e1154] = _e2068;
+                                                    local[_e1154] = _e2064;
                                                     phi_2988_ = (_e1154 + 1u);
                                                 } else {
                                                     phi_2988_ = _e1154;
                                                 }
-                                                let _e2074 = phi_2988_;
-                                                if (select(340282350000000000000000000000000000000f, _e1994, (_e1994 <= select(_e1016.member_3, _e2034, (_e2034 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                    if (_e2074 < 64u) {
-                                                    } else {
-                                                        phi_5494_ = true;
-                                                        phi_4019_ = bool();
-                                                        break;
-                                                    }
-                                                    local[_e2074] = _e2064;
-                                                    phi_3000_ = (_e2074 + 1u);
-                                                } else {
-                                                    phi_3000_ = _e2074;
-                                                }
-                                                let _e2080 = phi_3000_;
-                                                if (select(340282350000000000000000000000000000000f, _e1992, (_e1992 <= select(_e1016.member_3, _e2032, (_e2032 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                    if (_e2080 < 64u) {
-                                                    } else {
-                                                        phi_5494_ = true;
-                                                        phi_4019_ = bool();
-                                                        break;
-                                                    }
-                                                    local[_e2080] = _e2060;
-                                                    phi_3012_ = (_e2080 + 1u);
-                                                } else {
-                                                    phi_3012_ = _e2080;
-                                                }
-                                                let _e2086 = phi_3012_;
+                                                let _e2070 = phi_2988_;
                                                 if (select(340282350000000000000000000000000000000f, _e1990, (_e1990 <= select(_e1016.member_3, _e2030, (_e2030 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
-                                                    if (_e2086 < 64u) {
+                                                    if (_e2070 < 64u) {
                                                     } else {
-                                                        phi_5494_ = true;
-                                                        phi_4019_ = bool();
+                                                        phi_5476_ = true;
+                                                        phi_4005_ = bool();
                                                         break;
                                                     }
-                                                    local[_e2086] = _e2056;
-                                                    phi_3024_ = (_e2086 + 1u);
+                                                    local[_e2070] = _e2060;
+                                                    phi_3000_ = (_e2070 + 1u);
                                                 } else {
-                                                    phi_3024_ = _e2086;
+                                                    phi_3000_ = _e2070;
                                                 }
-                                                let _e2092 = phi_3024_;
-                                                phi_5496_ = _e1150;
-                                                phi_3864_ = _e2092;
-                                                phi_3865_ = true;
+                                                let _e2076 = phi_3000_;
+                                                if (select(340282350000000000000000000000000000000f, _e1988, (_e1988 <= select(_e1016.member_3, _e2028, (_e2028 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                    if (_e2076 < 64u) {
+                                                    } else {
+                                                        phi_5476_ = true;
+                                                        phi_4005_ = bool();
+                                                        break;
+                                                    }
+                                                    local[_e2076] = _e2056;
+                                                    phi_3012_ = (_e2076 + 1u);
+                                                } else {
+                                                    phi_3012_ = _e2076;
+                                                }
+                                                let _e2082 = phi_3012_;
+                                                if (select(340282350000000000000000000000000000000f, _e1986, (_e1986 <= select(_e1016.member_3, _e2026, (_e2026 < _e1016.member_3)))) < 340282350000000000000000000000000000000f) {
+                                                    if (_e2082 < 64u) {
+                                                    } else {
+                                                        phi_5476_ = true;
+                                                        phi_4005_ = bool();
+                                                        break;
+                                                    }
+                                                    local[_e2082] = _e2052;
+                                                    phi_3024_ = (_e2082 + 1u);
+                                                } else {
+                                                    phi_3024_ = _e2082;
+                                                }
+                                                let _e2088 = phi_3024_;
+                                                phi_5478_ = _e1150;
+                                                phi_3850_ = _e2088;
+                                                phi_3851_ = true;
                                             } else {
                                                 phi_3028_ = type_13(_e1157, (_e1157 + _e1155));
                                                 loop {
@@ -1204,78 +1202,78 @@ fn function_() {
                                                         let _e1182 = (_e1177.member_1 < arrayLength((&triangles.member)));
                                                         if _e1182 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         if _e1062 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1186 = triangles.member[_e1177.member_1].member[_e1053];
                                                         let _e1187 = (_e1186 - _e1079);
                                                         if _e1062 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1191 = triangles.member[_e1177.member_1].member_2[_e1053];
                                                         let _e1192 = (_e1191 - _e1079);
                                                         if _e1062 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1196 = triangles.member[_e1177.member_1].member_4[_e1053];
                                                         let _e1197 = (_e1196 - _e1079);
                                                         if _e1066 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1201 = triangles.member[_e1177.member_1].member[_e1052];
                                                         let _e1204 = ((_e1201 - _e1075) - (_e1069 * _e1187));
                                                         if _e1070 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1208 = triangles.member[_e1177.member_1].member[_e1051];
                                                         let _e1211 = ((_e1208 - _e1077) - (_e1073 * _e1187));
                                                         if _e1066 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1215 = triangles.member[_e1177.member_1].member_2[_e1052];
                                                         let _e1218 = ((_e1215 - _e1075) - (_e1069 * _e1192));
                                                         if _e1070 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1222 = triangles.member[_e1177.member_1].member_2[_e1051];
                                                         let _e1225 = ((_e1222 - _e1077) - (_e1073 * _e1192));
                                                         if _e1066 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1229 = triangles.member[_e1177.member_1].member_4[_e1052];
                                                         let _e1232 = ((_e1229 - _e1075) - (_e1069 * _e1197));
                                                         if _e1070 {
                                                         } else {
-                                                            phi_5355_ = true;
-                                                            phi_4018_ = bool();
+                                                            phi_5341_ = true;
+                                                            phi_4004_ = bool();
                                                             break;
                                                         }
                                                         let _e1236 = triangles.member[_e1177.member_1].member_4[_e1051];
@@ -1496,79 +1494,79 @@ fn function_() {
                                                                 if _e1558 {
                                                                     if _e1182 {
                                                                     } else {
-                                                                        phi_5355_ = true;
-                                                                        phi_4018_ = bool();
+                                                                        phi_5341_ = true;
+                                                                        phi_4004_ = bool();
                                                                         break;
                                                                     }
                                                                     let _e1561 = triangles.member[_e1177.member_1].member_3;
                                                                     if ((_e1561 & 1u) == 0u) {
-                                                                        phi_3822_ = true;
+                                                                        phi_3808_ = true;
                                                                     } else {
                                                                         if _e1182 {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1566 = triangles.member[_e1177.member_1].member_1;
                                                                         let _e1567 = (_e1566 * 12u);
                                                                         if ((256u + _e1567) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if ((_e1567 + 257u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if ((_e1567 + 258u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1574 = (_e1567 + 259u);
                                                                         if (_e1574 < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1577 = surfaces.member[_e1574];
                                                                         if ((_e1567 + 260u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if ((_e1567 + 261u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if ((_e1567 + 262u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1584 = (_e1567 + 263u);
                                                                         if (_e1584 < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1587 = surfaces.member[_e1584];
                                                                         let _e1588 = (_e1567 + 264u);
                                                                         if (_e1588 < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1591 = surfaces.member[_e1588];
@@ -1576,31 +1574,31 @@ fn function_() {
                                                                         let _e1593 = (_e1567 + 265u);
                                                                         if (_e1593 < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         let _e1596 = surfaces.member[_e1593];
                                                                         let _e1597 = bitcast<f32>(_e1596);
                                                                         if ((_e1567 + 266u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if ((_e1567 + 267u) < _e131) {
                                                                         } else {
-                                                                            phi_5355_ = true;
-                                                                            phi_4018_ = bool();
+                                                                            phi_5341_ = true;
+                                                                            phi_4004_ = bool();
                                                                             break;
                                                                         }
                                                                         if (_e1577 == 4294967295u) {
-                                                                            phi_3817_ = (_e1592 < _e1597);
+                                                                            phi_3803_ = (_e1592 < _e1597);
                                                                         } else {
                                                                             if (_e1177.member_1 < arrayLength((&attributes.member))) {
                                                                             } else {
-                                                                                phi_5355_ = true;
-                                                                                phi_4018_ = bool();
+                                                                                phi_5341_ = true;
+                                                                                phi_4004_ = bool();
                                                                                 break;
                                                                             }
                                                                             let _e1605 = ((1f - _e1551[1]) - _e1551[2]);
@@ -1631,932 +1629,920 @@ fn function_() {
                                                                                 phi_3556_ = _e1656;
                                                                             }
                                                                             let _e1663 = phi_3556_;
-                                                                            if (_e1663 >= 0f) {
-                                                                                phi_3566_ = select(true, false, (_e1663 <= 1f));
+                                                                            let _e1670 = ((select(0f, _e1663, (abs((_e1663 - 0.5f)) <= 0.5f)) * f32(_e1640)) - 0.5f);
+                                                                            let _e1671 = floor(_e1670);
+                                                                            let _e1672 = (_e1671 < 0f);
+                                                                            if _e1672 {
+                                                                                phi_3584_ = 0u;
                                                                             } else {
-                                                                                phi_3566_ = true;
+                                                                                let _e1677 = select(select(u32(_e1671), 0u, (_e1671 < 0f)), 4294967295u, (_e1671 > 4294967000f));
+                                                                                phi_3584_ = select(_e1677, _e1646, (_e1646 < _e1677));
                                                                             }
-                                                                            let _e1668 = phi_3566_;
-                                                                            let _e1672 = ((select(_e1663, 0f, _e1668) * f32(_e1640)) - 0.5f);
-                                                                            let _e1673 = floor(_e1672);
-                                                                            let _e1674 = (_e1673 < 0f);
-                                                                            if _e1674 {
-                                                                                phi_3591_ = 0u;
+                                                                            let _e1681 = phi_3584_;
+                                                                            if _e1672 {
+                                                                                phi_3594_ = 0u;
                                                                             } else {
-                                                                                let _e1679 = select(select(u32(_e1673), 0u, (_e1673 < 0f)), 4294967295u, (_e1673 > 4294967000f));
-                                                                                phi_3591_ = select(_e1679, _e1646, (_e1646 < _e1679));
+                                                                                let _e1682 = (_e1681 + 1u);
+                                                                                phi_3594_ = select(_e1682, _e1646, (_e1646 < _e1682));
                                                                             }
-                                                                            let _e1683 = phi_3591_;
-                                                                            if _e1674 {
-                                                                                phi_3601_ = 0u;
+                                                                            let _e1686 = phi_3594_;
+                                                                            let _e1687 = (_e1645 == 0u);
+                                                                            if _e1687 {
+                                                                                phi_3603_ = select(true, false, _e1672);
                                                                             } else {
-                                                                                let _e1684 = (_e1683 + 1u);
-                                                                                phi_3601_ = select(_e1684, _e1646, (_e1646 < _e1684));
+                                                                                phi_3603_ = true;
                                                                             }
-                                                                            let _e1688 = phi_3601_;
-                                                                            let _e1689 = (_e1645 == 0u);
-                                                                            if _e1689 {
-                                                                                phi_3610_ = select(true, false, _e1674);
-                                                                            } else {
-                                                                                phi_3610_ = true;
-                                                                            }
-                                                                            let _e1692 = phi_3610_;
-                                                                            let _e1693 = select(_e1646, _e1683, _e1692);
-                                                                            if _e1689 {
-                                                                                if _e1674 {
-                                                                                    phi_3626_ = true;
+                                                                            let _e1690 = phi_3603_;
+                                                                            let _e1691 = select(_e1646, _e1681, _e1690);
+                                                                            if _e1687 {
+                                                                                if _e1672 {
+                                                                                    phi_3619_ = true;
                                                                                 } else {
-                                                                                    phi_3626_ = select(true, false, (_e1693 == _e1646));
+                                                                                    phi_3619_ = select(true, false, (_e1691 == _e1646));
                                                                                 }
-                                                                                let _e1697 = phi_3626_;
-                                                                                phi_3627_ = _e1697;
+                                                                                let _e1695 = phi_3619_;
+                                                                                phi_3620_ = _e1695;
                                                                             } else {
-                                                                                phi_3627_ = true;
+                                                                                phi_3620_ = true;
                                                                             }
-                                                                            let _e1699 = phi_3627_;
-                                                                            let _e1700 = select(0u, _e1688, _e1699);
-                                                                            let _e1701 = (_e1672 - _e1673);
-                                                                            let _e1704 = ((_e1577 >> bitcast<u32>(30u)) & 3u);
-                                                                            let _e1705 = (_e1642 - 1u);
-                                                                            let _e1707 = select(1f, 2f, (_e1704 == 2u));
-                                                                            let _e1711 = (_e1639 - (floor((_e1639 / _e1707)) * _e1707));
-                                                                            if (_e1711 > 1f) {
-                                                                                phi_3650_ = (_e1707 - _e1711);
+                                                                            let _e1697 = phi_3620_;
+                                                                            let _e1698 = select(0u, _e1686, _e1697);
+                                                                            let _e1699 = (_e1670 - _e1671);
+                                                                            let _e1702 = ((_e1577 >> bitcast<u32>(30u)) & 3u);
+                                                                            let _e1703 = (_e1642 - 1u);
+                                                                            let _e1705 = select(1f, 2f, (_e1702 == 2u));
+                                                                            let _e1709 = (_e1639 - (floor((_e1639 / _e1705)) * _e1705));
+                                                                            if (_e1709 > 1f) {
+                                                                                phi_3643_ = (_e1705 - _e1709);
                                                                             } else {
-                                                                                phi_3650_ = _e1711;
+                                                                                phi_3643_ = _e1709;
                                                                             }
-                                                                            let _e1715 = phi_3650_;
-                                                                            if (_e1704 == 1u) {
-                                                                                let _e1718 = select(0f, _e1639, (_e1639 > 0f));
-                                                                                phi_3665_ = select(1f, _e1718, (_e1718 < 1f));
+                                                                            let _e1713 = phi_3643_;
+                                                                            if (_e1702 == 1u) {
+                                                                                let _e1716 = select(0f, _e1639, (_e1639 > 0f));
+                                                                                phi_3658_ = select(1f, _e1716, (_e1716 < 1f));
                                                                             } else {
-                                                                                phi_3665_ = _e1715;
+                                                                                phi_3658_ = _e1713;
                                                                             }
-                                                                            let _e1722 = phi_3665_;
-                                                                            if (_e1722 >= 0f) {
-                                                                                phi_3675_ = select(true, false, (_e1722 <= 1f));
+                                                                            let _e1720 = phi_3658_;
+                                                                            let _e1727 = ((select(0f, _e1720, (abs((_e1720 - 0.5f)) <= 0.5f)) * f32(_e1642)) - 0.5f);
+                                                                            let _e1728 = floor(_e1727);
+                                                                            let _e1729 = (_e1728 < 0f);
+                                                                            if _e1729 {
+                                                                                phi_3686_ = 0u;
                                                                             } else {
-                                                                                phi_3675_ = true;
+                                                                                let _e1734 = select(select(u32(_e1728), 0u, (_e1728 < 0f)), 4294967295u, (_e1728 > 4294967000f));
+                                                                                phi_3686_ = select(_e1734, _e1703, (_e1703 < _e1734));
                                                                             }
-                                                                            let _e1727 = phi_3675_;
-                                                                            let _e1731 = ((select(_e1722, 0f, _e1727) * f32(_e1642)) - 0.5f);
-                                                                            let _e1732 = floor(_e1731);
-                                                                            let _e1733 = (_e1732 < 0f);
-                                                                            if _e1733 {
-                                                                                phi_3700_ = 0u;
+                                                                            let _e1738 = phi_3686_;
+                                                                            if _e1729 {
+                                                                                phi_3696_ = 0u;
                                                                             } else {
-                                                                                let _e1738 = select(select(u32(_e1732), 0u, (_e1732 < 0f)), 4294967295u, (_e1732 > 4294967000f));
-                                                                                phi_3700_ = select(_e1738, _e1705, (_e1705 < _e1738));
+                                                                                let _e1739 = (_e1738 + 1u);
+                                                                                phi_3696_ = select(_e1739, _e1703, (_e1703 < _e1739));
                                                                             }
-                                                                            let _e1742 = phi_3700_;
-                                                                            if _e1733 {
-                                                                                phi_3710_ = 0u;
+                                                                            let _e1743 = phi_3696_;
+                                                                            let _e1744 = (_e1702 == 0u);
+                                                                            if _e1744 {
+                                                                                phi_3705_ = select(true, false, _e1729);
                                                                             } else {
-                                                                                let _e1743 = (_e1742 + 1u);
-                                                                                phi_3710_ = select(_e1743, _e1705, (_e1705 < _e1743));
+                                                                                phi_3705_ = true;
                                                                             }
-                                                                            let _e1747 = phi_3710_;
-                                                                            let _e1748 = (_e1704 == 0u);
-                                                                            if _e1748 {
-                                                                                phi_3719_ = select(true, false, _e1733);
-                                                                            } else {
-                                                                                phi_3719_ = true;
-                                                                            }
-                                                                            let _e1751 = phi_3719_;
-                                                                            let _e1752 = select(_e1705, _e1742, _e1751);
-                                                                            if _e1748 {
-                                                                                if _e1733 {
-                                                                                    phi_3735_ = true;
+                                                                            let _e1747 = phi_3705_;
+                                                                            let _e1748 = select(_e1703, _e1738, _e1747);
+                                                                            if _e1744 {
+                                                                                if _e1729 {
+                                                                                    phi_3721_ = true;
                                                                                 } else {
-                                                                                    phi_3735_ = select(true, false, (_e1752 == _e1705));
+                                                                                    phi_3721_ = select(true, false, (_e1748 == _e1703));
                                                                                 }
-                                                                                let _e1756 = phi_3735_;
-                                                                                phi_3736_ = _e1756;
+                                                                                let _e1752 = phi_3721_;
+                                                                                phi_3722_ = _e1752;
                                                                             } else {
-                                                                                phi_3736_ = true;
+                                                                                phi_3722_ = true;
                                                                             }
-                                                                            let _e1758 = phi_3736_;
-                                                                            let _e1760 = (_e1731 - _e1732);
-                                                                            let _e1761 = (_e1577 & 268435455u);
-                                                                            let _e1763 = (_e1761 + (_e1752 * _e1640));
-                                                                            let _e1765 = (_e1761 + (select(0u, _e1747, _e1758) * _e1640));
-                                                                            let _e1766 = (_e1763 + _e1693);
-                                                                            let _e1767 = (_e1763 + _e1700);
-                                                                            let _e1768 = (_e1765 + _e1693);
-                                                                            let _e1769 = (_e1765 + _e1700);
-                                                                            if (_e1766 < _e131) {
+                                                                            let _e1754 = phi_3722_;
+                                                                            let _e1756 = (_e1727 - _e1728);
+                                                                            let _e1757 = (_e1577 & 268435455u);
+                                                                            let _e1759 = (_e1757 + (_e1748 * _e1640));
+                                                                            let _e1761 = (_e1757 + (select(0u, _e1743, _e1754) * _e1640));
+                                                                            let _e1762 = (_e1759 + _e1691);
+                                                                            let _e1763 = (_e1759 + _e1698);
+                                                                            let _e1764 = (_e1761 + _e1691);
+                                                                            let _e1765 = (_e1761 + _e1698);
+                                                                            if (_e1762 < _e131) {
                                                                             } else {
-                                                                                phi_5355_ = true;
-                                                                                phi_4018_ = bool();
+                                                                                phi_5341_ = true;
+                                                                                phi_4004_ = bool();
                                                                                 break;
                                                                             }
-                                                                            let _e1772 = surfaces.member[_e1766];
-                                                                            if (_e1767 < _e131) {
+                                                                            let _e1768 = surfaces.member[_e1762];
+                                                                            if (_e1763 < _e131) {
                                                                             } else {
-                                                                                phi_5355_ = true;
-                                                                                phi_4018_ = bool();
+                                                                                phi_5341_ = true;
+                                                                                phi_4004_ = bool();
                                                                                 break;
                                                                             }
-                                                                            let _e1775 = surfaces.member[_e1767];
-                                                                            if (_e1768 < _e131) {
+                                                                            let _e1771 = surfaces.member[_e1763];
+                                                                            if (_e1764 < _e131) {
                                                                             } else {
-                                                                                phi_5355_ = true;
-                                                                                phi_4018_ = bool();
+                                                                                phi_5341_ = true;
+                                                                                phi_4004_ = bool();
                                                                                 break;
                                                                             }
-                                                                            let _e1778 = surfaces.member[_e1768];
-                                                                            if (_e1769 < _e131) {
+                                                                            let _e1774 = surfaces.member[_e1764];
+                                                                            if (_e1765 < _e131) {
                                                                             } else {
-                                                                                phi_5355_ = true;
-                                                                                phi_4018_ = bool();
+                                                                                phi_5341_ = true;
+                                                                                phi_4004_ = bool();
                                                                                 break;
                                                                             }
-                                                                            let _e1781 = surfaces.member[_e1769];
-                                                                            let _e1798 = (1f - _e1701);
-                                                                            phi_3817_ = ((_e1592 * (((((f32((_e1772 >> bitcast<u32>(24i))) * 0.003921569f) * _e1798) + ((f32((_e1775 >> bitcast<u32>(24i))) * 0.003921569f) * _e1701)) * (1f - _e1760)) + ((((f32((_e1778 >> bitcast<u32>(24i))) * 0.003921569f) * _e1798) + ((f32((_e1781 >> bitcast<u32>(24i))) * 0.003921569f) * _e1701)) * _e1760))) < _e1597);
+                                                                            let _e1777 = surfaces.member[_e1765];
+                                                                            let _e1794 = (1f - _e1699);
+                                                                            phi_3803_ = ((_e1592 * (((((f32((_e1768 >> bitcast<u32>(24i))) * 0.003921569f) * _e1794) + ((f32((_e1771 >> bitcast<u32>(24i))) * 0.003921569f) * _e1699)) * (1f - _e1756)) + ((((f32((_e1774 >> bitcast<u32>(24i))) * 0.003921569f) * _e1794) + ((f32((_e1777 >> bitcast<u32>(24i))) * 0.003921569f) * _e1699)) * _e1756))) < _e1597);
                                                                         }
-                                                                        let _e1813 = phi_3817_;
-                                                                        phi_3822_ = select(true, false, _e1813);
+                                                                        let _e1809 = phi_3803_;
+                                                                        phi_3808_ = select(true, false, _e1809);
                                                                     }
-                                                                    let _e1816 = phi_3822_;
-                                                                    if _e1816 {
-                                                                        phi_3827_ = type_53(_e1551[0], _e1177.member_1, _e1551[1], _e1551[2]);
+                                                                    let _e1812 = phi_3808_;
+                                                                    if _e1812 {
+                                                                        phi_3813_ = type_53(_e1551[0], _e1177.member_1, _e1551[1], _e1551[2]);
                                                                     } else {
-                                                                        phi_3827_ = type_53();
+                                                                        phi_3813_ = type_53();
                                                                     }
-                                                                    let _e1819 = phi_3827_;
-                                                                    phi_3829_ = _e1819;
-                                                                    phi_3831_ = select(true, false, _e1816);
+                                                                    let _e1815 = phi_3813_;
+                                                                    phi_3815_ = _e1815;
+                                                                    phi_3817_ = select(true, false, _e1812);
                                                                 } else {
-                                                                    phi_3829_ = type_53();
-                                                                    phi_3831_ = false;
+                                                                    phi_3815_ = type_53();
+                                                                    phi_3817_ = false;
                                                                 }
-                                                                let _e1822 = phi_3829_;
-                                                                let _e1824 = phi_3831_;
-                                                                phi_3832_ = _e1822;
-                                                                phi_3834_ = select(true, false, _e1558);
-                                                                phi_3835_ = _e1824;
+                                                                let _e1818 = phi_3815_;
+                                                                let _e1820 = phi_3817_;
+                                                                phi_3818_ = _e1818;
+                                                                phi_3820_ = select(true, false, _e1558);
+                                                                phi_3821_ = _e1820;
                                                             } else {
-                                                                phi_3832_ = type_53();
-                                                                phi_3834_ = false;
-                                                                phi_3835_ = false;
+                                                                phi_3818_ = type_53();
+                                                                phi_3820_ = false;
+                                                                phi_3821_ = false;
                                                             }
-                                                            let _e1827 = phi_3832_;
-                                                            let _e1829 = phi_3834_;
-                                                            let _e1831 = phi_3835_;
-                                                            phi_3836_ = _e1827;
-                                                            phi_3837_ = select(true, false, _e1557);
-                                                            phi_3838_ = _e1829;
-                                                            phi_3839_ = _e1831;
+                                                            let _e1823 = phi_3818_;
+                                                            let _e1825 = phi_3820_;
+                                                            let _e1827 = phi_3821_;
+                                                            phi_3822_ = _e1823;
+                                                            phi_3823_ = select(true, false, _e1557);
+                                                            phi_3824_ = _e1825;
+                                                            phi_3825_ = _e1827;
                                                         } else {
-                                                            phi_3836_ = type_53();
-                                                            phi_3837_ = true;
-                                                            phi_3838_ = false;
-                                                            phi_3839_ = false;
+                                                            phi_3822_ = type_53();
+                                                            phi_3823_ = true;
+                                                            phi_3824_ = false;
+                                                            phi_3825_ = false;
                                                         }
-                                                        let _e1834 = phi_3836_;
-                                                        let _e1836 = phi_3837_;
-                                                        let _e1838 = phi_3838_;
-                                                        let _e1840 = phi_3839_;
-                                                        if select(select(_e1840, false, _e1836), true, select(_e1838, true, _e1836)) {
-                                                            phi_3852_ = type_53(_e1016.member_3, 4294967295u, 0f, 0f);
+                                                        let _e1830 = phi_3822_;
+                                                        let _e1832 = phi_3823_;
+                                                        let _e1834 = phi_3824_;
+                                                        let _e1836 = phi_3825_;
+                                                        if select(select(_e1836, false, _e1832), true, select(_e1834, true, _e1832)) {
+                                                            phi_3838_ = type_53(_e1016.member_3, 4294967295u, 0f, 0f);
                                                         } else {
-                                                            phi_3852_ = _e1834;
+                                                            phi_3838_ = _e1830;
                                                         }
-                                                        let _e1845 = phi_3852_;
-                                                        phi_3859_ = select(true, false, (_e1845.member_1 != 4294967295u));
+                                                        let _e1841 = phi_3838_;
+                                                        phi_3845_ = select(true, false, (_e1841.member_1 != 4294967295u));
                                                     } else {
-                                                        phi_3859_ = false;
+                                                        phi_3845_ = false;
                                                     }
-                                                    let _e1850 = phi_3859_;
+                                                    let _e1846 = phi_3845_;
                                                     continue;
                                                     continuing {
                                                         phi_3028_ = _e1175;
-                                                        phi_5355_ = _e1150;
-                                                        phi_4018_ = select(true, false, _e1181);
-                                                        break if !(_e1850);
+                                                        phi_5341_ = _e1150;
+                                                        phi_4004_ = select(true, false, _e1181);
+                                                        break if !(_e1846);
                                                     }
                                                 }
-                                                let _e1854 = phi_5355_;
-                                                let _e1856 = phi_4018_;
-                                                phi_5494_ = _e1854;
-                                                phi_4019_ = bool();
-                                                if _e1854 {
+                                                let _e1850 = phi_5341_;
+                                                let _e1852 = phi_4004_;
+                                                phi_5476_ = _e1850;
+                                                phi_4005_ = bool();
+                                                if _e1850 {
                                                     break;
                                                 }
-                                                phi_5496_ = _e1854;
-                                                phi_3864_ = _e1154;
-                                                phi_3865_ = _e1856;
+                                                phi_5478_ = _e1850;
+                                                phi_3850_ = _e1154;
+                                                phi_3851_ = _e1852;
                                             }
-                                            let _e2094 = phi_5496_;
-                                            let _e2096 = phi_3864_;
-                                            let _e2098 = phi_3865_;
-                                            if _e2098 {
-                                                let _e2099 = (_e2096 == 0u);
-                                                if _e2099 {
-                                                    phi_3881_ = u32();
-                                                    phi_3882_ = u32();
+                                            let _e2090 = phi_5478_;
+                                            let _e2092 = phi_3850_;
+                                            let _e2094 = phi_3851_;
+                                            if _e2094 {
+                                                let _e2095 = (_e2092 == 0u);
+                                                if _e2095 {
+                                                    phi_3867_ = u32();
+                                                    phi_3868_ = u32();
                                                 } else {
-                                                    let _e2100 = (_e2096 - 1u);
-                                                    if (_e2100 < 64u) {
+                                                    let _e2096 = (_e2092 - 1u);
+                                                    if (_e2096 < 64u) {
                                                     } else {
-                                                        phi_5494_ = true;
-                                                        phi_4019_ = bool();
+                                                        phi_5476_ = true;
+                                                        phi_4005_ = bool();
                                                         break;
                                                     }
-                                                    let _e2103 = local[_e2100];
-                                                    phi_3881_ = _e2103;
-                                                    phi_3882_ = _e2100;
+                                                    let _e2099 = local[_e2096];
+                                                    phi_3867_ = _e2099;
+                                                    phi_3868_ = _e2096;
                                                 }
-                                                let _e2105 = phi_3881_;
-                                                let _e2107 = phi_3882_;
-                                                phi_2599_ = _e2105;
-                                                phi_2602_ = _e2107;
-                                                phi_3884_ = select(true, false, _e2099);
-                                                phi_3885_ = _e2099;
+                                                let _e2101 = phi_3867_;
+                                                let _e2103 = phi_3868_;
+                                                phi_2599_ = _e2101;
+                                                phi_2602_ = _e2103;
+                                                phi_3870_ = select(true, false, _e2095);
+                                                phi_3871_ = _e2095;
                                             } else {
                                                 phi_2599_ = u32();
                                                 phi_2602_ = u32();
-                                                phi_3884_ = false;
-                                                phi_3885_ = false;
+                                                phi_3870_ = false;
+                                                phi_3871_ = false;
                                             }
-                                            let _e2110 = phi_2599_;
-                                            let _e2112 = phi_2602_;
-                                            let _e2114 = phi_3884_;
-                                            let _e2116 = phi_3885_;
+                                            let _e2106 = phi_2599_;
+                                            let _e2108 = phi_2602_;
+                                            let _e2110 = phi_3870_;
+                                            let _e2112 = phi_3871_;
                                             continue;
                                             continuing {
-                                                phi_5359_ = _e2094;
-                                                phi_2598_ = _e2110;
-                                                phi_2601_ = _e2112;
-                                                phi_5494_ = _e2094;
-                                                phi_4019_ = _e2116;
-                                                break if !(_e2114);
+                                                phi_5345_ = _e2090;
+                                                phi_2598_ = _e2106;
+                                                phi_2601_ = _e2108;
+                                                phi_5476_ = _e2090;
+                                                phi_4005_ = _e2112;
+                                                break if !(_e2110);
                                             }
                                         }
-                                        let _e2119 = phi_5494_;
-                                        let _e2121 = phi_4019_;
-                                        phi_5554_ = _e2119;
-                                        if _e2119 {
+                                        let _e2115 = phi_5476_;
+                                        let _e2117 = phi_4005_;
+                                        phi_5536_ = _e2115;
+                                        if _e2115 {
                                             break;
                                         }
-                                        if select(false, true, select(true, false, _e2121)) {
-                                            phi_3898_ = _e434;
+                                        if select(false, true, select(true, false, _e2117)) {
+                                            phi_3884_ = _e434;
                                         } else {
-                                            phi_3898_ = (_e434 + _e1017);
+                                            phi_3884_ = (_e434 + _e1017);
                                         }
-                                        let _e2126 = phi_3898_;
-                                        phi_5556_ = _e2119;
-                                        phi_3899_ = _e2126;
+                                        let _e2122 = phi_3884_;
+                                        phi_5538_ = _e2115;
+                                        phi_3885_ = _e2122;
                                     } else {
-                                        phi_5556_ = _e428;
-                                        phi_3899_ = _e434;
+                                        phi_5538_ = _e428;
+                                        phi_3885_ = _e434;
                                     }
-                                    let _e2128 = phi_5556_;
-                                    let _e2130 = phi_3899_;
-                                    phi_5555_ = _e2128;
+                                    let _e2124 = phi_5538_;
+                                    let _e2126 = phi_3885_;
+                                    phi_5537_ = _e2124;
                                     phi_1668_ = select(_e1018, _e432, (_e432 < _e1018));
-                                    phi_1670_ = _e2130;
+                                    phi_1670_ = _e2126;
                                     phi_1672_ = (_e436 + _e1017);
                                 } else {
-                                    phi_5555_ = _e428;
+                                    phi_5537_ = _e428;
                                     phi_1668_ = f32();
                                     phi_1670_ = f32();
                                     phi_1672_ = f32();
                                 }
-                                let _e2132 = phi_5555_;
-                                let _e2134 = phi_1668_;
-                                let _e2136 = phi_1670_;
-                                let _e2138 = phi_1672_;
+                                let _e2128 = phi_5537_;
+                                let _e2130 = phi_1668_;
+                                let _e2132 = phi_1670_;
+                                let _e2134 = phi_1672_;
                                 continue;
                                 continuing {
-                                    phi_5381_ = _e2132;
+                                    phi_5367_ = _e2128;
                                     phi_1664_ = _e449;
-                                    phi_1667_ = _e2134;
-                                    phi_1669_ = _e2136;
-                                    phi_1671_ = _e2138;
-                                    phi_5554_ = _e2132;
+                                    phi_1667_ = _e2130;
+                                    phi_1669_ = _e2132;
+                                    phi_1671_ = _e2134;
+                                    phi_5536_ = _e2128;
                                     break if !(_e455);
                                 }
                             }
-                            let _e2141 = phi_5554_;
-                            phi_5560_ = _e2141;
-                            if _e2141 {
+                            let _e2137 = phi_5536_;
+                            phi_5542_ = _e2137;
+                            if _e2137 {
                                 break;
                             }
-                            let _e2143 = local_5;
-                            if (_e2143 <= 0f) {
-                                phi_3966_ = vec3<f32>(0f, 0f, 0f);
+                            let _e2139 = local_5;
+                            if (_e2139 <= 0f) {
+                                phi_3952_ = vec3<f32>(0f, 0f, 0f);
                             } else {
                                 if (_e413.member_1 == 4294967295u) {
-                                    let _e2147 = local_6;
-                                    phi_3912_ = ((3.1415927f * _e2147) / f32(_e425));
+                                    let _e2143 = local_6;
+                                    phi_3898_ = ((3.1415927f * _e2143) / f32(_e425));
                                 } else {
-                                    let _e3168 = local_14;
-                                    phi_3912_ = _e3168;
+                                    let _e3162 = local_14;
+                                    phi_3898_ = _e3162;
                                 }
-                                let _e2152 = phi_3912_;
+                                let _e2148 = phi_3898_;
                                 if _e421 {
                                     if (_e425 == 1u) {
-                                        phi_3947_ = f32();
-                                        phi_3948_ = true;
+                                        phi_3933_ = f32();
+                                        phi_3934_ = true;
                                     } else {
-                                        let _e2156 = local_7;
-                                        let _e2158 = (_e413.member_3 < (0.01f * _e2156));
-                                        if _e2158 {
-                                            phi_3946_ = f32();
+                                        let _e2152 = local_7;
+                                        let _e2154 = (_e413.member_3 < (0.01f * _e2152));
+                                        if _e2154 {
+                                            phi_3932_ = f32();
                                         } else {
-                                            let _e2174 = (_e413.member[0] - _e147.member[0]);
-                                            let _e2175 = (_e413.member[1] - _e147.member[1]);
-                                            let _e2176 = (_e413.member[2] - _e147.member[2]);
-                                            let _e2177 = (vec3<f32>(_e413.member[0], _e413.member[1], _e413.member[2]) - _e174);
-                                            let _e2178 = (_e413.member_2[0] - _e147.member[0]);
-                                            let _e2179 = (_e413.member_2[1] - _e147.member[1]);
-                                            let _e2180 = (_e413.member_2[2] - _e147.member[2]);
-                                            let _e2181 = (vec3<f32>(_e413.member_2[0], _e413.member_2[1], _e413.member_2[2]) - _e174);
-                                            let _e2182 = (_e413.member_4[0] - _e147.member[0]);
-                                            let _e2183 = (_e413.member_4[1] - _e147.member[1]);
-                                            let _e2184 = (_e413.member_4[2] - _e147.member[2]);
-                                            let _e2185 = (vec3<f32>(_e413.member_4[0], _e413.member_4[1], _e413.member_4[2]) - _e174);
-                                            let _e2193 = (((_e169.x * _e2174) + (_e169.y * _e2175)) + (_e169.z * _e2176));
-                                            let _e2198 = (((_e169.x * _e2178) + (_e169.y * _e2179)) + (_e169.z * _e2180));
-                                            let _e2203 = (((_e169.x * _e2182) + (_e169.y * _e2183)) + (_e169.z * _e2184));
-                                            let _e2204 = (_e2193 <= 0f);
+                                            let _e2170 = (_e413.member[0] - _e147.member[0]);
+                                            let _e2171 = (_e413.member[1] - _e147.member[1]);
+                                            let _e2172 = (_e413.member[2] - _e147.member[2]);
+                                            let _e2173 = (vec3<f32>(_e413.member[0], _e413.member[1], _e413.member[2]) - _e174);
+                                            let _e2174 = (_e413.member_2[0] - _e147.member[0]);
+                                            let _e2175 = (_e413.member_2[1] - _e147.member[1]);
+                                            let _e2176 = (_e413.member_2[2] - _e147.member[2]);
+                                            let _e2177 = (vec3<f32>(_e413.member_2[0], _e413.member_2[1], _e413.member_2[2]) - _e174);
+                                            let _e2178 = (_e413.member_4[0] - _e147.member[0]);
+                                            let _e2179 = (_e413.member_4[1] - _e147.member[1]);
+                                            let _e2180 = (_e413.member_4[2] - _e147.member[2]);
+                                            let _e2181 = (vec3<f32>(_e413.member_4[0], _e413.member_4[1], _e413.member_4[2]) - _e174);
+                                            let _e2189 = (((_e169.x * _e2170) + (_e169.y * _e2171)) + (_e169.z * _e2172));
+                                            let _e2194 = (((_e169.x * _e2174) + (_e169.y * _e2175)) + (_e169.z * _e2176));
+                                            let _e2199 = (((_e169.x * _e2178) + (_e169.y * _e2179)) + (_e169.z * _e2180));
+                                            let _e2200 = (_e2189 <= 0f);
+                                            if _e2200 {
+                                                phi_4347_ = select(true, false, (_e2194 <= 0f));
+                                            } else {
+                                                phi_4347_ = true;
+                                            }
+                                            let _e2204 = phi_4347_;
                                             if _e2204 {
-                                                phi_4361_ = select(true, false, (_e2198 <= 0f));
-                                            } else {
-                                                phi_4361_ = true;
-                                            }
-                                            let _e2208 = phi_4361_;
-                                            if _e2208 {
-                                                if _e2204 {
-                                                    phi_4372_ = true;
+                                                if _e2200 {
+                                                    phi_4358_ = true;
                                                 } else {
-                                                    phi_4372_ = (_e2198 <= 0f);
+                                                    phi_4358_ = (_e2194 <= 0f);
                                                 }
-                                                let _e2211 = phi_4372_;
-                                                if _e2211 {
-                                                    let _e2216 = (_e2193 / (_e2193 - _e2198));
-                                                    let _e2223 = vec3<f32>((_e2174 + ((_e2178 - _e2174) * _e2216)), (_e2175 + ((_e2179 - _e2175) * _e2216)), (_e2176 + ((_e2180 - _e2176) * _e2216)));
-                                                    if _e2204 {
-                                                        phi_4393_ = type_61(0f, vec3<f32>(0f, 0f, 0f), _e2223);
+                                                let _e2207 = phi_4358_;
+                                                if _e2207 {
+                                                    let _e2212 = (_e2189 / (_e2189 - _e2194));
+                                                    let _e2219 = vec3<f32>((_e2170 + ((_e2174 - _e2170) * _e2212)), (_e2171 + ((_e2175 - _e2171) * _e2212)), (_e2172 + ((_e2176 - _e2172) * _e2212)));
+                                                    if _e2200 {
+                                                        phi_4379_ = type_61(0f, vec3<f32>(0f, 0f, 0f), _e2219);
                                                     } else {
-                                                        phi_4393_ = type_61(0f, _e2223, vec3<f32>(0f, 0f, 0f));
+                                                        phi_4379_ = type_61(0f, _e2219, vec3<f32>(0f, 0f, 0f));
                                                     }
-                                                    let _e2227 = phi_4393_;
-                                                    let _e2228 = vec3(_e2204);
-                                                    phi_4397_ = _e2227;
-                                                    phi_4398_ = select(_e2223, _e2181, _e2228);
-                                                    phi_4399_ = select(_e2177, _e2223, _e2228);
+                                                    let _e2223 = phi_4379_;
+                                                    let _e2224 = vec3(_e2200);
+                                                    phi_4383_ = _e2223;
+                                                    phi_4384_ = select(_e2219, _e2177, _e2224);
+                                                    phi_4385_ = select(_e2173, _e2219, _e2224);
                                                 } else {
-                                                    phi_4397_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                                                    phi_4398_ = _e2181;
-                                                    phi_4399_ = _e2177;
+                                                    phi_4383_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                    phi_4384_ = _e2177;
+                                                    phi_4385_ = _e2173;
                                                 }
-                                                let _e2232 = phi_4397_;
-                                                let _e2234 = phi_4398_;
-                                                let _e2236 = phi_4399_;
-                                                let _e2238 = abs(_e2236.x);
-                                                let _e2240 = abs(_e2236.y);
+                                                let _e2228 = phi_4383_;
+                                                let _e2230 = phi_4384_;
+                                                let _e2232 = phi_4385_;
+                                                let _e2234 = abs(_e2232.x);
+                                                let _e2236 = abs(_e2232.y);
+                                                let _e2238 = select(_e2236, _e2234, (_e2234 > _e2236));
+                                                let _e2240 = abs(_e2232.z);
                                                 let _e2242 = select(_e2240, _e2238, (_e2238 > _e2240));
-                                                let _e2244 = abs(_e2236.z);
-                                                let _e2246 = select(_e2244, _e2242, (_e2242 > _e2244));
-                                                if (_e2246 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2248 = (_e2246 < 340282350000000000000000000000000000000f);
-                                                    if _e2248 {
-                                                        let _e2249 = (_e2236.x / _e2246);
-                                                        let _e2250 = (_e2236.y / _e2246);
-                                                        let _e2251 = (_e2236.z / _e2246);
-                                                        let _e2257 = sqrt((((_e2249 * _e2249) + (_e2250 * _e2250)) + (_e2251 * _e2251)));
-                                                        phi_4439_ = vec3<f32>((_e2249 / _e2257), (_e2250 / _e2257), (_e2251 / _e2257));
+                                                if (_e2242 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2244 = (_e2242 < 340282350000000000000000000000000000000f);
+                                                    if _e2244 {
+                                                        let _e2245 = (_e2232.x / _e2242);
+                                                        let _e2246 = (_e2232.y / _e2242);
+                                                        let _e2247 = (_e2232.z / _e2242);
+                                                        let _e2253 = sqrt((((_e2245 * _e2245) + (_e2246 * _e2246)) + (_e2247 * _e2247)));
+                                                        phi_4425_ = vec3<f32>((_e2245 / _e2253), (_e2246 / _e2253), (_e2247 / _e2253));
                                                     } else {
-                                                        phi_4439_ = vec3<f32>();
+                                                        phi_4425_ = vec3<f32>();
                                                     }
-                                                    let _e2263 = phi_4439_;
-                                                    phi_4442_ = _e2263;
-                                                    phi_4443_ = select(true, false, _e2248);
+                                                    let _e2259 = phi_4425_;
+                                                    phi_4428_ = _e2259;
+                                                    phi_4429_ = select(true, false, _e2244);
                                                 } else {
-                                                    phi_4442_ = vec3<f32>();
-                                                    phi_4443_ = true;
+                                                    phi_4428_ = vec3<f32>();
+                                                    phi_4429_ = true;
                                                 }
-                                                let _e2266 = phi_4442_;
-                                                let _e2268 = phi_4443_;
-                                                let _e2270 = select(_e2266, vec3<f32>(0f, 0f, 0f), vec3(_e2268));
-                                                let _e2272 = abs(_e2234.x);
-                                                let _e2274 = abs(_e2234.y);
+                                                let _e2262 = phi_4428_;
+                                                let _e2264 = phi_4429_;
+                                                let _e2266 = select(_e2262, vec3<f32>(0f, 0f, 0f), vec3(_e2264));
+                                                let _e2268 = abs(_e2230.x);
+                                                let _e2270 = abs(_e2230.y);
+                                                let _e2272 = select(_e2270, _e2268, (_e2268 > _e2270));
+                                                let _e2274 = abs(_e2230.z);
                                                 let _e2276 = select(_e2274, _e2272, (_e2272 > _e2274));
-                                                let _e2278 = abs(_e2234.z);
-                                                let _e2280 = select(_e2278, _e2276, (_e2276 > _e2278));
-                                                if (_e2280 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2282 = (_e2280 < 340282350000000000000000000000000000000f);
-                                                    if _e2282 {
-                                                        let _e2283 = (_e2234.x / _e2280);
-                                                        let _e2284 = (_e2234.y / _e2280);
-                                                        let _e2285 = (_e2234.z / _e2280);
-                                                        let _e2291 = sqrt((((_e2283 * _e2283) + (_e2284 * _e2284)) + (_e2285 * _e2285)));
-                                                        phi_4487_ = vec3<f32>((_e2283 / _e2291), (_e2284 / _e2291), (_e2285 / _e2291));
+                                                if (_e2276 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2278 = (_e2276 < 340282350000000000000000000000000000000f);
+                                                    if _e2278 {
+                                                        let _e2279 = (_e2230.x / _e2276);
+                                                        let _e2280 = (_e2230.y / _e2276);
+                                                        let _e2281 = (_e2230.z / _e2276);
+                                                        let _e2287 = sqrt((((_e2279 * _e2279) + (_e2280 * _e2280)) + (_e2281 * _e2281)));
+                                                        phi_4473_ = vec3<f32>((_e2279 / _e2287), (_e2280 / _e2287), (_e2281 / _e2287));
                                                     } else {
-                                                        phi_4487_ = vec3<f32>();
+                                                        phi_4473_ = vec3<f32>();
                                                     }
-                                                    let _e2297 = phi_4487_;
-                                                    phi_4490_ = _e2297;
-                                                    phi_4491_ = select(true, false, _e2282);
+                                                    let _e2293 = phi_4473_;
+                                                    phi_4476_ = _e2293;
+                                                    phi_4477_ = select(true, false, _e2278);
                                                 } else {
-                                                    phi_4490_ = vec3<f32>();
-                                                    phi_4491_ = true;
+                                                    phi_4476_ = vec3<f32>();
+                                                    phi_4477_ = true;
                                                 }
-                                                let _e2300 = phi_4490_;
-                                                let _e2302 = phi_4491_;
-                                                let _e2304 = select(_e2300, vec3<f32>(0f, 0f, 0f), vec3(_e2302));
-                                                let _e2311 = ((_e2270.y * _e2304.z) - (_e2304.y * _e2270.z));
-                                                let _e2316 = ((_e2270.z * _e2304.x) - (_e2304.z * _e2270.x));
-                                                let _e2319 = ((_e2270.x * _e2304.y) - (_e2304.x * _e2270.y));
-                                                let _e2325 = sqrt((((_e2311 * _e2311) + (_e2316 * _e2316)) + (_e2319 * _e2319)));
-                                                if (_e2325 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_4605_ = 0f;
+                                                let _e2296 = phi_4476_;
+                                                let _e2298 = phi_4477_;
+                                                let _e2300 = select(_e2296, vec3<f32>(0f, 0f, 0f), vec3(_e2298));
+                                                let _e2307 = ((_e2266.y * _e2300.z) - (_e2300.y * _e2266.z));
+                                                let _e2312 = ((_e2266.z * _e2300.x) - (_e2300.z * _e2266.x));
+                                                let _e2315 = ((_e2266.x * _e2300.y) - (_e2300.x * _e2266.y));
+                                                let _e2321 = sqrt((((_e2307 * _e2307) + (_e2312 * _e2312)) + (_e2315 * _e2315)));
+                                                if (_e2321 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_4591_ = 0f;
                                                 } else {
-                                                    let _e2337 = (((_e2270.x * _e2304.x) + (_e2270.y * _e2304.y)) + (_e2270.z * _e2304.z));
-                                                    let _e2338 = abs(_e2337);
-                                                    let _e2339 = abs(_e2325);
-                                                    let _e2340 = (_e2339 > _e2338);
-                                                    let _e2341 = select(_e2338, _e2339, _e2340);
-                                                    if (_e2341 > 0f) {
-                                                        phi_4558_ = (select(_e2339, _e2338, _e2340) / _e2341);
+                                                    let _e2333 = (((_e2266.x * _e2300.x) + (_e2266.y * _e2300.y)) + (_e2266.z * _e2300.z));
+                                                    let _e2334 = abs(_e2333);
+                                                    let _e2335 = abs(_e2321);
+                                                    let _e2336 = (_e2335 > _e2334);
+                                                    let _e2337 = select(_e2334, _e2335, _e2336);
+                                                    if (_e2337 > 0f) {
+                                                        phi_4544_ = (select(_e2335, _e2334, _e2336) / _e2337);
                                                     } else {
-                                                        phi_4558_ = 0f;
+                                                        phi_4544_ = 0f;
                                                     }
-                                                    let _e2346 = phi_4558_;
-                                                    let _e2347 = (_e2346 > 0.41421357f);
-                                                    if _e2347 {
-                                                        phi_4566_ = ((_e2346 - 1f) / (_e2346 + 1f));
+                                                    let _e2342 = phi_4544_;
+                                                    let _e2343 = (_e2342 > 0.41421357f);
+                                                    if _e2343 {
+                                                        phi_4552_ = ((_e2342 - 1f) / (_e2342 + 1f));
                                                     } else {
-                                                        phi_4566_ = _e2346;
+                                                        phi_4552_ = _e2342;
                                                     }
-                                                    let _e2352 = phi_4566_;
-                                                    let _e2353 = (_e2352 * _e2352);
-                                                    let _e2362 = (_e2352 + ((_e2352 * _e2353) * (-0.3333295f + (_e2353 * (0.19977711f + (_e2353 * (-0.13877685f + (_e2353 * 0.080537446f))))))));
-                                                    if _e2347 {
-                                                        phi_4581_ = (_e2362 + 0.7853982f);
+                                                    let _e2348 = phi_4552_;
+                                                    let _e2349 = (_e2348 * _e2348);
+                                                    let _e2358 = (_e2348 + ((_e2348 * _e2349) * (-0.3333295f + (_e2349 * (0.19977711f + (_e2349 * (-0.13877685f + (_e2349 * 0.080537446f))))))));
+                                                    if _e2343 {
+                                                        phi_4567_ = (_e2358 + 0.7853982f);
                                                     } else {
-                                                        phi_4581_ = _e2362;
+                                                        phi_4567_ = _e2358;
                                                     }
-                                                    let _e2365 = phi_4581_;
-                                                    if _e2340 {
-                                                        phi_4587_ = (1.5707964f - _e2365);
+                                                    let _e2361 = phi_4567_;
+                                                    if _e2336 {
+                                                        phi_4573_ = (1.5707964f - _e2361);
                                                     } else {
-                                                        phi_4587_ = _e2365;
+                                                        phi_4573_ = _e2361;
                                                     }
-                                                    let _e2368 = phi_4587_;
-                                                    if ((bitcast<u32>(_e2337) & 2147483648u) == 0u) {
-                                                        phi_4595_ = _e2368;
+                                                    let _e2364 = phi_4573_;
+                                                    if ((bitcast<u32>(_e2333) & 2147483648u) == 0u) {
+                                                        phi_4581_ = _e2364;
                                                     } else {
-                                                        phi_4595_ = (3.1415927f - _e2368);
+                                                        phi_4581_ = (3.1415927f - _e2364);
                                                     }
-                                                    let _e2374 = phi_4595_;
-                                                    phi_4605_ = (((((_e169.x * _e2311) + (_e169.y * _e2316)) + (_e169.z * _e2319)) / _e2325) * bitcast<f32>(((bitcast<u32>(_e2374) & 2147483647u) | (bitcast<u32>(_e2325) & 2147483648u))));
+                                                    let _e2370 = phi_4581_;
+                                                    phi_4591_ = (((((_e169.x * _e2307) + (_e169.y * _e2312)) + (_e169.z * _e2315)) / _e2321) * bitcast<f32>(((bitcast<u32>(_e2370) & 2147483647u) | (bitcast<u32>(_e2321) & 2147483648u))));
                                                 }
-                                                let _e2383 = phi_4605_;
-                                                phi_4610_ = type_61((_e2232.member + _e2383), _e2232.member_1, _e2232.member_2);
+                                                let _e2379 = phi_4591_;
+                                                phi_4596_ = type_61((_e2228.member + _e2379), _e2228.member_1, _e2228.member_2);
                                             } else {
-                                                phi_4610_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                                phi_4596_ = type_61(0f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                                             }
-                                            let _e2391 = phi_4610_;
-                                            let _e2392 = (_e2198 <= 0f);
+                                            let _e2387 = phi_4596_;
+                                            let _e2388 = (_e2194 <= 0f);
+                                            if _e2388 {
+                                                phi_4606_ = select(true, false, (_e2199 <= 0f));
+                                            } else {
+                                                phi_4606_ = true;
+                                            }
+                                            let _e2392 = phi_4606_;
                                             if _e2392 {
-                                                phi_4620_ = select(true, false, (_e2203 <= 0f));
-                                            } else {
-                                                phi_4620_ = true;
-                                            }
-                                            let _e2396 = phi_4620_;
-                                            if _e2396 {
-                                                if _e2392 {
-                                                    phi_4631_ = true;
+                                                if _e2388 {
+                                                    phi_4617_ = true;
                                                 } else {
-                                                    phi_4631_ = (_e2203 <= 0f);
+                                                    phi_4617_ = (_e2199 <= 0f);
                                                 }
-                                                let _e2399 = phi_4631_;
-                                                if _e2399 {
-                                                    let _e2404 = (_e2198 / (_e2198 - _e2203));
-                                                    let _e2411 = vec3<f32>((_e2178 + ((_e2182 - _e2178) * _e2404)), (_e2179 + ((_e2183 - _e2179) * _e2404)), (_e2180 + ((_e2184 - _e2180) * _e2404)));
-                                                    if _e2392 {
-                                                        phi_4652_ = type_61(_e2391.member, _e2391.member_1, _e2411);
+                                                let _e2395 = phi_4617_;
+                                                if _e2395 {
+                                                    let _e2400 = (_e2194 / (_e2194 - _e2199));
+                                                    let _e2407 = vec3<f32>((_e2174 + ((_e2178 - _e2174) * _e2400)), (_e2175 + ((_e2179 - _e2175) * _e2400)), (_e2176 + ((_e2180 - _e2176) * _e2400)));
+                                                    if _e2388 {
+                                                        phi_4638_ = type_61(_e2387.member, _e2387.member_1, _e2407);
                                                     } else {
-                                                        phi_4652_ = type_61(_e2391.member, _e2411, _e2391.member_2);
+                                                        phi_4638_ = type_61(_e2387.member, _e2407, _e2387.member_2);
                                                     }
-                                                    let _e2421 = phi_4652_;
-                                                    let _e2422 = vec3(_e2392);
-                                                    phi_4656_ = _e2421;
-                                                    phi_4657_ = select(_e2411, _e2185, _e2422);
-                                                    phi_4658_ = select(_e2181, _e2411, _e2422);
+                                                    let _e2417 = phi_4638_;
+                                                    let _e2418 = vec3(_e2388);
+                                                    phi_4642_ = _e2417;
+                                                    phi_4643_ = select(_e2407, _e2181, _e2418);
+                                                    phi_4644_ = select(_e2177, _e2407, _e2418);
                                                 } else {
-                                                    phi_4656_ = _e2391;
-                                                    phi_4657_ = _e2185;
-                                                    phi_4658_ = _e2181;
+                                                    phi_4642_ = _e2387;
+                                                    phi_4643_ = _e2181;
+                                                    phi_4644_ = _e2177;
                                                 }
-                                                let _e2426 = phi_4656_;
-                                                let _e2428 = phi_4657_;
-                                                let _e2430 = phi_4658_;
-                                                let _e2432 = abs(_e2430.x);
-                                                let _e2434 = abs(_e2430.y);
+                                                let _e2422 = phi_4642_;
+                                                let _e2424 = phi_4643_;
+                                                let _e2426 = phi_4644_;
+                                                let _e2428 = abs(_e2426.x);
+                                                let _e2430 = abs(_e2426.y);
+                                                let _e2432 = select(_e2430, _e2428, (_e2428 > _e2430));
+                                                let _e2434 = abs(_e2426.z);
                                                 let _e2436 = select(_e2434, _e2432, (_e2432 > _e2434));
-                                                let _e2438 = abs(_e2430.z);
-                                                let _e2440 = select(_e2438, _e2436, (_e2436 > _e2438));
-                                                if (_e2440 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2442 = (_e2440 < 340282350000000000000000000000000000000f);
-                                                    if _e2442 {
-                                                        let _e2443 = (_e2430.x / _e2440);
-                                                        let _e2444 = (_e2430.y / _e2440);
-                                                        let _e2445 = (_e2430.z / _e2440);
-                                                        let _e2451 = sqrt((((_e2443 * _e2443) + (_e2444 * _e2444)) + (_e2445 * _e2445)));
-                                                        phi_4698_ = vec3<f32>((_e2443 / _e2451), (_e2444 / _e2451), (_e2445 / _e2451));
+                                                if (_e2436 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2438 = (_e2436 < 340282350000000000000000000000000000000f);
+                                                    if _e2438 {
+                                                        let _e2439 = (_e2426.x / _e2436);
+                                                        let _e2440 = (_e2426.y / _e2436);
+                                                        let _e2441 = (_e2426.z / _e2436);
+                                                        let _e2447 = sqrt((((_e2439 * _e2439) + (_e2440 * _e2440)) + (_e2441 * _e2441)));
+                                                        phi_4684_ = vec3<f32>((_e2439 / _e2447), (_e2440 / _e2447), (_e2441 / _e2447));
                                                     } else {
-                                                        phi_4698_ = vec3<f32>();
+                                                        phi_4684_ = vec3<f32>();
                                                     }
-                                                    let _e2457 = phi_4698_;
-                                                    phi_4701_ = _e2457;
-                                                    phi_4702_ = select(true, false, _e2442);
+                                                    let _e2453 = phi_4684_;
+                                                    phi_4687_ = _e2453;
+                                                    phi_4688_ = select(true, false, _e2438);
                                                 } else {
-                                                    phi_4701_ = vec3<f32>();
-                                                    phi_4702_ = true;
+                                                    phi_4687_ = vec3<f32>();
+                                                    phi_4688_ = true;
                                                 }
-                                                let _e2460 = phi_4701_;
-                                                let _e2462 = phi_4702_;
-                                                let _e2464 = select(_e2460, vec3<f32>(0f, 0f, 0f), vec3(_e2462));
-                                                let _e2466 = abs(_e2428.x);
-                                                let _e2468 = abs(_e2428.y);
+                                                let _e2456 = phi_4687_;
+                                                let _e2458 = phi_4688_;
+                                                let _e2460 = select(_e2456, vec3<f32>(0f, 0f, 0f), vec3(_e2458));
+                                                let _e2462 = abs(_e2424.x);
+                                                let _e2464 = abs(_e2424.y);
+                                                let _e2466 = select(_e2464, _e2462, (_e2462 > _e2464));
+                                                let _e2468 = abs(_e2424.z);
                                                 let _e2470 = select(_e2468, _e2466, (_e2466 > _e2468));
-                                                let _e2472 = abs(_e2428.z);
-                                                let _e2474 = select(_e2472, _e2470, (_e2470 > _e2472));
-                                                if (_e2474 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2476 = (_e2474 < 340282350000000000000000000000000000000f);
-                                                    if _e2476 {
-                                                        let _e2477 = (_e2428.x / _e2474);
-                                                        let _e2478 = (_e2428.y / _e2474);
-                                                        let _e2479 = (_e2428.z / _e2474);
-                                                        let _e2485 = sqrt((((_e2477 * _e2477) + (_e2478 * _e2478)) + (_e2479 * _e2479)));
-                                                        phi_4746_ = vec3<f32>((_e2477 / _e2485), (_e2478 / _e2485), (_e2479 / _e2485));
+                                                if (_e2470 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2472 = (_e2470 < 340282350000000000000000000000000000000f);
+                                                    if _e2472 {
+                                                        let _e2473 = (_e2424.x / _e2470);
+                                                        let _e2474 = (_e2424.y / _e2470);
+                                                        let _e2475 = (_e2424.z / _e2470);
+                                                        let _e2481 = sqrt((((_e2473 * _e2473) + (_e2474 * _e2474)) + (_e2475 * _e2475)));
+                                                        phi_4732_ = vec3<f32>((_e2473 / _e2481), (_e2474 / _e2481), (_e2475 / _e2481));
                                                     } else {
-                                                        phi_4746_ = vec3<f32>();
+                                                        phi_4732_ = vec3<f32>();
                                                     }
-                                                    let _e2491 = phi_4746_;
-                                                    phi_4749_ = _e2491;
-                                                    phi_4750_ = select(true, false, _e2476);
+                                                    let _e2487 = phi_4732_;
+                                                    phi_4735_ = _e2487;
+                                                    phi_4736_ = select(true, false, _e2472);
                                                 } else {
-                                                    phi_4749_ = vec3<f32>();
-                                                    phi_4750_ = true;
+                                                    phi_4735_ = vec3<f32>();
+                                                    phi_4736_ = true;
                                                 }
-                                                let _e2494 = phi_4749_;
-                                                let _e2496 = phi_4750_;
-                                                let _e2498 = select(_e2494, vec3<f32>(0f, 0f, 0f), vec3(_e2496));
-                                                let _e2505 = ((_e2464.y * _e2498.z) - (_e2498.y * _e2464.z));
-                                                let _e2510 = ((_e2464.z * _e2498.x) - (_e2498.z * _e2464.x));
-                                                let _e2513 = ((_e2464.x * _e2498.y) - (_e2498.x * _e2464.y));
-                                                let _e2519 = sqrt((((_e2505 * _e2505) + (_e2510 * _e2510)) + (_e2513 * _e2513)));
-                                                if (_e2519 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_4864_ = 0f;
+                                                let _e2490 = phi_4735_;
+                                                let _e2492 = phi_4736_;
+                                                let _e2494 = select(_e2490, vec3<f32>(0f, 0f, 0f), vec3(_e2492));
+                                                let _e2501 = ((_e2460.y * _e2494.z) - (_e2494.y * _e2460.z));
+                                                let _e2506 = ((_e2460.z * _e2494.x) - (_e2494.z * _e2460.x));
+                                                let _e2509 = ((_e2460.x * _e2494.y) - (_e2494.x * _e2460.y));
+                                                let _e2515 = sqrt((((_e2501 * _e2501) + (_e2506 * _e2506)) + (_e2509 * _e2509)));
+                                                if (_e2515 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_4850_ = 0f;
                                                 } else {
-                                                    let _e2531 = (((_e2464.x * _e2498.x) + (_e2464.y * _e2498.y)) + (_e2464.z * _e2498.z));
-                                                    let _e2532 = abs(_e2531);
-                                                    let _e2533 = abs(_e2519);
-                                                    let _e2534 = (_e2533 > _e2532);
-                                                    let _e2535 = select(_e2532, _e2533, _e2534);
-                                                    if (_e2535 > 0f) {
-                                                        phi_4817_ = (select(_e2533, _e2532, _e2534) / _e2535);
+                                                    let _e2527 = (((_e2460.x * _e2494.x) + (_e2460.y * _e2494.y)) + (_e2460.z * _e2494.z));
+                                                    let _e2528 = abs(_e2527);
+                                                    let _e2529 = abs(_e2515);
+                                                    let _e2530 = (_e2529 > _e2528);
+                                                    let _e2531 = select(_e2528, _e2529, _e2530);
+                                                    if (_e2531 > 0f) {
+                                                        phi_4803_ = (select(_e2529, _e2528, _e2530) / _e2531);
                                                     } else {
-                                                        phi_4817_ = 0f;
+                                                        phi_4803_ = 0f;
                                                     }
-                                                    let _e2540 = phi_4817_;
-                                                    let _e2541 = (_e2540 > 0.41421357f);
-                                                    if _e2541 {
-                                                        phi_4825_ = ((_e2540 - 1f) / (_e2540 + 1f));
+                                                    let _e2536 = phi_4803_;
+                                                    let _e2537 = (_e2536 > 0.41421357f);
+                                                    if _e2537 {
+                                                        phi_4811_ = ((_e2536 - 1f) / (_e2536 + 1f));
                                                     } else {
-                                                        phi_4825_ = _e2540;
+                                                        phi_4811_ = _e2536;
                                                     }
-                                                    let _e2546 = phi_4825_;
-                                                    let _e2547 = (_e2546 * _e2546);
-                                                    let _e2556 = (_e2546 + ((_e2546 * _e2547) * (-0.3333295f + (_e2547 * (0.19977711f + (_e2547 * (-0.13877685f + (_e2547 * 0.080537446f))))))));
-                                                    if _e2541 {
-                                                        phi_4840_ = (_e2556 + 0.7853982f);
+                                                    let _e2542 = phi_4811_;
+                                                    let _e2543 = (_e2542 * _e2542);
+                                                    let _e2552 = (_e2542 + ((_e2542 * _e2543) * (-0.3333295f + (_e2543 * (0.19977711f + (_e2543 * (-0.13877685f + (_e2543 * 0.080537446f))))))));
+                                                    if _e2537 {
+                                                        phi_4826_ = (_e2552 + 0.7853982f);
                                                     } else {
-                                                        phi_4840_ = _e2556;
+                                                        phi_4826_ = _e2552;
                                                     }
-                                                    let _e2559 = phi_4840_;
-                                                    if _e2534 {
-                                                        phi_4846_ = (1.5707964f - _e2559);
+                                                    let _e2555 = phi_4826_;
+                                                    if _e2530 {
+                                                        phi_4832_ = (1.5707964f - _e2555);
                                                     } else {
-                                                        phi_4846_ = _e2559;
+                                                        phi_4832_ = _e2555;
                                                     }
-                                                    let _e2562 = phi_4846_;
-                                                    if ((bitcast<u32>(_e2531) & 2147483648u) == 0u) {
-                                                        phi_4854_ = _e2562;
+                                                    let _e2558 = phi_4832_;
+                                                    if ((bitcast<u32>(_e2527) & 2147483648u) == 0u) {
+                                                        phi_4840_ = _e2558;
                                                     } else {
-                                                        phi_4854_ = (3.1415927f - _e2562);
+                                                        phi_4840_ = (3.1415927f - _e2558);
                                                     }
-                                                    let _e2568 = phi_4854_;
-                                                    phi_4864_ = (((((_e169.x * _e2505) + (_e169.y * _e2510)) + (_e169.z * _e2513)) / _e2519) * bitcast<f32>(((bitcast<u32>(_e2568) & 2147483647u) | (bitcast<u32>(_e2519) & 2147483648u))));
+                                                    let _e2564 = phi_4840_;
+                                                    phi_4850_ = (((((_e169.x * _e2501) + (_e169.y * _e2506)) + (_e169.z * _e2509)) / _e2515) * bitcast<f32>(((bitcast<u32>(_e2564) & 2147483647u) | (bitcast<u32>(_e2515) & 2147483648u))));
                                                 }
-                                                let _e2577 = phi_4864_;
-                                                phi_4869_ = type_61((_e2426.member + _e2577), _e2426.member_1, _e2426.member_2);
+                                                let _e2573 = phi_4850_;
+                                                phi_4855_ = type_61((_e2422.member + _e2573), _e2422.member_1, _e2422.member_2);
                                             } else {
-                                                phi_4869_ = _e2391;
+                                                phi_4855_ = _e2387;
                                             }
-                                            let _e2585 = phi_4869_;
-                                            let _e2586 = (_e2203 <= 0f);
-                                            if _e2586 {
-                                                phi_4879_ = select(true, false, _e2204);
+                                            let _e2581 = phi_4855_;
+                                            let _e2582 = (_e2199 <= 0f);
+                                            if _e2582 {
+                                                phi_4865_ = select(true, false, _e2200);
                                             } else {
-                                                phi_4879_ = true;
+                                                phi_4865_ = true;
                                             }
-                                            let _e2589 = phi_4879_;
-                                            if _e2589 {
-                                                if select(_e2204, true, _e2586) {
-                                                    let _e2595 = (_e2203 / (_e2203 - _e2193));
-                                                    let _e2602 = vec3<f32>((_e2182 + ((_e2174 - _e2182) * _e2595)), (_e2183 + ((_e2175 - _e2183) * _e2595)), (_e2184 + ((_e2176 - _e2184) * _e2595)));
-                                                    if _e2586 {
-                                                        phi_4911_ = type_61(_e2585.member, _e2585.member_1, _e2602);
+                                            let _e2585 = phi_4865_;
+                                            if _e2585 {
+                                                if select(_e2200, true, _e2582) {
+                                                    let _e2591 = (_e2199 / (_e2199 - _e2189));
+                                                    let _e2598 = vec3<f32>((_e2178 + ((_e2170 - _e2178) * _e2591)), (_e2179 + ((_e2171 - _e2179) * _e2591)), (_e2180 + ((_e2172 - _e2180) * _e2591)));
+                                                    if _e2582 {
+                                                        phi_4897_ = type_61(_e2581.member, _e2581.member_1, _e2598);
                                                     } else {
-                                                        phi_4911_ = type_61(_e2585.member, _e2602, _e2585.member_2);
+                                                        phi_4897_ = type_61(_e2581.member, _e2598, _e2581.member_2);
                                                     }
-                                                    let _e2612 = phi_4911_;
-                                                    let _e2613 = vec3(_e2586);
-                                                    phi_4915_ = _e2612;
-                                                    phi_4916_ = select(_e2602, _e2177, _e2613);
-                                                    phi_4917_ = select(_e2185, _e2602, _e2613);
+                                                    let _e2608 = phi_4897_;
+                                                    let _e2609 = vec3(_e2582);
+                                                    phi_4901_ = _e2608;
+                                                    phi_4902_ = select(_e2598, _e2173, _e2609);
+                                                    phi_4903_ = select(_e2181, _e2598, _e2609);
                                                 } else {
-                                                    phi_4915_ = _e2585;
-                                                    phi_4916_ = _e2177;
-                                                    phi_4917_ = _e2185;
+                                                    phi_4901_ = _e2581;
+                                                    phi_4902_ = _e2173;
+                                                    phi_4903_ = _e2181;
                                                 }
-                                                let _e2617 = phi_4915_;
-                                                let _e2619 = phi_4916_;
-                                                let _e2621 = phi_4917_;
-                                                let _e2623 = abs(_e2621.x);
-                                                let _e2625 = abs(_e2621.y);
+                                                let _e2613 = phi_4901_;
+                                                let _e2615 = phi_4902_;
+                                                let _e2617 = phi_4903_;
+                                                let _e2619 = abs(_e2617.x);
+                                                let _e2621 = abs(_e2617.y);
+                                                let _e2623 = select(_e2621, _e2619, (_e2619 > _e2621));
+                                                let _e2625 = abs(_e2617.z);
                                                 let _e2627 = select(_e2625, _e2623, (_e2623 > _e2625));
-                                                let _e2629 = abs(_e2621.z);
-                                                let _e2631 = select(_e2629, _e2627, (_e2627 > _e2629));
-                                                if (_e2631 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2633 = (_e2631 < 340282350000000000000000000000000000000f);
-                                                    if _e2633 {
-                                                        let _e2634 = (_e2621.x / _e2631);
-                                                        let _e2635 = (_e2621.y / _e2631);
-                                                        let _e2636 = (_e2621.z / _e2631);
-                                                        let _e2642 = sqrt((((_e2634 * _e2634) + (_e2635 * _e2635)) + (_e2636 * _e2636)));
-                                                        phi_4957_ = vec3<f32>((_e2634 / _e2642), (_e2635 / _e2642), (_e2636 / _e2642));
+                                                if (_e2627 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2629 = (_e2627 < 340282350000000000000000000000000000000f);
+                                                    if _e2629 {
+                                                        let _e2630 = (_e2617.x / _e2627);
+                                                        let _e2631 = (_e2617.y / _e2627);
+                                                        let _e2632 = (_e2617.z / _e2627);
+                                                        let _e2638 = sqrt((((_e2630 * _e2630) + (_e2631 * _e2631)) + (_e2632 * _e2632)));
+                                                        phi_4943_ = vec3<f32>((_e2630 / _e2638), (_e2631 / _e2638), (_e2632 / _e2638));
                                                     } else {
-                                                        phi_4957_ = vec3<f32>();
+                                                        phi_4943_ = vec3<f32>();
                                                     }
-                                                    let _e2648 = phi_4957_;
-                                                    phi_4960_ = _e2648;
-                                                    phi_4961_ = select(true, false, _e2633);
+                                                    let _e2644 = phi_4943_;
+                                                    phi_4946_ = _e2644;
+                                                    phi_4947_ = select(true, false, _e2629);
                                                 } else {
-                                                    phi_4960_ = vec3<f32>();
-                                                    phi_4961_ = true;
+                                                    phi_4946_ = vec3<f32>();
+                                                    phi_4947_ = true;
                                                 }
-                                                let _e2651 = phi_4960_;
-                                                let _e2653 = phi_4961_;
-                                                let _e2655 = select(_e2651, vec3<f32>(0f, 0f, 0f), vec3(_e2653));
-                                                let _e2657 = abs(_e2619.x);
-                                                let _e2659 = abs(_e2619.y);
+                                                let _e2647 = phi_4946_;
+                                                let _e2649 = phi_4947_;
+                                                let _e2651 = select(_e2647, vec3<f32>(0f, 0f, 0f), vec3(_e2649));
+                                                let _e2653 = abs(_e2615.x);
+                                                let _e2655 = abs(_e2615.y);
+                                                let _e2657 = select(_e2655, _e2653, (_e2653 > _e2655));
+                                                let _e2659 = abs(_e2615.z);
                                                 let _e2661 = select(_e2659, _e2657, (_e2657 > _e2659));
-                                                let _e2663 = abs(_e2619.z);
-                                                let _e2665 = select(_e2663, _e2661, (_e2661 > _e2663));
-                                                if (_e2665 > 0.000000000000000000000000000000000000011754944f) {
-                                                    let _e2667 = (_e2665 < 340282350000000000000000000000000000000f);
-                                                    if _e2667 {
-                                                        let _e2668 = (_e2619.x / _e2665);
-                                                        let _e2669 = (_e2619.y / _e2665);
-                                                        let _e2670 = (_e2619.z / _e2665);
-                                                        let _e2676 = sqrt((((_e2668 * _e2668) + (_e2669 * _e2669)) + (_e2670 * _e2670)));
-                                                        phi_5005_ = vec3<f32>((_e2668 / _e2676), (_e2669 / _e2676), (_e2670 / _e2676));
+                                                if (_e2661 > 0.000000000000000000000000000000000000011754944f) {
+                                                    let _e2663 = (_e2661 < 340282350000000000000000000000000000000f);
+                                                    if _e2663 {
+                                                        let _e2664 = (_e2615.x / _e2661);
+                                                        let _e2665 = (_e2615.y / _e2661);
+                                                        let _e2666 = (_e2615.z / _e2661);
+                                                        let _e2672 = sqrt((((_e2664 * _e2664) + (_e2665 * _e2665)) + (_e2666 * _e2666)));
+                                                        phi_4991_ = vec3<f32>((_e2664 / _e2672), (_e2665 / _e2672), (_e2666 / _e2672));
                                                     } else {
-                                                        phi_5005_ = vec3<f32>();
+                                                        phi_4991_ = vec3<f32>();
                                                     }
-                                                    let _e2682 = phi_5005_;
-                                                    phi_5008_ = _e2682;
-                                                    phi_5009_ = select(true, false, _e2667);
+                                                    let _e2678 = phi_4991_;
+                                                    phi_4994_ = _e2678;
+                                                    phi_4995_ = select(true, false, _e2663);
                                                 } else {
-                                                    phi_5008_ = vec3<f32>();
-                                                    phi_5009_ = true;
+                                                    phi_4994_ = vec3<f32>();
+                                                    phi_4995_ = true;
                                                 }
-                                                let _e2685 = phi_5008_;
-                                                let _e2687 = phi_5009_;
-                                                let _e2689 = select(_e2685, vec3<f32>(0f, 0f, 0f), vec3(_e2687));
-                                                let _e2696 = ((_e2655.y * _e2689.z) - (_e2689.y * _e2655.z));
-                                                let _e2701 = ((_e2655.z * _e2689.x) - (_e2689.z * _e2655.x));
-                                                let _e2704 = ((_e2655.x * _e2689.y) - (_e2689.x * _e2655.y));
-                                                let _e2710 = sqrt((((_e2696 * _e2696) + (_e2701 * _e2701)) + (_e2704 * _e2704)));
-                                                if (_e2710 <= 0.000000000000000000000000000000000000011754944f) {
-                                                    phi_5123_ = 0f;
+                                                let _e2681 = phi_4994_;
+                                                let _e2683 = phi_4995_;
+                                                let _e2685 = select(_e2681, vec3<f32>(0f, 0f, 0f), vec3(_e2683));
+                                                let _e2692 = ((_e2651.y * _e2685.z) - (_e2685.y * _e2651.z));
+                                                let _e2697 = ((_e2651.z * _e2685.x) - (_e2685.z * _e2651.x));
+                                                let _e2700 = ((_e2651.x * _e2685.y) - (_e2685.x * _e2651.y));
+                                                let _e2706 = sqrt((((_e2692 * _e2692) + (_e2697 * _e2697)) + (_e2700 * _e2700)));
+                                                if (_e2706 <= 0.000000000000000000000000000000000000011754944f) {
+                                                    phi_5109_ = 0f;
                                                 } else {
-                                                    let _e2722 = (((_e2655.x * _e2689.x) + (_e2655.y * _e2689.y)) + (_e2655.z * _e2689.z));
-                                                    let _e2723 = abs(_e2722);
-                                                    let _e2724 = abs(_e2710);
-                                                    let _e2725 = (_e2724 > _e2723);
-                                                    let _e2726 = select(_e2723, _e2724, _e2725);
-                                                    if (_e2726 > 0f) {
-                                                        phi_5076_ = (select(_e2724, _e2723, _e2725) / _e2726);
+                                                    let _e2718 = (((_e2651.x * _e2685.x) + (_e2651.y * _e2685.y)) + (_e2651.z * _e2685.z));
+                                                    let _e2719 = abs(_e2718);
+                                                    let _e2720 = abs(_e2706);
+                                                    let _e2721 = (_e2720 > _e2719);
+                                                    let _e2722 = select(_e2719, _e2720, _e2721);
+                                                    if (_e2722 > 0f) {
+                                                        phi_5062_ = (select(_e2720, _e2719, _e2721) / _e2722);
                                                     } else {
-                                                        phi_5076_ = 0f;
+                                                        phi_5062_ = 0f;
                                                     }
-                                                    let _e2731 = phi_5076_;
-                                                    let _e2732 = (_e2731 > 0.41421357f);
-                                                    if _e2732 {
-                                                        phi_5084_ = ((_e2731 - 1f) / (_e2731 + 1f));
+                                                    let _e2727 = phi_5062_;
+                                                    let _e2728 = (_e2727 > 0.41421357f);
+                                                    if _e2728 {
+                                                        phi_5070_ = ((_e2727 - 1f) / (_e2727 + 1f));
                                                     } else {
-                                                        phi_5084_ = _e2731;
+                                                        phi_5070_ = _e2727;
                                                     }
-                                                    let _e2737 = phi_5084_;
-                                                    let _e2738 = (_e2737 * _e2737);
-                                                    let _e2747 = (_e2737 + ((_e2737 * _e2738) * (-0.3333295f + (_e2738 * (0.19977711f + (_e2738 * (-0.13877685f + (_e2738 * 0.080537446f))))))));
-                                                    if _e2732 {
-                                                        phi_5099_ = (_e2747 + 0.7853982f);
+                                                    let _e2733 = phi_5070_;
+                                                    let _e2734 = (_e2733 * _e2733);
+                                                    let _e2743 = (_e2733 + ((_e2733 * _e2734) * (-0.3333295f + (_e2734 * (0.19977711f + (_e2734 * (-0.13877685f + (_e2734 * 0.080537446f))))))));
+                                                    if _e2728 {
+                                                        phi_5085_ = (_e2743 + 0.7853982f);
                                                     } else {
-                                                        phi_5099_ = _e2747;
+                                                        phi_5085_ = _e2743;
                                                     }
-                                                    let _e2750 = phi_5099_;
-                                                    if _e2725 {
-                                                        phi_5105_ = (1.5707964f - _e2750);
+                                                    let _e2746 = phi_5085_;
+                                                    if _e2721 {
+                                                        phi_5091_ = (1.5707964f - _e2746);
                                                     } else {
-                                                        phi_5105_ = _e2750;
+                                                        phi_5091_ = _e2746;
                                                     }
-                                                    let _e2753 = phi_5105_;
-                                                    if ((bitcast<u32>(_e2722) & 2147483648u) == 0u) {
-                                                        phi_5113_ = _e2753;
+                                                    let _e2749 = phi_5091_;
+                                                    if ((bitcast<u32>(_e2718) & 2147483648u) == 0u) {
+                                                        phi_5099_ = _e2749;
                                                     } else {
-                                                        phi_5113_ = (3.1415927f - _e2753);
+                                                        phi_5099_ = (3.1415927f - _e2749);
                                                     }
-                                                    let _e2759 = phi_5113_;
-                                                    phi_5123_ = (((((_e169.x * _e2696) + (_e169.y * _e2701)) + (_e169.z * _e2704)) / _e2710) * bitcast<f32>(((bitcast<u32>(_e2759) & 2147483647u) | (bitcast<u32>(_e2710) & 2147483648u))));
+                                                    let _e2755 = phi_5099_;
+                                                    phi_5109_ = (((((_e169.x * _e2692) + (_e169.y * _e2697)) + (_e169.z * _e2700)) / _e2706) * bitcast<f32>(((bitcast<u32>(_e2755) & 2147483647u) | (bitcast<u32>(_e2706) & 2147483648u))));
                                                 }
-                                                let _e2768 = phi_5123_;
-                                                phi_5128_ = type_61((_e2617.member + _e2768), _e2617.member_1, _e2617.member_2);
+                                                let _e2764 = phi_5109_;
+                                                phi_5114_ = type_61((_e2613.member + _e2764), _e2613.member_1, _e2613.member_2);
                                             } else {
-                                                phi_5128_ = _e2585;
+                                                phi_5114_ = _e2581;
                                             }
-                                            let _e2776 = phi_5128_;
-                                            let _e2780 = abs(_e2776.member_1.x);
-                                            let _e2782 = abs(_e2776.member_1.y);
+                                            let _e2772 = phi_5114_;
+                                            let _e2776 = abs(_e2772.member_1.x);
+                                            let _e2778 = abs(_e2772.member_1.y);
+                                            let _e2780 = select(_e2778, _e2776, (_e2776 > _e2778));
+                                            let _e2782 = abs(_e2772.member_1.z);
                                             let _e2784 = select(_e2782, _e2780, (_e2780 > _e2782));
-                                            let _e2786 = abs(_e2776.member_1.z);
-                                            let _e2788 = select(_e2786, _e2784, (_e2784 > _e2786));
-                                            if (_e2788 > 0.000000000000000000000000000000000000011754944f) {
-                                                let _e2790 = (_e2788 < 340282350000000000000000000000000000000f);
-                                                if _e2790 {
-                                                    let _e2791 = (_e2776.member_1.x / _e2788);
-                                                    let _e2792 = (_e2776.member_1.y / _e2788);
-                                                    let _e2793 = (_e2776.member_1.z / _e2788);
-                                                    let _e2799 = sqrt((((_e2791 * _e2791) + (_e2792 * _e2792)) + (_e2793 * _e2793)));
-                                                    phi_5170_ = vec3<f32>((_e2791 / _e2799), (_e2792 / _e2799), (_e2793 / _e2799));
+                                            if (_e2784 > 0.000000000000000000000000000000000000011754944f) {
+                                                let _e2786 = (_e2784 < 340282350000000000000000000000000000000f);
+                                                if _e2786 {
+                                                    let _e2787 = (_e2772.member_1.x / _e2784);
+                                                    let _e2788 = (_e2772.member_1.y / _e2784);
+                                                    let _e2789 = (_e2772.member_1.z / _e2784);
+                                                    let _e2795 = sqrt((((_e2787 * _e2787) + (_e2788 * _e2788)) + (_e2789 * _e2789)));
+                                                    phi_5156_ = vec3<f32>((_e2787 / _e2795), (_e2788 / _e2795), (_e2789 / _e2795));
                                                 } else {
-                                                    phi_5170_ = vec3<f32>();
+                                                    phi_5156_ = vec3<f32>();
                                                 }
-                                                let _e2805 = phi_5170_;
-                                                phi_5173_ = _e2805;
-                                                phi_5174_ = select(true, false, _e2790);
+                                                let _e2801 = phi_5156_;
+                                                phi_5159_ = _e2801;
+                                                phi_5160_ = select(true, false, _e2786);
                                             } else {
-                                                phi_5173_ = vec3<f32>();
-                                                phi_5174_ = true;
+                                                phi_5159_ = vec3<f32>();
+                                                phi_5160_ = true;
                                             }
-                                            let _e2808 = phi_5173_;
-                                            let _e2810 = phi_5174_;
-                                            let _e2812 = select(_e2808, vec3<f32>(0f, 0f, 0f), vec3(_e2810));
-                                            let _e2814 = abs(_e2776.member_2.x);
-                                            let _e2816 = abs(_e2776.member_2.y);
+                                            let _e2804 = phi_5159_;
+                                            let _e2806 = phi_5160_;
+                                            let _e2808 = select(_e2804, vec3<f32>(0f, 0f, 0f), vec3(_e2806));
+                                            let _e2810 = abs(_e2772.member_2.x);
+                                            let _e2812 = abs(_e2772.member_2.y);
+                                            let _e2814 = select(_e2812, _e2810, (_e2810 > _e2812));
+                                            let _e2816 = abs(_e2772.member_2.z);
                                             let _e2818 = select(_e2816, _e2814, (_e2814 > _e2816));
-                                            let _e2820 = abs(_e2776.member_2.z);
-                                            let _e2822 = select(_e2820, _e2818, (_e2818 > _e2820));
-                                            if (_e2822 > 0.000000000000000000000000000000000000011754944f) {
-                                                let _e2824 = (_e2822 < 340282350000000000000000000000000000000f);
-                                                if _e2824 {
-                                                    let _e2825 = (_e2776.member_2.x / _e2822);
-                                                    let _e2826 = (_e2776.member_2.y / _e2822);
-                                                    let _e2827 = (_e2776.member_2.z / _e2822);
-                                                    let _e2833 = sqrt((((_e2825 * _e2825) + (_e2826 * _e2826)) + (_e2827 * _e2827)));
-                                                    phi_5218_ = vec3<f32>((_e2825 / _e2833), (_e2826 / _e2833), (_e2827 / _e2833));
+                                            if (_e2818 > 0.000000000000000000000000000000000000011754944f) {
+                                                let _e2820 = (_e2818 < 340282350000000000000000000000000000000f);
+                                                if _e2820 {
+                                                    let _e2821 = (_e2772.member_2.x / _e2818);
+                                                    let _e2822 = (_e2772.member_2.y / _e2818);
+                                                    let _e2823 = (_e2772.member_2.z / _e2818);
+                                                    let _e2829 = sqrt((((_e2821 * _e2821) + (_e2822 * _e2822)) + (_e2823 * _e2823)));
+                                                    phi_5204_ = vec3<f32>((_e2821 / _e2829), (_e2822 / _e2829), (_e2823 / _e2829));
                                                 } else {
-                                                    phi_5218_ = vec3<f32>();
+                                                    phi_5204_ = vec3<f32>();
                                                 }
-                                                let _e2839 = phi_5218_;
-                                                phi_5221_ = _e2839;
-                                                phi_5222_ = select(true, false, _e2824);
+                                                let _e2835 = phi_5204_;
+                                                phi_5207_ = _e2835;
+                                                phi_5208_ = select(true, false, _e2820);
                                             } else {
-                                                phi_5221_ = vec3<f32>();
-                                                phi_5222_ = true;
+                                                phi_5207_ = vec3<f32>();
+                                                phi_5208_ = true;
                                             }
-                                            let _e2842 = phi_5221_;
-                                            let _e2844 = phi_5222_;
-                                            let _e2846 = select(_e2842, vec3<f32>(0f, 0f, 0f), vec3(_e2844));
-                                            let _e2853 = ((_e2812.y * _e2846.z) - (_e2846.y * _e2812.z));
-                                            let _e2858 = ((_e2812.z * _e2846.x) - (_e2846.z * _e2812.x));
-                                            let _e2861 = ((_e2812.x * _e2846.y) - (_e2846.x * _e2812.y));
-                                            let _e2867 = sqrt((((_e2853 * _e2853) + (_e2858 * _e2858)) + (_e2861 * _e2861)));
-                                            if (_e2867 <= 0.000000000000000000000000000000000000011754944f) {
-                                                phi_5336_ = 0f;
+                                            let _e2838 = phi_5207_;
+                                            let _e2840 = phi_5208_;
+                                            let _e2842 = select(_e2838, vec3<f32>(0f, 0f, 0f), vec3(_e2840));
+                                            let _e2849 = ((_e2808.y * _e2842.z) - (_e2842.y * _e2808.z));
+                                            let _e2854 = ((_e2808.z * _e2842.x) - (_e2842.z * _e2808.x));
+                                            let _e2857 = ((_e2808.x * _e2842.y) - (_e2842.x * _e2808.y));
+                                            let _e2863 = sqrt((((_e2849 * _e2849) + (_e2854 * _e2854)) + (_e2857 * _e2857)));
+                                            if (_e2863 <= 0.000000000000000000000000000000000000011754944f) {
+                                                phi_5322_ = 0f;
                                             } else {
-                                                let _e2879 = (((_e2812.x * _e2846.x) + (_e2812.y * _e2846.y)) + (_e2812.z * _e2846.z));
-                                                let _e2880 = abs(_e2879);
-                                                let _e2881 = abs(_e2867);
-                                                let _e2882 = (_e2881 > _e2880);
-                                                let _e2883 = select(_e2880, _e2881, _e2882);
-                                                if (_e2883 > 0f) {
-                                                    phi_5289_ = (select(_e2881, _e2880, _e2882) / _e2883);
+                                                let _e2875 = (((_e2808.x * _e2842.x) + (_e2808.y * _e2842.y)) + (_e2808.z * _e2842.z));
+                                                let _e2876 = abs(_e2875);
+                                                let _e2877 = abs(_e2863);
+                                                let _e2878 = (_e2877 > _e2876);
+                                                let _e2879 = select(_e2876, _e2877, _e2878);
+                                                if (_e2879 > 0f) {
+                                                    phi_5275_ = (select(_e2877, _e2876, _e2878) / _e2879);
                                                 } else {
-                                                    phi_5289_ = 0f;
+                                                    phi_5275_ = 0f;
                                                 }
-                                                let _e2888 = phi_5289_;
-                                                let _e2889 = (_e2888 > 0.41421357f);
-                                                if _e2889 {
-                                                    phi_5297_ = ((_e2888 - 1f) / (_e2888 + 1f));
+                                                let _e2884 = phi_5275_;
+                                                let _e2885 = (_e2884 > 0.41421357f);
+                                                if _e2885 {
+                                                    phi_5283_ = ((_e2884 - 1f) / (_e2884 + 1f));
                                                 } else {
-                                                    phi_5297_ = _e2888;
+                                                    phi_5283_ = _e2884;
                                                 }
-                                                let _e2894 = phi_5297_;
-                                                let _e2895 = (_e2894 * _e2894);
-                                                let _e2904 = (_e2894 + ((_e2894 * _e2895) * (-0.3333295f + (_e2895 * (0.19977711f + (_e2895 * (-0.13877685f + (_e2895 * 0.080537446f))))))));
-                                                if _e2889 {
-                                                    phi_5312_ = (_e2904 + 0.7853982f);
+                                                let _e2890 = phi_5283_;
+                                                let _e2891 = (_e2890 * _e2890);
+                                                let _e2900 = (_e2890 + ((_e2890 * _e2891) * (-0.3333295f + (_e2891 * (0.19977711f + (_e2891 * (-0.13877685f + (_e2891 * 0.080537446f))))))));
+                                                if _e2885 {
+                                                    phi_5298_ = (_e2900 + 0.7853982f);
                                                 } else {
-                                                    phi_5312_ = _e2904;
+                                                    phi_5298_ = _e2900;
                                                 }
-                                                let _e2907 = phi_5312_;
-                                                if _e2882 {
-                                                    phi_5318_ = (1.5707964f - _e2907);
+                                                let _e2903 = phi_5298_;
+                                                if _e2878 {
+                                                    phi_5304_ = (1.5707964f - _e2903);
                                                 } else {
-                                                    phi_5318_ = _e2907;
+                                                    phi_5304_ = _e2903;
                                                 }
-                                                let _e2910 = phi_5318_;
-                                                if ((bitcast<u32>(_e2879) & 2147483648u) == 0u) {
-                                                    phi_5326_ = _e2910;
+                                                let _e2906 = phi_5304_;
+                                                if ((bitcast<u32>(_e2875) & 2147483648u) == 0u) {
+                                                    phi_5312_ = _e2906;
                                                 } else {
-                                                    phi_5326_ = (3.1415927f - _e2910);
+                                                    phi_5312_ = (3.1415927f - _e2906);
                                                 }
-                                                let _e2916 = phi_5326_;
-                                                phi_5336_ = (((((_e169.x * _e2853) + (_e169.y * _e2858)) + (_e169.z * _e2861)) / _e2867) * bitcast<f32>(((bitcast<u32>(_e2916) & 2147483647u) | (bitcast<u32>(_e2867) & 2147483648u))));
+                                                let _e2912 = phi_5312_;
+                                                phi_5322_ = (((((_e169.x * _e2849) + (_e169.y * _e2854)) + (_e169.z * _e2857)) / _e2863) * bitcast<f32>(((bitcast<u32>(_e2912) & 2147483647u) | (bitcast<u32>(_e2863) & 2147483648u))));
                                             }
-                                            let _e2925 = phi_5336_;
-                                            let _e2931 = local_8;
-                                            let _e2933 = local_9;
-                                            phi_3946_ = ((abs((_e2776.member + _e2925)) * 0.5f) * (_e2931 / _e2933));
+                                            let _e2921 = phi_5322_;
+                                            let _e2927 = local_8;
+                                            let _e2929 = local_9;
+                                            phi_3932_ = ((abs((_e2772.member + _e2921)) * 0.5f) * (_e2927 / _e2929));
                                         }
-                                        let _e2937 = phi_3946_;
-                                        phi_3947_ = _e2937;
-                                        phi_3948_ = _e2158;
+                                        let _e2933 = phi_3932_;
+                                        phi_3933_ = _e2933;
+                                        phi_3934_ = _e2154;
                                     }
-                                    let _e2939 = phi_3947_;
-                                    let _e2941 = phi_3948_;
-                                    if _e2941 {
-                                        let _e2944 = local_10;
-                                        phi_3956_ = ((_e2944 * _e413.member_3) / f32(_e425));
+                                    let _e2935 = phi_3933_;
+                                    let _e2937 = phi_3934_;
+                                    if _e2937 {
+                                        let _e2940 = local_10;
+                                        phi_3942_ = ((_e2940 * _e413.member_3) / f32(_e425));
                                     } else {
-                                        phi_3956_ = _e2939;
+                                        phi_3942_ = _e2935;
                                     }
-                                    let _e2949 = phi_3956_;
-                                    phi_3957_ = _e2949;
+                                    let _e2945 = phi_3942_;
+                                    phi_3943_ = _e2945;
                                 } else {
-                                    phi_3957_ = _e2152;
+                                    phi_3943_ = _e2148;
                                 }
-                                let _e2951 = phi_3957_;
-                                phi_3966_ = vec3<f32>((_e413.member_6[0] * _e2951), (_e413.member_6[1] * _e2951), (_e413.member_6[2] * _e2951));
+                                let _e2947 = phi_3943_;
+                                phi_3952_ = vec3<f32>((_e413.member_6[0] * _e2947), (_e413.member_6[1] * _e2947), (_e413.member_6[2] * _e2947));
                             }
-                            let _e2961 = phi_3966_;
-                            phi_5562_ = _e2141;
-                            phi_3982_ = vec3<f32>((_e272.x + (_e2961.x * _e418)), (_e272.y + (_e2961.y * _e418)), (_e272.z + (_e2961.z * _e418)));
+                            let _e2957 = phi_3952_;
+                            phi_5544_ = _e2137;
+                            phi_3968_ = vec3<f32>((_e272.x + (_e2957.x * _e418)), (_e272.y + (_e2957.y * _e418)), (_e272.z + (_e2957.z * _e418)));
                         } else {
-                            phi_5562_ = _e371;
-                            phi_3982_ = _e272;
+                            phi_5544_ = _e371;
+                            phi_3968_ = _e272;
                         }
-                        let _e2976 = phi_5562_;
-                        let _e2978 = phi_3982_;
-                        phi_5561_ = _e2976;
-                        phi_1482_ = _e2978;
+                        let _e2972 = phi_5544_;
+                        let _e2974 = phi_3968_;
+                        phi_5543_ = _e2972;
+                        phi_1482_ = _e2974;
                     } else {
-                        phi_5561_ = _e268;
+                        phi_5543_ = _e268;
                         phi_1482_ = vec3<f32>();
                     }
-                    let _e2980 = phi_5561_;
-                    let _e2982 = phi_1482_;
+                    let _e2976 = phi_5543_;
+                    let _e2978 = phi_1482_;
                     continue;
                     continuing {
-                        phi_5345_ = _e2980;
+                        phi_5331_ = _e2976;
                         phi_1478_ = _e285;
-                        phi_1481_ = _e2982;
-                        phi_5560_ = _e2980;
+                        phi_1481_ = _e2978;
+                        phi_5542_ = _e2976;
                         break if !(_e291);
                     }
                 }
-                let _e2985 = phi_5560_;
-                if _e2985 {
+                let _e2981 = phi_5542_;
+                if _e2981 {
                     break;
                 }
-                let _e2987 = local_11;
-                let _e2990 = local_12;
-                let _e2993 = local_13;
+                let _e2983 = local_11;
+                let _e2986 = local_12;
+                let _e2989 = local_13;
                 if _e142 {
                 } else {
                     break;
                 }
-                out.member[_e141] = vec4<f32>(_e2987.x, _e2990.y, _e2993.z, 0f);
+                out.member[_e141] = vec4<f32>(_e2983.x, _e2986.y, _e2989.z, 0f);
             }
             break;
         }

@@ -3,7 +3,8 @@
 //!
 //! From points spread over all surfaces by area a ray leaves each side along the normal, through air or through a wall alike.
 //! Where it meets something, the distance is the width of the gap (or wall) that this point borders on. The widths are told by
-//! the share of surface that borders on less: what few square centimetres border on does not matter.
+//! the share of surface that borders on less: what few square centimetres border on does not matter, nor does what is finer than
+//! the finest grid that a method would take (pages of a book, a picture on its wall): no grid makes a difference to that.
 
 use super::Input;
 use crate::exec::{ExecError, Executor, ExecutorExt};
@@ -50,10 +51,20 @@ impl Gaps {
         Ok(Self { widths })
     }
 
-    /// The width (m) that all but `share` of the surface border on at least; `None` where there is no such gap.
-    pub fn narrowest(&self, share: f32) -> Option<f32> {
-        let index = (share * self.widths.len() as f32) as usize;
+    /// Of the gaps that are no finer than `least` (m) the width that all but `share` of all surface border on at least; `None` where
+    /// there is no such gap.
+    pub fn narrowest(&self, share: f32, least: f32) -> Option<f32> {
+        let index = self.finer(least) + (share * self.widths.len() as f32) as usize;
         self.widths.get(index).copied().filter(|w| w.is_finite())
+    }
+
+    /// Share of all surface that borders on gaps finer than `least` (m).
+    pub fn share_finer(&self, least: f32) -> f32 {
+        self.finer(least) as f32 / self.widths.len().max(1) as f32
+    }
+
+    fn finer(&self, least: f32) -> usize {
+        self.widths.partition_point(|w| *w < least)
     }
 }
 
@@ -77,6 +88,8 @@ pub struct Choice {
     pub resolution: u32,
     /// Width of the narrowest gap that matters (m); absent where nothing is across from anything, or a user chose.
     pub narrowest_gap_m: Option<f32>,
+    /// Share of the surface that borders on gaps too fine for any grid that would be chosen.
+    pub finer_share: f32,
     /// Cells that the gap would have needed along the longest side, where that is more than allowed.
     pub wanted: Option<u32>,
 }
@@ -84,7 +97,7 @@ pub struct Choice {
 impl Choice {
     /// What a user asked for.
     pub fn of_user(resolution: u32) -> Self {
-        Self { resolution, narrowest_gap_m: None, wanted: None }
+        Self { resolution, narrowest_gap_m: None, finer_share: 0.0, wanted: None }
     }
 }
 
@@ -95,17 +108,23 @@ impl Rule {
     /// What the executor returns.
     pub fn choose(&self, exec: &mut dyn Executor, input: &Input<'_>) -> Result<Choice, ExecError> {
         let (low, high) = input.scene.bounds();
-        let gaps = Gaps::measure(exec, input)?;
-        Ok(self.over((high - low).max_element(), gaps.narrowest(SHARE)))
+        Ok(self.over((high - low).max_element(), &Gaps::measure(exec, input)?))
     }
 
     /// The same for a scene whose longest side is `extent` (m).
-    fn over(&self, extent: f32, narrowest_gap_m: Option<f32>) -> Choice {
+    fn over(&self, extent: f32, gaps: &Gaps) -> Choice {
         let (least, most) = (*self.resolution.start(), *self.resolution.end());
-        // Without a gap, or one of a rounding, the ratio is 0 or huge: both end at a limit.
+        let finest = extent / most as f32;
+        let narrowest_gap_m = gaps.narrowest(SHARE, finest);
+        // Without a gap the ratio is 0.
         let cells = narrowest_gap_m.map_or(0.0, |gap| extent / gap * self.cells_per_gap);
         let needed = (cells.ceil() as u32).checked_next_multiple_of(STEP).unwrap_or(u32::MAX);
-        Choice { resolution: needed.clamp(least, most), narrowest_gap_m, wanted: (needed > most).then_some(needed) }
+        Choice {
+            resolution: needed.clamp(least, most),
+            narrowest_gap_m,
+            finer_share: gaps.share_finer(finest),
+            wanted: (needed > most).then_some(needed),
+        }
     }
 }
 
@@ -167,11 +186,11 @@ mod tests {
     fn a_wall_is_as_narrow_as_it_is_thick_whatever_the_unit() {
         for thickness in [0.05, 0.4] {
             let scene = two_rooms(thickness, 0.0);
-            let narrowest = gaps(&scene).narrowest(SHARE).unwrap();
+            let narrowest = gaps(&scene).narrowest(SHARE, 0.0).unwrap();
             assert!((narrowest / thickness - 1.0).abs() < 1e-3, "{narrowest} of {thickness}");
             let mut larger = scene.clone();
             larger.positions.iter_mut().for_each(|p| *p *= 1024.0);
-            assert_eq!(gaps(&larger).narrowest(SHARE), Some(narrowest * 1024.0));
+            assert_eq!(gaps(&larger).narrowest(SHARE, 0.0), Some(narrowest * 1024.0));
         }
     }
 
@@ -193,19 +212,21 @@ mod tests {
             scene.triangles.push(crate::scene::Triangle { vertices: vertices.map(|v| first + v), material: 0 });
         }
         let gaps = gaps(&scene);
-        assert!((gaps.narrowest(SHARE).unwrap() / 0.4 - 1.0).abs() < 1e-3);
-        assert!((gaps.narrowest(0.0).unwrap() / 0.001 - 1.0).abs() < 0.05, "it is seen all the same");
+        assert!((gaps.narrowest(SHARE, 0.0).unwrap() / 0.4 - 1.0).abs() < 1e-3);
+        assert!((gaps.narrowest(0.0, 0.0).unwrap() / 0.001 - 1.0).abs() < 0.05, "it is seen all the same");
     }
 
     #[test]
     fn grids_follow_gaps_within_their_limits() {
         let rule = Rule { cells_per_gap: 4.0, resolution: 32..=128 };
-        let choice = |gap| rule.over(10.0, gap);
-        assert_eq!(choice(Some(0.5)).resolution, 80);
-        assert_eq!(choice(Some(0.49)).resolution, 96, "in steps");
-        assert_eq!((choice(Some(5.0)).resolution, choice(None).resolution), (32, 32));
-        assert_eq!((choice(Some(0.1)).resolution, choice(Some(0.1)).wanted), (128, Some(400)));
-        assert_eq!(choice(Some(f32::MIN_POSITIVE)).resolution, 128);
-        assert_eq!(gaps(&Scene::default()).narrowest(SHARE), None);
+        let choice = |gaps: &[f32]| rule.over(10.0, &Gaps { widths: gaps.to_vec() });
+        assert_eq!(choice(&[0.5]).resolution, 80);
+        assert_eq!(choice(&[0.49]).resolution, 96, "in steps");
+        assert_eq!((choice(&[5.0]).resolution, choice(&[]).resolution), (32, 32));
+        assert_eq!((choice(&[0.1]).resolution, choice(&[0.1]).wanted), (128, Some(400)));
+        // Too fine for 128 cells: half of the surface is passed over, and the rest decides.
+        let passed_over = choice(&[0.001, 0.07, 0.5, f32::INFINITY]);
+        assert_eq!((passed_over.resolution, passed_over.finer_share, passed_over.wanted), (80, 0.5, None));
+        assert_eq!(gaps(&Scene::default()).narrowest(SHARE, 0.0), None);
     }
 }

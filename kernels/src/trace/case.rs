@@ -79,7 +79,7 @@ fn attributes(input: &mut CaseInput, t: &SceneTriangle) -> TriangleAttributes {
         uv: [(); 6].map(|()| input.unit() * 4.0 - 2.0),
         normals: [(); 3].map(|()| octahedral::pack(super::surface::unit_or(n + input.direction() * 0.3, n))),
         // Two thirds of the triangles have vertex colours.
-        tints: [(); 3].map(|()| if t.source % 3 == 0 { 0 } else { input.bits() >> 2 }),
+        tints: [(); 3].map(|()| if t.source.is_multiple_of(3) { 0 } else { input.bits() >> 2 }),
     }
 }
 

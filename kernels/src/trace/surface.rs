@@ -167,7 +167,8 @@ fn inside(coordinate: f32, wrap: u32) -> f32 {
     let turned = coordinate - floor(coordinate / period) * period;
     let folded = if turned > 1.0 { period - turned } else { turned };
     let coordinate = if wrap == WRAP_CLAMP { min(max(coordinate, 0.0), 1.0) } else { folded };
-    if coordinate >= 0.0 && coordinate <= 1.0 { coordinate } else { 0.0 }
+    // False for what is no number.
+    if abs(coordinate - 0.5) <= 0.5 { coordinate } else { 0.0 }
 }
 
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Voxel cone tracing on a full grid (of which only occupied voxels have light stored): light on voxels, directional mipmaps, a few cones per pixel.
+//! Voxel cone tracing on a full grid, of which only occupied voxels hold light: directional mipmaps, a few cones per pixel.
 //!
 //! Crassin, Neyret, Sainz, Green & Eisemann 2011; thesis on voxel techniques, §4.2. Kernels and deviations:
 //! `interreflect_kernels::{voxel, cone}`. Order: voxelize (geometry changed); inject, radiate, mipmap, and for each further
