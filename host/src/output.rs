@@ -21,12 +21,12 @@ macro_rules! tell {
     ($($text:tt)*) => { $crate::output::aside(format_args!($($text)*)) };
 }
 
-/// [`say!`] as a function.
+/// What `say!` calls.
 pub fn line(text: Arguments<'_>) {
     keep(writeln!(stdout(), "{text}"));
 }
 
-/// [`tell!`] as a function. There is nowhere left to report a failure of standard error.
+/// What `tell!` calls. There is nowhere left to report a failure of standard error.
 pub fn aside(text: Arguments<'_>) {
     let _ = writeln!(stderr(), "{text}");
 }

@@ -59,12 +59,12 @@ pub fn default_dir() -> PathBuf {
         .join("interreflect")
 }
 
-/// [`render`], or the same picture from `dir`, where an earlier run left it. A missing or damaged file is made anew;
+/// [`super::render()`], or the same picture from `dir`, where an earlier run left it. A missing or damaged file is made anew;
 /// it appears whole or not at all, so that runs side by side may share a directory. `tree` is the scene's, and built only where
 /// something is to be traced; `size` in pixels, width first.
 ///
 /// # Errors
-/// As [`render`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
+/// As [`super::render()`]; [`ReferenceError::Cache`] where the directory cannot be made or written.
 pub fn cached(
     dir: &Path,
     tree: &KeptTree,
