@@ -34,14 +34,15 @@ pub fn run(args: &CompareArgs, as_json: bool) -> Result<(), Error> {
     let visible = view.visible();
 
     let mut settings = setup::truth_settings(&args.truth, args.scene.seed, TRUTH_NOISE);
-    if settings.spp.is_none() && args.truth.noise.is_none() {
+    let asked = settings.spp.is_some() || args.truth.noise.is_some();
+    if !asked {
         settings.spp = Some(MOST_PATHS);
     }
     let truths = setup::Truths::new(&args.scene, &scene, settings);
     let picture = truths.picture(&camera)?;
     let receivers: Vec<Receiver> = view.surfels.iter().map(Receiver::from).collect();
     let irradiance = truths.irradiance(&receivers)?;
-    if settings.spp == Some(MOST_PATHS) && irradiance.noise > TRUTH_NOISE {
+    if !asked && irradiance.noise > TRUTH_NOISE {
         let noise = 100.0 * irradiance.noise;
         tell!("note: the truth ends at {MOST_PATHS} paths per pixel, with {noise:.0} % of noise: `--noise` goes on");
     }

@@ -6,7 +6,7 @@
 //! the share of surface that borders on less: what few square centimetres border on does not matter, nor does what is finer than
 //! the finest grid that a method would take (pages of a book, a picture on its wall): no grid makes a difference to that.
 
-use super::Input;
+use super::{Input, StageClock};
 use crate::exec::{ExecError, Executor, ExecutorExt};
 use crate::scene::Scene;
 use glam::Vec3;
@@ -96,19 +96,33 @@ pub struct Choice {
 
 impl Choice {
     /// What a user asked for.
-    pub fn of_user(resolution: u32) -> Self {
+    fn of_user(resolution: u32) -> Self {
         Self { resolution, narrowest_gap_m: None, finer_share: 0.0, wanted: None }
     }
 }
 
 impl Rule {
-    /// The coarsest grid that resolves the narrowest gap that matters.
+    /// The grid that a user `asked` for, else the coarsest one that resolves the narrowest gap that matters.
     ///
     /// # Errors
     /// What the executor returns.
-    pub fn choose(&self, exec: &mut dyn Executor, input: &Input<'_>) -> Result<Choice, ExecError> {
+    pub fn choose(
+        &self,
+        asked: Option<u32>,
+        exec: &mut dyn Executor,
+        input: &Input<'_>,
+        clock: &mut StageClock,
+    ) -> Result<Choice, ExecError> {
+        if let Some(resolution) = asked {
+            return Ok(Choice::of_user(resolution));
+        }
+        let mut gaps = Gaps { widths: Vec::new() };
+        clock.stage(exec, "gaps", |exec| {
+            gaps = Gaps::measure(exec, input)?;
+            Ok::<(), ExecError>(())
+        })?;
         let (low, high) = input.scene.bounds();
-        Ok(self.over((high - low).max_element(), &Gaps::measure(exec, input)?))
+        Ok(self.over((high - low).max_element(), &gaps))
     }
 
     /// The same for a scene whose longest side is `extent` (m).

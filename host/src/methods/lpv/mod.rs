@@ -408,7 +408,7 @@ impl Method for Lpv {
         clock: &mut StageClock,
     ) -> Result<(), MethodError> {
         let o = self.options;
-        let resolution = o.resolution.map_or_else(|| RULE.choose(exec, input), |n| Ok(Choice::of_user(n)))?;
+        let resolution = RULE.choose(o.resolution, exec, input, clock)?;
         let placements = o.placements(input.scene, resolution.resolution);
         let maps = Maps::new(exec, input, o.rsm)?;
         check_memory(&o, &placements)?;

@@ -306,7 +306,7 @@ impl Method for Vct {
         let emission_max = input.scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max);
         let options =
             VoxelOptions { method: NAME, anisotropic: o.anisotropic, limit_bytes: o.memory_limit_bytes, emission_max };
-        let resolution = o.resolution.map_or_else(|| RULE.choose(exec, input), |n| Ok(Choice::of_user(n)))?;
+        let resolution = RULE.choose(o.resolution, exec, input, clock)?;
         let grid = VoxelGrid::around(input.scene.bounds(), resolution.resolution);
         let voxels = VoxelScene::build(exec, input.buffers, &grid, &options, clock)?;
         let gather = self.cone_params(&voxels, o.cones);
